@@ -127,14 +127,14 @@ void TestCliAccounts::passwordsChange() {
     QCOMPARE(object(as("bob", reset, {"user", "passwd"}, kBob))["changed"].toBool(), true);
 }
 
-/// The code that `init` showed gives the administrator a new password, once; the new code then gives the next.
+/// The recovery code from `init` sets a new password for the administrator and works once; the next recovery needs the new code.
 void TestCliAccounts::aForgottenPasswordIsRecovered() {
     const QStringList recover{"user", "recover", "alice", "--database", m_database, "--json"};
     const QString other = QStringLiteral("another horse battery");
     const CliRun wrong = runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", other}, {"CHIRON_NEW_PASSWORD", other}});
     QCOMPARE(wrong.exitCode, 2);
     QVERIFY(wrong.out.isEmpty());
-    QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0); // the password is as it was
+    QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0); // the old password still works
 
     const QJsonObject first = object(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", other}}));
     QCOMPARE(first["name"].toString(), QStringLiteral("alice"));
@@ -143,7 +143,7 @@ void TestCliAccounts::aForgottenPasswordIsRecovered() {
     QCOMPARE(as("alice", other, {"user", "list"}).exitCode, 0);
     QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 2);
 
-    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", kAlice}}).exitCode, 2); // used up
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", m_recoveryCode}, {"CHIRON_NEW_PASSWORD", kAlice}}).exitCode, 2); // this code has been used
     const CliRun piped = runCli(recover + QStringList{"--password-stdin"}, next.toUtf8() + "\n" + kAlice.toUtf8() + "\n");
     QVERIFY2(piped.exitCode == 0, piped.err.constData());
     QCOMPARE(as("alice", kAlice, {"user", "list"}).exitCode, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The main job on small content: people, sessions by scripted operators, a study, reports; all of it found again in the database.
+// Runs `chiron-cli demo` on a small catalogue, and checks that people, scripted sessions, study and reports are there and in the database.
 #include "cli_process.h"
 #include "support/content_copy.h"
 
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// One exercise with its first two levels, of one trial each.
+/// Keeps one exercise with its first two levels, each with one trial.
 void makeSmall(const ContentCopy& content) {
     const QDir exercises(content.path(QStringLiteral("exercises")));
     for (const QString& exercise : exercises.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
@@ -69,7 +69,7 @@ void TestCliDemo::makesAWholeSite() {
         for (const QJsonValue& file : made[QLatin1String(files)].toArray())
             QVERIFY2(QFileInfo(file.toString()).size() > 1000, qPrintable(file.toString()));
     }
-    // Each of four operators and each of three trainees did both levels.
+    // Each of the four operators and the three trainees did both levels.
     std::map<std::pair<QString, int>, int> times;
     for (const QJsonValue& value : made["sessions"].toArray()) {
         const QJsonObject session = value.toObject();
@@ -87,14 +87,14 @@ void TestCliDemo::makesAWholeSite() {
     }
     QCOMPARE(times.size(), std::size_t{8});
 
-    // What it says lies in the database, and its people can log in with the password that it names.
+    // The database holds what the command reported, and its people can log in with the password that it printed.
     const QMap<QString, QString> password{{"CHIRON_PASSWORD", made["password"].toString()}};
     const auto ask = [&](const QStringList& words, const char* as) {
         return QJsonDocument::fromJson(runCli(words + QStringList{"--as", as, "--database", made["database"].toString(), "--json"}, {}, password).out);
     };
     QCOMPARE(ask({"user", "list"}, "amalia").array().size(), 6);
     const QJsonArray listed = ask({"session", "list"}, "theo").object()["sessions"].toArray();
-    QCOMPARE(listed.size(), made["sessions"].toArray().size() + 1); // and the rendered sitting of the study
+    QCOMPARE(listed.size(), made["sessions"].toArray().size() + 1); // plus the study's rendered sitting
     QCOMPARE(runCli({"verify", "--database", made["database"].toString()}).exitCode, 0);
 }
 

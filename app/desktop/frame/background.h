@@ -66,13 +66,13 @@ public:
 
     /// Asks everything to end early and waits for it: before the database closes.
     void cancelAndWait();
-    /// Nothing runs, and no result is still to be told.
+    /// Nothing is running and every result has been delivered.
     bool idle() const { return m_underWay == 0; }
 
 private:
     QThreadPool m_pool;
     std::vector<std::weak_ptr<WorkToken>> m_tokens;
-    int m_underWay = 0; ///< begun and not yet told; GUI thread
+    int m_underWay = 0; ///< begun, and its result not yet delivered; GUI thread
 };
 
 } // namespace chiron::desktop

@@ -10,7 +10,7 @@ using namespace chiron;
 using desktop::Background;
 using desktop::WorkToken;
 
-/// Work off the GUI thread, and how its end is told.
+/// Background runs work off the GUI thread and delivers its result on it.
 class TestBackground : public QObject {
     Q_OBJECT
 private slots:
@@ -34,7 +34,7 @@ void TestBackground::resultsAreToldOnTheGuiThread() {
     QCOMPARE(told, QThread::currentThread());
 }
 
-/// Between the end of the work and the event that tells of it nothing runs, and the screen does not know the result yet.
+/// When the work has ended, its result still waits in the event queue: the screen does not know it yet, so this is not idle.
 void TestBackground::isBusyUntilTheResultIsTold() {
     Background background;
     QVERIFY(background.idle());
@@ -79,7 +79,7 @@ void TestBackground::endsEarlyWhenAsked() {
     background.run(this, untilCancelled, [](int) {});
     one->cancel();
     QTRY_COMPARE(ended.load(), 1);
-    QVERIFY(!background.idle()); // the other goes on
+    QVERIFY(!background.idle()); // the other one is still running
     background.cancelAndWait();
     QCOMPARE(ended.load(), 2);
 }

@@ -241,7 +241,7 @@ private:
         press("the beginning", Qt::Key_Home);
         press("nothing before it", Qt::Key_Left, Qt::ControlModifier);
     }
-    /// The time bar as it is painted, and what is said where the mouse rests on it.
+    /// How the time bar is painted, and its tooltips.
     void timeBar(const desktop::PlaybackData& data) {
         auto* bar = find<desktop::Scrubber>("playback.scrubber");
         bar->resize(800, 48);

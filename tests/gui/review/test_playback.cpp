@@ -233,7 +233,7 @@ void TestPlayback::ghostsAreOfTheSameDeviceClass() {
     QVERIFY(felt.contains(m_bad) && !felt.contains(shown) && !felt.contains(alsoShown) && !felt.contains(m_good));
 }
 
-// The first of one's own, then the best: the earliest of those that are as good as each other.
+// One's own first session heads the list, then one's best; of equally good sessions the earliest counts as the best.
 void TestPlayback::theEarliestOfTheBestStandsOut() {
     for (const auto& recording : {m_made->bad, m_made->good, m_made->good, m_made->bad, m_made->bad})
         tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(recording));

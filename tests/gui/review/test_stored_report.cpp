@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session's report says is what is stored of it: every fact, every score.
+// A session's report states exactly what is stored: every fact and every score.
 #include "database/repositories/score_repository.h"
 #include "review_sessions.h"
 #include "session_report/metric_words.h"

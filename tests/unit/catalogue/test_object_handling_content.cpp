@@ -99,8 +99,8 @@ private slots:
         row("unknown key", "lift_and_place", R"({"colour": 3})", "$.parameters.colour");
         row("range", "lift_and_place", R"({"hold_s": 99})", "$.parameters.hold_s");
     }
-    // What lies just on a limit is content, too: one mass for all, masses exactly as far apart as they have to be, an answer just as the next
-    // question comes, an object exactly as heavy as its stiffness asks for.
+    // Values exactly at a limit are accepted: the same mass at both ends, masses exactly mass_ratio apart, an answer that comes exactly with the
+    // next question, and the shortest latency that leaves time to blend.
     void justWithin_data() {
         QTest::addColumn<QString>("level");
         QTest::addColumn<QByteArray>("change");

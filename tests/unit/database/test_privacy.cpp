@@ -164,7 +164,7 @@ void TestPrivacy::exportHoldsEverything() {
     QVERIFY(held->audit.size() >= 5); // created, logged in, began, finished, scored, commented
 }
 
-/// What a person takes home of the audit is what they did and what was done to them, and nobody else's.
+/// A person's export contains the audit entries of what they did and of what was done to their account, and no others.
 void TestPrivacy::exportHoldsNobodyElsesAudit() {
     DatabaseFixture f;
     REQUIRE(f.create());
@@ -185,7 +185,7 @@ void TestPrivacy::exportHoldsNobodyElsesAudit() {
             expected.push_back(entry.sequence);
         }
     }
-    std::sort(expected.begin(), expected.end()); // listed newest first, taken home in order
+    std::sort(expected.begin(), expected.end()); // the list has the newest first, the export the oldest
     QVERIFY(expected.size() < whole->size());
     const auto held = PrivacyRepository(**reader, *tim).exportPerson(tim->personId());
     REQUIRE(held);

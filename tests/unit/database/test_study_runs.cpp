@@ -48,7 +48,7 @@ void TestStudyRuns::rowsOfTheOrderAreThoseOfAStudy() {
     QCOMPARE(rowOf(enrolled(other, "")), std::int64_t{2});
 }
 
-// How many take part, are done and how often they answered, of each study by itself.
+// Each study counts its own participants, completed participants and scored trials.
 void TestStudyRuns::countsAreOfAStudy() {
     const StudyNumber one = frozen("counted"), other = frozen("counted_beside");
     const ParticipantNumber done = consented(one);
@@ -71,7 +71,7 @@ void TestStudyRuns::countsAreOfAStudy() {
     const StudySummary first = StudyReader(*reader(), m_ruth).study(one)->summary, second = StudyReader(*reader(), m_ruth).study(other)->summary;
     QCOMPARE(first.participants, 2);
     QCOMPARE(first.completed, 1);
-    QCOMPARE(first.trials, 2); // one of each condition is neither practice nor spoiled
+    QCOMPARE(first.trials, 2); // in each condition one trial is neither practice nor spoiled
     QCOMPARE(second.participants, 1);
     QCOMPARE(second.completed, 0);
     QCOMPARE(second.trials, 0);

@@ -167,7 +167,7 @@ void TestSafetyLimits::capsHoldWhereTheSlewKeepsPartOfTheLastForce() {
     QVERIFY(rig.force().y() > 1.4);
 }
 
-/// A pose where the driver's mathematics has no answer, on one axis or on all: no force, and no half of one.
+/// Where the kinematics gives an effort that is not finite, on any axis, no force or torque is rendered at all.
 void TestSafetyLimits::aKinematicsWithoutAnAnswerGivesNoForce() {
     class Unanswered : public test::CartesianKinematics {
     public:

@@ -13,7 +13,7 @@ namespace {
 
 Task taskOf(int i) { return static_cast<Task>(i); }
 
-/// How many ways a task's objects can lie, from its definition alone.
+/// All arrangements that a task's definition allows, found by trying every combination.
 std::set<Places> everyWay(Task task) {
     const int places = placesOf(task);
     const int most = ranksThree(task) ? 2 : 1;
@@ -57,7 +57,7 @@ std::set<Places> everyWay(Task task) {
 
 } // namespace
 
-/// Where things lie, what can be said of them, and what is right.
+/// Arrangements of the objects, possible answers, and which answer is right.
 class TestArrangements : public QObject {
     Q_OBJECT
 private slots:

@@ -48,8 +48,8 @@ void TestFitDegenerate::unusualData_data() {
     }
 }
 
-/// Every function by maximum likelihood; a posterior takes up to seconds, so each experiment has one of one function, by turns.
-/// test_fit_unusual_posteriors (long) has them all.
+/// Fits every function by maximum likelihood. A posterior can take seconds, so each experiment gets that of one function, in turn; the long test
+/// test_fit_unusual_posteriors computes all of them.
 void TestFitDegenerate::unusualData() {
     QFETCH(int, number);
     const UnusualData& experiment = unusualExperiments()[static_cast<std::size_t>(number)];

@@ -6,7 +6,7 @@
 using namespace chiron::psychophysics;
 using namespace chiron::tests;
 
-/// The posterior of every function, with a known and with a free guess rate, of experiments that no study plans.
+/// Computes the posterior of every function for unusual experiments, with a known and with a free guess rate.
 class TestFitUnusualPosteriors : public QObject {
     Q_OBJECT
 private slots:

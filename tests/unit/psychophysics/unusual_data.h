@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-/// Experiments that no study plans and that happen all the same.
+/// Experiments that nobody plans but that do occur.
 namespace chiron::tests {
 
 struct UnusualData {
     const char* name;
-    std::vector<double> right; ///< of each level, from 1 up
-    double of;                 ///< trials of each level
+    std::vector<double> right; ///< right answers at each level; the levels are 1, 2, 3, …
+    double of;                 ///< trials at each level
     const char* likelihoodWarning;
-    const char* posteriorWarning; ///< of the Gaussian in two alternatives; empty: none is asked for
+    const char* posteriorWarning; ///< expected of the Gaussian in 2AFC; empty: none
 };
 
 inline const std::vector<UnusualData>& unusualExperiments() {
@@ -57,7 +57,7 @@ inline psychophysics::FitOptions yesNo(psychophysics::Sigmoid function = psychop
     return options;
 }
 
-/// Whatever the data, numbers are finite or not numbers with a warning, and shares are shares.
+/// Whatever the data, a fit gives finite values, or NaN with a warning; proportions lie between 0 and 1.
 inline void mustBeSane(const psychophysics::FitResult& fit) {
     QVERIFY(fit.fitted ? std::isfinite(fit.threshold) && fit.width > 0.0 : std::isnan(fit.threshold) && std::isnan(fit.width));
     QVERIFY(fit.fitted || !fit.warnings.empty());

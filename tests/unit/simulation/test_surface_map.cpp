@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kCells = SurfaceMap::kColumns * SurfaceMap::kRows;
 
-/// The map as its description says it: every cell is asked of every press, wherever that lies.
+/// A direct implementation of the definition: every press is checked against every cell.
 struct PlainMap {
     Vec2 half_m;
     double radius_m, cover_N;
@@ -45,7 +45,7 @@ struct PlainMap {
 
 } // namespace
 
-/// Where a search area was pressed, against the plain definition.
+/// Compares the map of presses with a direct implementation of its definition.
 class TestSurfaceMap : public QObject {
     Q_OBJECT
 private slots:
@@ -77,7 +77,7 @@ void TestSurfaceMap::everyPressIsWhereItWas() {
     PlainMap plain{half, radius_m, 0.5};
     auto random = core::Random::stream(11, "presses");
     for (int i = 0; i < 200; ++i) {
-        // half of them within the area, the others also beside it
+        // every second press lies within the area, the others may lie beside it
         const double beyond = i % 2 ? 1.0 : 1.3;
         const Vec2 p(beyond * half.x() * random.uniform(-1.0, 1.0), beyond * half.y() * random.uniform(-1.0, 1.0));
         const double force = random.uniform(0.01, 1.0);
@@ -89,14 +89,14 @@ void TestSurfaceMap::everyPressIsWhereItWas() {
     QVERIFY((PlainMap{half, radius_m, 0.5}.isIn(map)));
 }
 
-/// A small pad on the middle of each cell presses that cell and no other.
+/// A pad smaller than a cell, pressed at the centre of a border cell, marks that cell alone.
 void TestSurfaceMap::reachesEveryBorderCell() {
     const Vec2 half(0.04, 0.03);
     for (int row : {0, 1, SurfaceMap::kRows - 2, SurfaceMap::kRows - 1})
         for (int column : {0, 1, SurfaceMap::kColumns - 2, SurfaceMap::kColumns - 1}) {
             SurfaceMap map(half, 0.0001, 0.5);
             map.press(map.middle_m(column, row), 0.5);
-            QVERIFY(map.covered(column, row)); // at least the covering force
+            QVERIFY(map.covered(column, row)); // exactly the covering force is enough
             QCOMPARE(map.coverage(), 1.0 / kCells);
         }
 }
@@ -110,7 +110,7 @@ void TestSurfaceMap::aStepIsAChange() {
     map.press({0.0, 0.0}, 0.2);
     map.press({1.0, 0.0}, 0.9); // beside the area
     QCOMPARE(map.step(), before + 1);
-    QCOMPARE(map.coverage(), 0.0); // pressed, and too softly to have been searched
+    QCOMPARE(map.coverage(), 0.0); // pressed too softly to count as searched
     map.press({0.0, 0.0}, 0.6);
     QCOMPARE(map.step(), before + 2);
     QVERIFY(map.coverage() > 0.0);

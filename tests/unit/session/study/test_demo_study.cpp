@@ -140,7 +140,7 @@ void TestDemoStudy::itStopsWhenAsked() {
     const Site stopped(1, &cancel);
     QVERIFY(!stopped.made.has_value());
     QCOMPARE(stopped.made.error().code, core::ErrorCode::cancelled);
-    QVERIFY(stopped.told.empty()); // nobody had begun
+    QVERIFY(stopped.told.empty()); // no participant had begun
 }
 
 QTEST_GUILESS_MAIN(TestDemoStudy)

@@ -139,7 +139,7 @@ session::PlaceFidelity strokedThere(double mu, double swing_m) {
 class TestStudyExport : public QObject {
     Q_OBJECT
 private slots:
-    /// Scored is what was answered, for good, and neither practice nor spoiled; an adjustment's answer is the value set.
+    /// A trial is scored if it has an answer, or for an adjustment a value, and is neither practice, undone nor spoiled.
     void whichTrialsAreScored() {
         database::StudyTrial answered;
         answered.procedure = 1;
