@@ -340,8 +340,8 @@ void ReportBlocks::addIntegrity() {
         {Words::tr("Build"), facts.buildId},
         {Words::tr("Content (SHA-256)"), facts.contentSha256},
         {Words::tr("Recording (BLAKE2b)"), facts.recordingDigest}};
-    if (!facts.resultDigest.isEmpty())
-        digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.resultDigest);
+    if (!facts.scoreSeal.isEmpty())
+        digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.scoreSeal);
     addPairs(digests, 1);
     // One group on one page: a digest alone on a page says nothing.
     for (std::size_t i = first; i + 1 < m_blocks.size(); ++i)

@@ -112,7 +112,7 @@ struct IntegrityFacts {
     QString buildId;
     QString contentSha256;   ///< of the resolved content, hex
     QString recordingDigest; ///< BLAKE2b over the recording, hex
-    QString resultDigest;    ///< of the score row, hex; empty if none
+    QString scoreSeal;       ///< BLAKE2b over the stored scores, hex; empty if none are shown
 };
 
 /// What tissue answered beside what a hand was given, in the running time of the session's trials.

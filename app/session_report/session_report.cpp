@@ -136,11 +136,17 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
     if (!trials)
         return tl::unexpected(trials.error());
     data.trialsDone = trialsDoneOf(*trials);
-    auto card = database::ScoreRepository(connection, actor).scores(record.summary.id);
+    database::ScoreRepository repository(connection, actor);
+    auto card = repository.scores(record.summary.id);
     if (card) {
         const bool judged = isJudged(record);
-        if (judged || data.trialsDone > 0) // of trials that were all broken off nothing is said
+        if (judged || data.trialsDone > 0) { // of trials that were all broken off nothing is said
             data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged);
+            const auto seal = repository.scoreSeal(record.summary.id);
+            if (!seal)
+                return tl::unexpected(seal.error());
+            data.integrity.scoreSeal = QString::fromStdString(recording::toHex(*seal));
+        }
         if (judged && !setup.level.gates.empty())
             data.passed = card->passed;
     } else if (card.error().code != core::ErrorCode::notFound) {

@@ -55,6 +55,7 @@ constexpr AccessRow kRows[] = {
     {A::openChunks,               Sim,      Sim,      All,        OwnSim, All,    All,       All},
     {A::storeScores,              No,       Own,      All,        Own,    Own,    Own,       Own},
     {A::scores,                   Sim,      Sim,      All,        OwnSim, All,    All,       All},
+    {A::scoreSeal,                Sim,      Sim,      All,        OwnSim, All,    All,       All},
     {A::listAudit,                No,       No,       No,         No,     No,     No,        All},
     // A study, and everything in it, belongs to its author.
     {A::createStudy,          No,       Own,      No,         No,     No,     Own,       Own},

@@ -43,6 +43,7 @@
     X(SessionReader, openChunks)                                                                             \
     X(ScoreRepository, storeScores)                                                                          \
     X(ScoreRepository, scores)                                                                               \
+    X(ScoreRepository, scoreSeal)                                                                            \
     X(AuditRepository, listAudit)                                                                            \
     X(StudyRepository, createStudy)                                                                          \
     X(StudyRepository, saveDraft)                                                                            \

@@ -9,6 +9,7 @@
 #include "database/repositories/session_seal.h"
 #include "database/repositories/study_blinding.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::database {
@@ -85,6 +86,29 @@ scoring::MetricValue metricOf(const Query& row) {
     return metric;
 }
 
+// The row (id, passed, trials, seal) of the latest set, or of the one asked for.
+core::Result<Query> storedSet(Connection& connection, const Actor& actor, SessionId session, std::optional<int> wanted) {
+    const auto closed = isSealedSitting(connection, actor, session);
+    if (!closed || *closed) {
+        return closed ? core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) +
+                                                                  " is a sitting of a blinded study: its scores come once the study is unblinded")
+                      : tl::unexpected(closed.error());
+    }
+    auto set = Query::run(
+        connection,
+        "SELECT id, passed, trials, seal FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
+        "ORDER BY ordinal DESC LIMIT 1",
+        {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
+    const auto found = set ? set->next() : tl::unexpected(set.error());
+    if (!found) {
+        return tl::unexpected(found.error());
+    }
+    if (!*found) {
+        return core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) + " has no scores");
+    }
+    return set;
+}
+
 } // namespace
 
 core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring::ScoreCard& card) {
@@ -107,7 +131,7 @@ core::Result<int> ScoreRepository::storeScores(SessionId session, const scoring:
         done = storeGroup(m_connection, set->id, static_cast<int>(i), card.trials[i]);
         count += card.trials[i].size();
     }
-    const auto seal = done ? scoreSeal(m_connection, set->id) : tl::unexpected(done.error());
+    const auto seal = done ? database::scoreSeal(m_connection, set->id) : tl::unexpected(done.error());
     if (!seal) {
         return tl::unexpected(seal.error());
     }
@@ -133,23 +157,9 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
     if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scores, session); !allowed) {
         return tl::unexpected(allowed.error());
     }
-    const auto closed = isSealedSitting(m_connection, m_actor, session);
-    if (!closed || *closed) {
-        return closed ? core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) +
-                                                                  " is a sitting of a blinded study: its scores come once the study is unblinded")
-                      : tl::unexpected(closed.error());
-    }
-    auto set = Query::run(
-        m_connection,
-        "SELECT id, passed, trials FROM score_set WHERE session_id = ? AND ordinal BETWEEN ? AND ? "
-        "ORDER BY ordinal DESC LIMIT 1",
-        {session, std::int64_t{wanted.value_or(1)}, std::int64_t{wanted.value_or(1'000'000)}});
-    const auto found = set ? set->next() : tl::unexpected(set.error());
-    if (!found) {
-        return tl::unexpected(found.error());
-    }
-    if (!*found) {
-        return core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) + " has no scores");
+    auto set = storedSet(m_connection, m_actor, session, wanted);
+    if (!set) {
+        return tl::unexpected(set.error());
     }
     scoring::ScoreCard card;
     card.passed = set->integer(1) != 0;
@@ -171,6 +181,23 @@ core::Result<scoring::ScoreCard> ScoreRepository::scores(SessionId session, std:
         (trial < 0 ? card.metrics : card.trials[static_cast<std::size_t>(trial)]).push_back(metricOf(*query));
     }
     return row ? core::Result<scoring::ScoreCard>(std::move(card)) : tl::unexpected(row.error());
+}
+
+core::Result<RowDigest> ScoreRepository::scoreSeal(SessionId session, std::optional<int> wanted) {
+    if (auto allowed = authoriseForSession(m_connection, m_actor, Action::scoreSeal, session); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    const auto set = storedSet(m_connection, m_actor, session, wanted);
+    if (!set) {
+        return tl::unexpected(set.error());
+    }
+    const auto seal = set->blob(3);
+    RowDigest digest{};
+    if (seal.size() != digest.size()) {
+        return core::fail(core::ErrorCode::storage, "scores of session " + std::to_string(session) + " are damaged; run verify");
+    }
+    std::copy(seal.begin(), seal.end(), digest.begin());
+    return digest;
 }
 
 } // namespace chiron::database

@@ -3,6 +3,7 @@
 
 #include "core/result.h"
 #include "database/connection.h"
+#include "database/integrity/row_digest.h"
 #include "database/repositories/session_types.h"
 #include "scoring/score_card.h"
 
@@ -22,6 +23,9 @@ public:
     core::Result<int> storeScores(SessionId session, const scoring::ScoreCard& card);
     /// The latest set, or the one asked for. Failure: notFound when there is none.
     core::Result<scoring::ScoreCard> scores(SessionId session, std::optional<int> set = {});
+    /// The seal of that set (session_seal.h): what the audit chain vouches for, and what a report names its scores by.
+    /// Failure as for scores.
+    core::Result<RowDigest> scoreSeal(SessionId session, std::optional<int> set = {});
 
 private:
     Connection& m_connection;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session's report states exactly what is stored: every fact and every score.
 #include "database/repositories/score_repository.h"
+#include "recording/digest.h"
 #include "review_sessions.h"
 #include "session_report/metric_words.h"
 #include "session_report/session_report.h"
@@ -133,6 +134,9 @@ void TestStoredReport::scoresAreTheCards() {
         }
     }
     QVERIFY(gated > 0);
+    const auto seal = database::ScoreRepository(*m_reader, *m_tina).scoreSeal(m_good);
+    QVERIFY(seal);
+    QCOMPARE(data.integrity.scoreSeal, QString::fromStdString(recording::toHex(*seal)));
     QVERIFY(std::any_of(data.metrics.begin(), data.metrics.end(), [](const report::MetricRow& row) { return !row.unit.isEmpty(); }));
 }
 

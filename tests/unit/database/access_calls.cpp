@@ -105,6 +105,8 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return drop(ScoreRepository(c, a).storeScores(id, someCard())); });
     add(Action::scores, Touches::ended, false,
         [](C& c, A a, std::int64_t id) { return drop(ScoreRepository(c, a).scores(id)); });
+    add(Action::scoreSeal, Touches::ended, false,
+        [](C& c, A a, std::int64_t id) { return drop(ScoreRepository(c, a).scoreSeal(id)); });
     add(Action::listAudit, none, false,
         [](C& c, A a, std::int64_t) { return drop(AuditRepository(c, a).listAudit()); });
     add(Action::backup, none, false, [&m](C&, A a, std::int64_t) {

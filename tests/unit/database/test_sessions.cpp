@@ -22,6 +22,7 @@ private slots:
     void everyFieldIsItsOwn();
     void listsChooseWhatIsAsked();
     void scoresComeBackBitForBit();
+    void scoresAreNamedByTheirSeal();
     void contentIsSharedAndHashed();
     void endedSessionsAreClosed();
     void voidedAndArchivedStay();
@@ -259,6 +260,39 @@ void TestSessions::scoresComeBackBitForBit() {
     QCOMPARE(*first->trials[1][0].value, 1e-300);
     QCOMPARE(scores.scores(*id, 3).error().code, core::ErrorCode::notFound);
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestSessions::scoresAreNamedByTheirSeal() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto id = storeSession(*f.database, Actor::simulated());
+    REQUIRE(id);
+    scoring::ScoreCard card;
+    card.metrics.push_back({"m", 1, "N", 0.25, "", std::nullopt});
+    const auto storeAgain = [&] {
+        return f.database->write([&](WriteContext& w) { return ScoreRepository(w.connection(), Actor::simulated()).storeScores(*id, card); });
+    };
+    REQUIRE(storeAgain());
+    card.metrics[0].value = std::nextafter(0.25, 1.0);
+    REQUIRE(storeAgain());
+    auto reader = f.database->openReader();
+    ScoreRepository scores(**reader, Actor::anonymous());
+    std::vector<RowDigest> seals;
+    for (const int set : {1, 2, 3}) {
+        const auto seal = scores.scoreSeal(*id, set);
+        REQUIRE(seal);
+        const auto row = selectInteger(**reader, "SELECT id FROM score_set WHERE session_id = ? AND ordinal = ?", {*id, std::int64_t{set}});
+        REQUIRE(row && *row);
+        const auto computed = database::scoreSeal(**reader, **row); // anew, from the digests of the stored rows
+        REQUIRE(computed);
+        QVERIFY(*seal == *computed);
+        seals.push_back(*seal);
+    }
+    QVERIFY(seals[0] != seals[1] && seals[1] != seals[2] && seals[0] != seals[2]); // one bit more is another seal
+    const auto latest = scores.scoreSeal(*id);
+    REQUIRE(latest);
+    QVERIFY(*latest == seals[2]);
+    QCOMPARE(scores.scoreSeal(*id, 4).error().code, core::ErrorCode::notFound);
 }
 
 void TestSessions::contentIsSharedAndHashed() {

@@ -286,6 +286,7 @@ void TestStudyBlinding::sittingsAreClosed() {
         QVERIFY(everywhere(actor, *untouched) == closed);
         QVERIFY(everywhere(actor, *other) == open);
         QCOMPARE(ScoreRepository(**connection, actor).scores(*untouched).error().code, core::ErrorCode::notFound);
+        QCOMPARE(ScoreRepository(**connection, actor).scoreSeal(*untouched).error().code, core::ErrorCode::notFound);
         REQUIRE(SessionReader(**connection, actor).comments(*untouched));
     }
     QVERIFY(everywhere(Actor::maintenance(), *untouched) == open);
