@@ -11,8 +11,8 @@
 <context>
     <name>AccountWords</name>
     <message>
-        <source>There were several wrong attempts, so this account has to rest for a moment. Nothing is lost.</source>
-        <translation>Nach mehreren falschen Versuchen ist dieses Konto kurz gesperrt. Es geht nichts verloren.</translation>
+        <source>Too many wrong attempts. This account is locked for a moment; nothing is lost.</source>
+        <translation>Zu viele falsche Versuche. Dieses Konto ist kurz gesperrt; es geht nichts verloren.</translation>
     </message>
     <message>
         <source>This account is disabled. What was recorded is kept; an administrator can enable the account again.</source>
@@ -24,7 +24,7 @@
     </message>
     <message>
         <source>Trainer</source>
-        <translation>Ausbildende Person</translation>
+        <translation>Ausbilder/in</translation>
     </message>
     <message>
         <source>Researcher</source>
@@ -35,12 +35,12 @@
         <translation>Administration</translation>
     </message>
     <message>
-        <source>Name and password do not belong together. Capital and small letters differ; is Caps Lock on?</source>
-        <translation>Name und Passwort passen nicht zusammen. Groß- und Kleinschreibung zählt; ist die Feststelltaste aktiv?</translation>
+        <source>Wrong name or password. Passwords are case-sensitive; check Caps Lock.</source>
+        <translation>Name oder Passwort ist falsch. Groß- und Kleinschreibung wird unterschieden; prüfen Sie die Feststelltaste.</translation>
     </message>
     <message>
-        <source>Name and recovery code do not belong together. The code has five groups of five letters and digits.</source>
-        <translation>Name und Wiederherstellungscode passen nicht zusammen. Der Code besteht aus fünf Gruppen mit je fünf Buchstaben und Ziffern.</translation>
+        <source>Wrong name or recovery code. The code has five groups of five letters and digits.</source>
+        <translation>Name oder Wiederherstellungscode ist falsch. Der Code besteht aus fünf Gruppen mit je fünf Buchstaben und Ziffern.</translation>
     </message>
     <message numerus="yes">
         <source>Try again in %n second(s)</source>
@@ -48,6 +48,33 @@
             <numerusform>Neuer Versuch in %n Sekunde</numerusform>
             <numerusform>Neuer Versuch in %n Sekunden</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>AnswerNote</name>
+    <message>
+        <source>Marked</source>
+        <translation>Markiert</translation>
+    </message>
+    <message>
+        <source>%1 mm from the top: not on the sphere</source>
+        <translation>%1 mm vom höchsten Punkt: nicht auf der Kugel</translation>
+    </message>
+    <message>
+        <source>%1 mm from the top</source>
+        <translation>%1 mm vom höchsten Punkt</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>Die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>This trial can no longer be completed</source>
+        <translation>Dieser Durchgang kann nicht mehr abgeschlossen werden</translation>
+    </message>
+    <message>
+        <source>Trial completed</source>
+        <translation>Durchgang abgeschlossen</translation>
     </message>
 </context>
 <context>
@@ -109,12 +136,79 @@
         <translation>Chiron beenden</translation>
     </message>
     <message>
-        <source>Places</source>
+        <source>Screens</source>
         <translation>Bereiche</translation>
     </message>
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+</context>
+<context>
+    <name>ControlGuide</name>
+    <message>
+        <source>Advance</source>
+        <translation>Vorschieben</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold W. Towards you, or S, withdraws.</source>
+        <translation>Drehen Sie das Rad von sich weg oder halten Sie W. Zu sich hin oder S zieht zurück.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Move the mouse, or use the arrow keys.</source>
+        <translation>Bewegen Sie die Maus oder nehmen Sie die Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Shift sideways</source>
+        <translation>Seitlich verschieben</translation>
+    </message>
+    <message>
+        <source>Move the mouse with the right button or Shift held.</source>
+        <translation>Bewegen Sie die Maus mit gedrückter rechter Taste oder Umschalttaste.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
+        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf hebt an.</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Senken</translation>
+    </message>
+    <message>
+        <source>Close the jaw</source>
+        <translation>Fasszange schließen</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. With Shift, or H, it opens.</source>
+        <translation>Halten Sie die linke Taste oder G. Mit Umschalttaste oder H öffnet sie sich.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation>Fund markieren</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter. When nothing is left to report, press D.</source>
+        <translation>Klicken Sie oder drücken Sie die Eingabetaste. Ist nichts mehr zu melden, drücken Sie D.</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, while you touch the place.</source>
+        <translation>Klicken Sie oder drücken Sie die Eingabetaste, während Sie die Stelle berühren.</translation>
     </message>
 </context>
 <context>
@@ -130,32 +224,32 @@ Einzelheiten: %2</translation>
         <translation>Ihr Konto erlaubt das nicht. Fragen Sie die Administration, falls es das sollte.</translation>
     </message>
     <message>
-        <source>It is no longer there, or was never made. Nothing was changed.</source>
-        <translation>Es ist nicht mehr da oder wurde nie angelegt. Nichts wurde geändert.</translation>
+        <source>It no longer exists or was never created. Nothing was changed.</source>
+        <translation>Es existiert nicht mehr oder wurde nie angelegt. Nichts wurde geändert.</translation>
     </message>
     <message>
-        <source>The storage refused it. What was recorded before is kept; check the free space and try again.</source>
-        <translation>Der Speicher hat es nicht angenommen. Was bisher aufgezeichnet wurde, bleibt erhalten; prüfen Sie den freien Platz und versuchen Sie es noch einmal.</translation>
+        <source>It could not be saved. What was recorded before is kept; check the free space and try again.</source>
+        <translation>Speichern ist fehlgeschlagen. Was bisher aufgezeichnet wurde, bleibt erhalten; prüfen Sie den freien Speicherplatz und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>Another program is using this database for writing. Close it there, then try again.</source>
+        <source>Another program is writing to this database. Close the database there, then try again.</source>
         <translation>Ein anderes Programm schreibt in diese Datenbank. Schließen Sie sie dort und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>The device did not answer as it should. Check its cable and power, then try again.</source>
-        <translation>Das Gerät hat nicht geantwortet, wie es sollte. Prüfen Sie Kabel und Stromversorgung und versuchen Sie es noch einmal.</translation>
+        <source>The device did not respond correctly. Check its cable and power, then try again.</source>
+        <translation>Das Gerät hat nicht richtig geantwortet. Prüfen Sie Kabel und Stromversorgung und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>It was stopped before the end. Nothing was changed.</source>
-        <translation>Es wurde vor dem Ende angehalten. Nichts wurde geändert.</translation>
+        <source>The operation was stopped before it finished. Nothing was changed.</source>
+        <translation>Der Vorgang wurde vorzeitig abgebrochen. Nichts wurde geändert.</translation>
     </message>
     <message>
-        <source>What was checked does not hold.</source>
-        <translation>Die Prüfung ist nicht bestanden.</translation>
+        <source>The check found errors.</source>
+        <translation>Die Prüfung hat Fehler gefunden.</translation>
     </message>
     <message>
-        <source>Something in what was given is not as expected. Nothing was changed.</source>
-        <translation>Etwas an den Angaben ist nicht wie erwartet. Nichts wurde geändert.</translation>
+        <source>The input is not valid. Nothing was changed.</source>
+        <translation>Die Angaben sind ungültig. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -165,7 +259,7 @@ Einzelheiten: %2</translation>
         <translation>Die Antworten, von oben gesehen</translation>
     </message>
     <message>
-        <source>How the endoscope kept to the urethra</source>
+        <source>How the endoscope followed the urethra</source>
         <translation>Wie das Endoskop der Harnröhre folgte</translation>
     </message>
     <message>
@@ -186,31 +280,31 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>There is no answer to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+        <translation>Es gibt keine Antwort zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
-        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
-        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+        <source>There is nothing of the procedure to show. The session is kept and listed.</source>
+        <translation>Vom Eingriff gibt es nichts zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no tension to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Spannung zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+        <translation>Es gibt keine Spannung zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no object to show. The session is kept and listed.</source>
-        <translation>Es gibt kein Objekt zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+        <translation>Es gibt kein Objekt zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>There is no search to show. The session is kept and listed.</source>
-        <translation>Es gibt keine Suche zu zeigen. Die Sitzung bleibt erhalten und in der Liste.</translation>
+        <translation>Es gibt keine Suche zu zeigen. Die Sitzung bleibt erhalten und steht in der Liste.</translation>
     </message>
     <message>
         <source>What was compared and answered is shown with its study.</source>
         <translation>Was verglichen und geantwortet wurde, steht bei der Studie.</translation>
     </message>
     <message>
-        <source>What each trial came to</source>
-        <translation>Was jeder Durchgang ergab</translation>
+        <source>Result of each trial</source>
+        <translation>Ergebnis jedes Durchgangs</translation>
     </message>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
@@ -224,35 +318,35 @@ Einzelheiten: %2</translation>
         <translation>Kraft ist gestoppt</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.</source>
+        <source>The clock is stopped and everything so far is kept. Press Re-arm (or R) to go on, or End session.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie „Freigeben“ (oder R), um weiterzumachen, oder „Sitzung beenden“.</translation>
     </message>
     <message>
-        <source>The safety supervisor took force away.</source>
-        <translation>Die Sicherheitsüberwachung hat die Kraft weggenommen.</translation>
+        <source>The safety supervisor switched the force off.</source>
+        <translation>Die Sicherheitsüberwachung hat die Kraft abgeschaltet.</translation>
     </message>
     <message>
-        <source>The tool moved faster than is safe, so force was taken away.</source>
-        <translation>Das Instrument bewegte sich schneller, als sicher ist; deshalb wurde die Kraft weggenommen.</translation>
+        <source>The tool moved faster than is safe, so force was switched off.</source>
+        <translation>Das Instrument bewegte sich schneller, als sicher ist; deshalb wurde die Kraft abgeschaltet.</translation>
     </message>
     <message>
-        <source>The device&apos;s data came too late, so force was taken away.</source>
-        <translation>Die Daten des Geräts kamen zu spät; deshalb wurde die Kraft weggenommen.</translation>
+        <source>The device&apos;s data came too late, so force was switched off.</source>
+        <translation>Die Daten des Geräts kamen zu spät; deshalb wurde die Kraft abgeschaltet.</translation>
     </message>
     <message>
-        <source>The device sent positions that cannot be right, so force was taken away.</source>
-        <translation>Das Gerät meldete unmögliche Positionen; deshalb wurde die Kraft weggenommen.</translation>
+        <source>The device sent impossible positions, so force was switched off.</source>
+        <translation>Das Gerät meldete unmögliche Positionen; deshalb wurde die Kraft abgeschaltet.</translation>
     </message>
     <message>
-        <source>The device reports a fault, so force was taken away.</source>
-        <translation>Das Gerät meldet einen Fehler; deshalb wurde die Kraft weggenommen.</translation>
+        <source>The device reports a fault, so force was switched off.</source>
+        <translation>Das Gerät meldet einen Fehler; deshalb wurde die Kraft abgeschaltet.</translation>
     </message>
     <message>
-        <source>The calculated force was not a number, so force was taken away. Please report this.</source>
-        <translation>Die berechnete Kraft war keine Zahl; deshalb wurde die Kraft weggenommen. Bitte melden Sie das.</translation>
+        <source>The calculated force was invalid (not a number), so force was switched off. Please report this.</source>
+        <translation>Die berechnete Kraft war ungültig (keine Zahl); deshalb wurde die Kraft abgeschaltet. Bitte melden Sie das.</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
+        <source>The clock is stopped and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Halten Sie das Instrument sicher und drücken Sie dann „Freigeben“ (oder R).</translation>
     </message>
     <message>
@@ -260,8 +354,8 @@ Einzelheiten: %2</translation>
         <translation>Warten auf das Gerät</translation>
     </message>
     <message>
-        <source>No usable position has come yet. Check that it is on.</source>
-        <translation>Noch keine brauchbare Position empfangen. Prüfen Sie, ob das Gerät eingeschaltet ist.</translation>
+        <source>The device has not sent a valid position yet. Check that it is switched on.</source>
+        <translation>Das Gerät hat noch keine gültige Position gesendet. Prüfen Sie, ob es eingeschaltet ist.</translation>
     </message>
     <message>
         <source>Hold still</source>
@@ -272,20 +366,20 @@ Einzelheiten: %2</translation>
         <translation>Halten Sie das Instrument eine halbe Sekunde still; die Kraft steigt dann langsam an.</translation>
     </message>
     <message>
-        <source>Force is held</source>
-        <translation>Kraft wird zurückgehalten</translation>
+        <source>Force is on hold</source>
+        <translation>Kraft ist vorübergehend aus</translation>
     </message>
     <message>
-        <source>The window did not answer for a moment. Force comes back by itself.</source>
+        <source>The window did not respond for a moment. Force comes back by itself.</source>
         <translation>Das Fenster hat kurz nicht reagiert. Die Kraft kommt von selbst zurück.</translation>
     </message>
     <message>
-        <source>Force is waiting</source>
-        <translation>Kraft wartet</translation>
+        <source>Force is not on yet</source>
+        <translation>Kraft ist noch nicht an</translation>
     </message>
     <message>
-        <source>Move the tool out of contact, or hold it still and press Resume here.</source>
-        <translation>Lösen Sie das Instrument vom Kontakt, oder halten Sie es still und drücken Sie „Hier fortsetzen“.</translation>
+        <source>Move the tool until it touches nothing, or hold it still and press Resume here.</source>
+        <translation>Bewegen Sie das Instrument, bis es nichts mehr berührt, oder halten Sie es still und drücken Sie „Hier fortsetzen“.</translation>
     </message>
     <message>
         <source>You are watching</source>
@@ -324,16 +418,16 @@ Einzelheiten: %2</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The clock stands still. Press Resume or Space to go on.</source>
-        <translation>Die Uhr steht. Weiter mit der Schaltfläche „Weiter“ oder der Leertaste.</translation>
+        <source>The clock is stopped. Press Resume or Space to go on.</source>
+        <translation>Die Uhr steht. Drücken Sie „Weiter“ oder die Leertaste, um fortzufahren.</translation>
     </message>
     <message>
-        <source>Force is coming</source>
-        <translation>Kraft kommt</translation>
+        <source>Force is rising</source>
+        <translation>Kraft steigt an</translation>
     </message>
     <message>
-        <source>It rises slowly; the clock starts at full strength (%1 %).</source>
-        <translation>Sie steigt langsam an; die Uhr startet bei voller Stärke (%1 %).</translation>
+        <source>It rises slowly (now %1 %); the clock starts at full strength.</source>
+        <translation>Sie steigt langsam an (jetzt %1 %); die Uhr startet bei voller Stärke.</translation>
     </message>
     <message>
         <source>Force is on</source>
@@ -344,8 +438,8 @@ Einzelheiten: %2</translation>
         <translation>Esc stoppt sie sofort.</translation>
     </message>
     <message>
-        <source>The device&apos;s data come late. Force comes back when they are on time.</source>
-        <translation>Die Daten des Geräts kommen verspätet. Die Kraft kommt zurück, sobald sie pünktlich sind.</translation>
+        <source>The device&apos;s data arrive late. Force comes back when they arrive on time again.</source>
+        <translation>Die Daten des Geräts kommen verspätet an. Die Kraft kommt zurück, sobald die Daten wieder rechtzeitig eintreffen.</translation>
     </message>
     <message>
         <source>The operator&apos;s force waits until the tool is free.</source>
@@ -356,8 +450,8 @@ Einzelheiten: %2</translation>
         <translation>Die Kraft der programmierten Hand steigt langsam an (%1 %).</translation>
     </message>
     <message>
-        <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
-        <translation>Die Kraft der programmierten Hand wird kurz zurückgehalten und kommt von selbst zurück.</translation>
+        <source>The operator&apos;s force is on hold for a moment and comes back by itself.</source>
+        <translation>Die Kraft der programmierten Hand ist kurz aus und kommt von selbst zurück.</translation>
     </message>
     <message>
         <source>This device renders no force. The endoscope moves more slowly the harder you press.</source>
@@ -393,6 +487,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1: at most %2</source>
         <translation>%1: höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1: keine</translation>
     </message>
 </context>
 <context>
@@ -462,8 +560,8 @@ Einzelheiten: %2</translation>
         <translation>Ein Objekt nach dem anderen anheben und das schwerste finden</translation>
     </message>
     <message>
-        <source>Take hold of the object, softly</source>
-        <translation>Das Objekt fassen, behutsam</translation>
+        <source>Grasp the object gently</source>
+        <translation>Das Objekt behutsam fassen</translation>
     </message>
     <message>
         <source>Lift it up</source>
@@ -482,8 +580,8 @@ Einzelheiten: %2</translation>
         <translation>In die Schale legen und loslassen</translation>
     </message>
     <message>
-        <source>In the dish: leave it at rest</source>
-        <translation>In der Schale: in Ruhe lassen</translation>
+        <source>In the dish: let it lie still</source>
+        <translation>In der Schale: liegen lassen</translation>
     </message>
     <message>
         <source>Done: the next one follows</source>
@@ -518,8 +616,8 @@ Einzelheiten: %2</translation>
         <translation>Gehalten: das Objekt</translation>
     </message>
     <message>
-        <source>Holding: two places</source>
-        <translation>Gehalten: zwei Stellen</translation>
+        <source>Holding: the tube at two points</source>
+        <translation>Gehalten: der Schlauch an zwei Stellen</translation>
     </message>
     <message>
         <source>Holding: the tube</source>
@@ -530,8 +628,8 @@ Einzelheiten: %2</translation>
         <translation>Gehalten: nichts</translation>
     </message>
     <message>
-        <source>Draw the fold of tissue back with the third instrument until its pull is in the band</source>
-        <translation>Ziehen Sie die Gewebefalte mit dem dritten Instrument zurück, bis ihr Zug im Zielbereich liegt</translation>
+        <source>Retract the fold of tissue with the third instrument until the pull is in the band</source>
+        <translation>Die Gewebefalte mit dem dritten Instrument zurückziehen, bis der Zug im Zielbereich liegt</translation>
     </message>
     <message>
         <source>Holding: the fold and two places of the tube</source>
@@ -607,8 +705,8 @@ Einzelheiten: %2</translation>
         <translation>Gewebe: normal</translation>
     </message>
     <message>
-        <source>Tissue: tight</source>
-        <translation>Gewebe: eng</translation>
+        <source>Tissue: tight urethra</source>
+        <translation>Gewebe: enge Harnröhre</translation>
     </message>
     <message>
         <source>Tissue: with a stricture, a narrow and stiff ring</source>
@@ -619,11 +717,11 @@ Einzelheiten: %2</translation>
         <translation>Gewebe: %1</translation>
     </message>
     <message>
-        <source>Depth of field: on, kept on</source>
+        <source>Depth of field: on, fixed</source>
         <translation>Schärfentiefe: an, fest eingestellt</translation>
     </message>
     <message>
-        <source>Depth of field: off, kept off</source>
+        <source>Depth of field: off, fixed</source>
         <translation>Schärfentiefe: aus, fest eingestellt</translation>
     </message>
     <message>
@@ -635,19 +733,19 @@ Einzelheiten: %2</translation>
         <translation>Schärfentiefe: aus, kann eingeschaltet werden</translation>
     </message>
     <message>
-        <source>Way: %1 mm in and out again</source>
-        <translation>Weg: %1 mm hinein und wieder hinaus</translation>
+        <source>Distance: %1 mm in, then back out</source>
+        <translation>Weg: %1 mm hinein, dann wieder hinaus</translation>
     </message>
     <message>
-        <source>Way: %1 mm in</source>
+        <source>Distance: %1 mm in</source>
         <translation>Weg: %1 mm hinein</translation>
     </message>
     <message>
-        <source>Help: the way is marked in the picture, and a second picture shows it from outside</source>
+        <source>Help: the path is marked in the picture, and a second picture shows it from outside</source>
         <translation>Hilfe: Der Weg ist im Bild markiert, und ein zweites Bild zeigt ihn von außen</translation>
     </message>
     <message>
-        <source>Help: the way is marked in the picture</source>
+        <source>Help: the path is marked in the picture</source>
         <translation>Hilfe: Der Weg ist im Bild markiert</translation>
     </message>
     <message>
@@ -655,7 +753,7 @@ Einzelheiten: %2</translation>
         <translation>Hilfe: Ein zweites Bild zeigt das Endoskop von außen</translation>
     </message>
     <message>
-        <source>Help: none, the endoscope&apos;s picture alone</source>
+        <source>Help: none, only the endoscope&apos;s picture</source>
         <translation>Hilfe: keine, nur das Bild des Endoskops</translation>
     </message>
     <message>
@@ -667,20 +765,20 @@ Einzelheiten: %2</translation>
         <translation>Zeit: höchstens %1 s</translation>
     </message>
     <message>
-        <source>Trials: %1, of %2 s at most</source>
+        <source>Trials: %1, at most %2 s each</source>
         <translation>Durchgänge: %1, je höchstens %2 s</translation>
     </message>
     <message>
-        <source>Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s</source>
-        <translation>Ziel: eine Spannung zwischen %1 und %2 N, auf ±%3 N genau %4 s lang gehalten</translation>
+        <source>Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s</source>
+        <translation>Ziel: eine Spannung zwischen %1 und %2 N, %4 s lang auf ±%3 N genau gehalten</translation>
     </message>
     <message>
-        <source>Goal: %1 times its length, kept for %2 s</source>
-        <translation>Ziel: das %1-Fache seiner Länge, %2 s lang gehalten</translation>
+        <source>Goal: stretch the tube to %1 times its length and hold it for %2 s</source>
+        <translation>Ziel: den Schlauch auf das %1-Fache seiner Länge dehnen und %2 s lang halten</translation>
     </message>
     <message>
-        <source>Goal: its end handed over and held in the target for %1 s</source>
-        <translation>Ziel: das Ende übergeben und %1 s lang im Ziel gehalten</translation>
+        <source>Goal: hand over the end of the tube and hold it in the target for %1 s</source>
+        <translation>Ziel: das Ende des Schlauchs übergeben und %1 s lang im Ziel halten</translation>
     </message>
     <message>
         <source>Instruments: two, one in each hand</source>
@@ -691,27 +789,27 @@ Einzelheiten: %2</translation>
         <translation>Instrumente: eines</translation>
     </message>
     <message>
-        <source>Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length</source>
+        <source>Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length</source>
         <translation>Schlauch: %1 mm lang, umso steifer, je weiter gedehnt, reißt beim %2-Fachen seiner Länge</translation>
     </message>
     <message>
-        <source>Tube: %1 mm long, torn at %2 times its length</source>
+        <source>Tube: %1 mm long, tears at %2 times its length</source>
         <translation>Schlauch: %1 mm lang, reißt beim %2-Fachen seiner Länge</translation>
     </message>
     <message>
-        <source>Goal: the heaviest of %1 objects that look alike, in the dish</source>
-        <translation>Ziel: das schwerste von %1 gleich aussehenden Objekten, in der Schale</translation>
+        <source>Goal: put the heaviest of %1 identical-looking objects in the dish</source>
+        <translation>Ziel: das schwerste von %1 gleich aussehenden Objekten in die Schale legen</translation>
     </message>
     <message>
-        <source>Goal: the object in the dish, lifted by %1 mm on the way</source>
-        <translation>Ziel: das Objekt in der Schale, unterwegs um %1 mm angehoben</translation>
+        <source>Goal: lift the object by %1 mm and put it in the dish</source>
+        <translation>Ziel: das Objekt um %1 mm anheben und in die Schale legen</translation>
     </message>
     <message>
         <source>Squeeze: %1 N at most</source>
-        <translation>Quetschen: höchstens %1 N</translation>
+        <translation>Quetschkraft: höchstens %1 N</translation>
     </message>
     <message>
-        <source>Bed: a soft organ, which gives way</source>
+        <source>Surface: a soft organ that gives way</source>
         <translation>Unterlage: ein weiches Organ, das nachgibt</translation>
     </message>
     <message>
@@ -731,19 +829,19 @@ Einzelheiten: %2</translation>
         <translation>Hände: eine, ein Finger</translation>
     </message>
     <message>
-        <source>Lumps in a trial: %1</source>
+        <source>Lumps per trial: %1</source>
         <translation>Knoten je Durchgang: %1</translation>
     </message>
     <message>
-        <source>Lumps in a trial: one or none</source>
+        <source>Lumps per trial: one or none</source>
         <translation>Knoten je Durchgang: einer oder keiner</translation>
     </message>
     <message>
-        <source>Lumps in a trial: none to %1</source>
-        <translation>Knoten je Durchgang: keiner bis %1</translation>
+        <source>Lumps per trial: 0 to %1</source>
+        <translation>Knoten je Durchgang: 0 bis %1</translation>
     </message>
     <message>
-        <source>Lumps in a trial: %1 to %2</source>
+        <source>Lumps per trial: %1 to %2</source>
         <translation>Knoten je Durchgang: %1 bis %2</translation>
     </message>
     <message>
@@ -763,7 +861,7 @@ Einzelheiten: %2</translation>
         <translation>wie sicher Sie sind</translation>
     </message>
     <message>
-        <source>To be told of each finding: %1</source>
+        <source>To report for each finding: %1</source>
         <translation>Zu jedem Fund anzugeben: %1</translation>
     </message>
     <message>
@@ -779,8 +877,8 @@ Einzelheiten: %2</translation>
         <translation>Über dem Schlauch: eine Gewebefalte, die mit %1 bis %2 N zurückzuhalten ist</translation>
     </message>
     <message>
-        <source>Devices with a base stand as this level mounts them; what you set below takes its place</source>
-        <translation>Geräte mit einer Basis stehen so, wie diese Stufe sie vorsieht; was Sie unten einstellen, hat Vorrang</translation>
+        <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
+        <translation>Geräte mit Basis sind so aufgestellt, wie diese Stufe es vorgibt; was Sie unten einstellen, hat Vorrang</translation>
     </message>
 </context>
 <context>
@@ -807,27 +905,27 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Path inefficiency</source>
-        <translation>Wegüberschuss</translation>
+        <translation>Umweg</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends or, where the way in and out is bent, than that way; the mean over the trials.</source>
-        <translation>Wie viel länger der Weg war als die Gerade zwischen seinen Enden oder, wo der Weg hinein und heraus gebogen ist, als dieser; Mittelwert über die Durchgänge.</translation>
+        <source>How much longer the path was than the shortest one: the straight line or, where the route bends, the route itself; the mean over the trials.</source>
+        <translation>Wie viel länger der Weg war als der kürzeste: die Gerade oder, wo der Weg gebogen ist, dieser Weg selbst; Mittelwert über die Durchgänge.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
-        <translation>Flüssigkeit (SPARC)</translation>
+        <translation>Bewegungsfluss (SPARC)</translation>
     </message>
     <message>
-        <source>How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.</source>
-        <translation>Wie gleichmäßig die Geschwindigkeit jeder Bewegung war, aus ihrem Spektrum. Näher an null ist flüssiger.</translation>
+        <source>How even the speed of each movement was, calculated from its spectrum. Closer to zero is smoother.</source>
+        <translation>Wie gleichmäßig die Geschwindigkeit jeder Bewegung war, berechnet aus ihrem Spektrum. Näher an null ist flüssiger.</translation>
     </message>
     <message>
         <source>Smoothness (LDLJ)</source>
-        <translation>Flüssigkeit (LDLJ)</translation>
+        <translation>Bewegungsfluss (LDLJ)</translation>
     </message>
     <message>
-        <source>How little the speed of each movement jerked. Nearer to zero is smoother.</source>
-        <translation>Wie wenig die Geschwindigkeit jeder Bewegung ruckte. Näher an null ist flüssiger.</translation>
+        <source>How free of jerks each movement was. Closer to zero is smoother.</source>
+        <translation>Wie ruckfrei jede Bewegung war. Näher an null ist flüssiger.</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -850,8 +948,8 @@ Einzelheiten: %2</translation>
         <translation>Kraft, quadratisches Mittel</translation>
     </message>
     <message>
-        <source>The root of the mean squared force on the tissue: high forces weigh more than in the mean.</source>
-        <translation>Die Wurzel der mittleren quadrierten Kraft auf das Gewebe: Hohe Kräfte zählen mehr als im Mittelwert.</translation>
+        <source>The root mean square of the force on the tissue: high forces weigh more than in the mean.</source>
+        <translation>Das quadratische Mittel der Kraft auf das Gewebe: Hohe Kräfte zählen mehr als im Mittelwert.</translation>
     </message>
     <message>
         <source>Force, 95th percentile</source>
@@ -866,8 +964,8 @@ Einzelheiten: %2</translation>
         <translation>Größte Kraftänderung</translation>
     </message>
     <message>
-        <source>How fast the force on the tissue rose or fell at most.</source>
-        <translation>Wie schnell die Kraft auf das Gewebe höchstens stieg oder fiel.</translation>
+        <source>The fastest rise or fall of the force on the tissue.</source>
+        <translation>Der schnellste Anstieg oder Abfall der Kraft auf das Gewebe.</translation>
     </message>
     <message>
         <source>Impulse over the limit</source>
@@ -878,8 +976,8 @@ Einzelheiten: %2</translation>
         <translation>Kraft mal Zeit, solange die Kraft über der Grenze dieser Stufe lag.</translation>
     </message>
     <message>
-        <source>Time over the limit</source>
-        <translation>Zeit über der Grenze</translation>
+        <source>Time over the force limit</source>
+        <translation>Zeit über der Kraftgrenze</translation>
     </message>
     <message>
         <source>How long the force on the tissue was over the limit of this level.</source>
@@ -903,7 +1001,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Apex bias, left to right</source>
-        <translation>Scheitelfehler, links-rechts</translation>
+        <translation>Scheitelversatz, links-rechts</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error to the right (positive) or left (negative).</source>
@@ -911,7 +1009,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Apex bias, front to back</source>
-        <translation>Scheitelfehler, vorn-hinten</translation>
+        <translation>Scheitelversatz, vorn-hinten</translation>
     </message>
     <message>
         <source>Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person.</source>
@@ -926,7 +1024,7 @@ Einzelheiten: %2</translation>
         <translation>Durchgänge, die ohne Berührung, neben der Kugel oder nicht rechtzeitig markiert wurden. Ihre Fehler zählen trotzdem.</translation>
     </message>
     <message>
-        <source>the trace has no forces</source>
+        <source>the recording has no forces</source>
         <translation>die Aufzeichnung enthält keine Kräfte</translation>
     </message>
     <message>
@@ -962,8 +1060,8 @@ Einzelheiten: %2</translation>
         <translation>weder Bewegung noch Kontakt</translation>
     </message>
     <message>
-        <source>no sub-movement of 100 ms</source>
-        <translation>keine Teilbewegung von 100 ms</translation>
+        <source>no sub-movement of at least 100 ms</source>
+        <translation>keine Teilbewegung von mindestens 100 ms</translation>
     </message>
     <message>
         <source>no movement</source>
@@ -990,11 +1088,11 @@ Einzelheiten: %2</translation>
         <translation>Wie weit die Spitze auf dem Weg hinein und hinaus von der Mitte der Harnröhre entfernt war: Große Abstände zählen mehr als im Mittelwert.</translation>
     </message>
     <message>
-        <source>Off-centre distance, largest</source>
-        <translation>Auslenkung von der Mitte, größte</translation>
+        <source>Largest off-centre distance</source>
+        <translation>Größte Auslenkung von der Mitte</translation>
     </message>
     <message>
-        <source>The farthest that the tip was from the middle of the urethra.</source>
+        <source>The largest distance of the tip from the middle of the urethra.</source>
         <translation>Der größte Abstand der Spitze von der Mitte der Harnröhre.</translation>
     </message>
     <message>
@@ -1030,15 +1128,15 @@ Einzelheiten: %2</translation>
         <translation>Wie oft das Endoskop 20 ms oder länger seitlich stärker gegen die Wand drückte, als die Grenze dieser Stufe erlaubt.</translation>
     </message>
     <message>
-        <source>Time of trauma</source>
+        <source>Trauma time</source>
         <translation>Verletzungszeit</translation>
     </message>
     <message>
-        <source>How long those events lasted together.</source>
-        <translation>Wie lange diese Ereignisse zusammen dauerten.</translation>
+        <source>How long these events lasted in total.</source>
+        <translation>Wie lange diese Ereignisse insgesamt dauerten.</translation>
     </message>
     <message>
-        <source>Impulse of trauma</source>
+        <source>Trauma impulse</source>
         <translation>Verletzungsimpuls</translation>
     </message>
     <message>
@@ -1074,8 +1172,8 @@ Einzelheiten: %2</translation>
         <translation>Drehmoment, quadratisches Mittel</translation>
     </message>
     <message>
-        <source>The root of the mean squared torque between endoscope and tissue.</source>
-        <translation>Die Wurzel aus dem mittleren Quadrat des Drehmoments zwischen Endoskop und Gewebe.</translation>
+        <source>The root mean square of the torque between endoscope and tissue.</source>
+        <translation>Das quadratische Mittel des Drehmoments zwischen Endoskop und Gewebe.</translation>
     </message>
     <message>
         <source>Reversals</source>
@@ -1106,15 +1204,15 @@ Einzelheiten: %2</translation>
         <translation>Einführtiefe</translation>
     </message>
     <message>
-        <source>The deepest place that the tip reached, up to the goal of this level.</source>
-        <translation>Die tiefste Stelle, die die Spitze erreichte, höchstens das Ziel dieser Stufe.</translation>
+        <source>How deep the tip went, counted up to the goal of this level.</source>
+        <translation>Wie tief die Spitze kam, gezählt bis zum Ziel dieser Stufe.</translation>
     </message>
     <message>
-        <source>the trace has no insertion data</source>
+        <source>the recording has no insertion data</source>
         <translation>die Aufzeichnung enthält keine Daten zum Einführen</translation>
     </message>
     <message>
-        <source>the trace has no torques</source>
+        <source>the recording has no torques</source>
         <translation>die Aufzeichnung enthält keine Drehmomente</translation>
     </message>
     <message>
@@ -1139,11 +1237,11 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>% of R</source>
-        <translation>%&#xa0;von&#xa0;R</translation>
+        <translation>% des Radius</translation>
     </message>
     <message>
-        <source>How many of the trials were done to their end in time, with everything that the level asks for, in %.</source>
-        <translation>Wie viele der Durchgänge rechtzeitig zu Ende geführt wurden, mit allem, was die Stufe verlangt, in %.</translation>
+        <source>How many of the trials were completed in time, with everything that the level asks for, in %.</source>
+        <translation>Wie viele der Durchgänge rechtzeitig abgeschlossen wurden, mit allem, was die Stufe verlangt, in %.</translation>
     </message>
     <message>
         <source>Tension error, root mean square</source>
@@ -1158,16 +1256,16 @@ Einzelheiten: %2</translation>
         <translation>Spannungsfehler, Standardabweichung</translation>
     </message>
     <message>
-        <source>How unsteady the tension of the tube was while it was held, whether on target or beside it.</source>
-        <translation>Wie unruhig die Spannung des Schlauchs während des Haltens war, ob am Ziel oder daneben.</translation>
+        <source>How unsteady the tension of the tube was while it was held, whether on target or not.</source>
+        <translation>Wie unruhig die Spannung des Schlauchs während des Haltens war, ob im Ziel oder daneben.</translation>
     </message>
     <message>
         <source>Time in the band</source>
         <translation>Zeit im Bereich</translation>
     </message>
     <message>
-        <source>How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.</source>
-        <translation>Wie lange die Spannung, oder die Länge an der Marke, während des Haltens dort war, wo sie sein sollte; Mittel über alle Durchgänge.</translation>
+        <source>How long the tension, or the length at the mark, stayed in its band during the hold; the mean over all trials.</source>
+        <translation>Wie lange die Spannung, oder die Länge an der Marke, während des Haltens im Zielbereich lag; Mittel über alle Durchgänge.</translation>
     </message>
     <message>
         <source>Critical errors</source>
@@ -1198,12 +1296,12 @@ Einzelheiten: %2</translation>
         <translation>Größte Quetschkraft</translation>
     </message>
     <message>
-        <source>The largest force with which a jaw squeezed what it held.</source>
-        <translation>Die größte Kraft, mit der ein Maul quetschte, was es hielt.</translation>
+        <source>The largest force with which the jaws squeezed what they held.</source>
+        <translation>Die größte Kraft, mit der das Maul zusammendrückte, was es hielt.</translation>
     </message>
     <message>
-        <source>Time squeezed too hard</source>
-        <translation>Zeit zu fest gequetscht</translation>
+        <source>Time squeezing too hard</source>
+        <translation>Zeit mit zu hoher Quetschkraft</translation>
     </message>
     <message>
         <source>How long the squeeze was over the limit of this level.</source>
@@ -1222,32 +1320,32 @@ Einzelheiten: %2</translation>
         <translation>Schwerstes gefunden</translation>
     </message>
     <message>
-        <source>How often the heaviest object was laid into the target, in % of the trials.</source>
+        <source>How often the heaviest object was put into the target, in % of the trials.</source>
         <translation>Wie oft das schwerste Objekt ins Ziel gelegt wurde, in % der Durchgänge.</translation>
     </message>
     <message>
-        <source>the trace has no procedure</source>
+        <source>the recording has no procedure</source>
         <translation>die Aufzeichnung enthält keinen Eingriff</translation>
     </message>
     <message>
-        <source>the trace has no squeeze</source>
+        <source>the recording has no squeeze</source>
         <translation>die Aufzeichnung enthält keine Quetschkraft</translation>
     </message>
     <message>
-        <source>the trace has no squeeze limit</source>
+        <source>the recording has no squeeze limit</source>
         <translation>die Aufzeichnung enthält keine Grenze der Quetschkraft</translation>
     </message>
     <message>
-        <source>the trace has no objects and target</source>
+        <source>the recording has neither objects nor a target</source>
         <translation>die Aufzeichnung enthält weder Objekte noch Ziel</translation>
     </message>
     <message>
-        <source>no weighing was asked for</source>
-        <translation>es war kein Wägen verlangt</translation>
+        <source>the level asks for no weighing</source>
+        <translation>die Stufe verlangt kein Wiegen</translation>
     </message>
     <message>
-        <source>the trace has no data of a tube</source>
-        <translation>die Aufzeichnung enthält keine Daten eines Schlauchs</translation>
+        <source>the recording has no tube data</source>
+        <translation>die Aufzeichnung enthält keine Schlauchdaten</translation>
     </message>
     <message>
         <source>the task has no such target</source>
@@ -1262,96 +1360,96 @@ Einzelheiten: %2</translation>
         <translation>Gefundene Knoten</translation>
     </message>
     <message>
-        <source>Lumps that one of the findings was near enough to. A lump that was pressed harder than the limit does not count.</source>
-        <translation>Knoten, denen ein Fund nahe genug kam. Ein Knoten, auf den stärker als bis zur Grenze gedrückt wurde, zählt nicht.</translation>
+        <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
+        <translation>Knoten, in deren Nähe ein Fund gemeldet wurde. Ein Knoten, auf den stärker als erlaubt gedrückt wurde, zählt nicht.</translation>
     </message>
     <message>
         <source>Lumps missed</source>
         <translation>Übersehene Knoten</translation>
     </message>
     <message>
-        <source>Lumps that no finding was near enough to.</source>
-        <translation>Knoten, denen kein Fund nahe genug kam.</translation>
+        <source>Lumps with no finding near enough to them.</source>
+        <translation>Knoten, in deren Nähe kein Fund gemeldet wurde.</translation>
     </message>
     <message>
         <source>False alarms</source>
-        <translation>Falsche Alarme</translation>
+        <translation>Fehlalarme</translation>
     </message>
     <message>
-        <source>Findings where there was no lump; a second one of the same lump counts too.</source>
-        <translation>Funde, wo kein Knoten war; ein zweiter desselben Knotens zählt auch.</translation>
+        <source>Findings where there was no lump; a second finding of the same lump counts too.</source>
+        <translation>Funde an Stellen ohne Knoten; auch ein zweiter Fund desselben Knotens zählt.</translation>
     </message>
     <message>
         <source>Sensitivity (d′)</source>
-        <translation>Empfindlichkeit (d′)</translation>
+        <translation>Trennschärfe (d′)</translation>
     </message>
     <message>
-        <source>How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.</source>
-        <translation>Wie gut Stellen mit und ohne Knoten unterschieden wurden, gleich ob man eher ja oder nein sagt. 0 ist Zufall.</translation>
+        <source>How well places with a lump were told apart from places without, whatever the tendency to say yes or no. 0 is chance.</source>
+        <translation>Wie gut Stellen mit und ohne Knoten unterschieden wurden, unabhängig von der Neigung zu Ja oder Nein. 0 ist Zufall.</translation>
     </message>
     <message>
         <source>Criterion (c)</source>
         <translation>Kriterium (c)</translation>
     </message>
     <message>
-        <source>Whether a lump is rather reported (negative) or rather not (positive) when in doubt.</source>
+        <source>The tendency when in doubt: to report a lump (negative) or not to report one (positive).</source>
         <translation>Ob im Zweifel eher ein Knoten gemeldet wird (negativ) oder eher nicht (positiv).</translation>
     </message>
     <message>
-        <source>Area under the ROC</source>
+        <source>Area under the ROC curve</source>
         <translation>Fläche unter der ROC-Kurve</translation>
     </message>
     <message>
-        <source>How well confidence tells places with a lump from places without: 0.5 says nothing, 1 is perfect.</source>
-        <translation>Wie gut die Sicherheit Stellen mit und ohne Knoten unterscheidet: 0,5 sagt nichts, 1 ist vollkommen.</translation>
+        <source>How well confidence tells places with a lump from places without: 0.5 is chance, 1 is perfect.</source>
+        <translation>Wie gut die Sicherheit Stellen mit und ohne Knoten unterscheidet: 0,5 ist Zufall, 1 ist perfekt.</translation>
     </message>
     <message>
         <source>Localisation error</source>
         <translation>Lagefehler</translation>
     </message>
     <message>
-        <source>How far the findings lay from the lumps that they found, on the surface; the mean over all found.</source>
-        <translation>Wie weit die Funde auf der Oberfläche von ihren Knoten lagen; Mittel über alle gefundenen.</translation>
+        <source>How far, on the surface, each finding was from the lump that it found; the mean over all lumps found.</source>
+        <translation>Wie weit jeder Fund auf der Oberfläche von seinem Knoten entfernt lag; Mittel über alle gefundenen Knoten.</translation>
     </message>
     <message>
         <source>Size error</source>
         <translation>Größenfehler</translation>
     </message>
     <message>
-        <source>How far the radius that was said was from the true one; the mean over all lumps found whose size was said.</source>
+        <source>How far the stated radius was from the true one; the mean over all lumps found with a stated size.</source>
         <translation>Wie weit der angegebene Radius vom wahren abwich; Mittel über alle gefundenen Knoten mit angegebener Größe.</translation>
     </message>
     <message>
-        <source>Sensitivity, at least</source>
-        <translation>Empfindlichkeit, mindestens</translation>
+        <source>Sensitivity, lower bound</source>
+        <translation>Trennschärfe, Untergrenze</translation>
     </message>
     <message>
         <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
-        <translation>Das untere Ende des 95-%-Intervalls der Empfindlichkeit. Unter 0 zeigt die Sitzung nicht, dass etwas gefühlt wurde.</translation>
+        <translation>Das untere Ende des 95-%-Intervalls der Trennschärfe. Unter 0 zeigt die Sitzung nicht, dass etwas gefühlt wurde.</translation>
     </message>
     <message>
-        <source>Sensitivity, at most</source>
-        <translation>Empfindlichkeit, höchstens</translation>
+        <source>Sensitivity, upper bound</source>
+        <translation>Trennschärfe, Obergrenze</translation>
     </message>
     <message>
         <source>The upper end of the 95 % interval of the sensitivity.</source>
-        <translation>Das obere Ende des 95-%-Intervalls der Empfindlichkeit.</translation>
+        <translation>Das obere Ende des 95-%-Intervalls der Trennschärfe.</translation>
     </message>
     <message>
         <source>Prediction error at 30 Hz</source>
         <translation>Vorhersagefehler bei 30 Hz</translation>
     </message>
     <message>
-        <source>How far the soft surface under the tool was from what the slow model then said; this is about the simulation, not about you.</source>
-        <translation>Wie weit die weiche Oberfläche unter dem Instrument von dem entfernt war, was das langsame Modell dann ergab; das betrifft die Simulation, nicht Sie.</translation>
+        <source>How far the predicted soft surface under the tool was from the result of the slow model; this rates the simulation, not you.</source>
+        <translation>Wie weit die vorhergesagte weiche Oberfläche unter dem Instrument vom Ergebnis des langsamen Modells abwich; das bewertet die Simulation, nicht Sie.</translation>
     </message>
     <message>
         <source>Error without prediction</source>
         <translation>Fehler ohne Vorhersage</translation>
     </message>
     <message>
-        <source>The same if the last update had been held: what the prediction is worth.</source>
-        <translation>Dasselbe, wenn der letzte Stand gehalten worden wäre: was die Vorhersage wert ist.</translation>
+        <source>The same error if the last update had been kept instead: the difference shows what the prediction is worth.</source>
+        <translation>Derselbe Fehler, wenn stattdessen der letzte Stand gehalten worden wäre: Der Unterschied zeigt, was die Vorhersage bringt.</translation>
     </message>
     <message>
         <source>no trial was finished</source>
@@ -1362,7 +1460,7 @@ Einzelheiten: %2</translation>
         <translation>der Durchgang wurde nicht beendet</translation>
     </message>
     <message>
-        <source>one trial alone has no chance level</source>
+        <source>there is no chance level for a single trial</source>
         <translation>für einen einzelnen Durchgang gibt es kein Zufallsniveau</translation>
     </message>
     <message>
@@ -1370,11 +1468,11 @@ Einzelheiten: %2</translation>
         <translation>es wurden keine zwei verschieden harten Knoten gefunden und bewertet</translation>
     </message>
     <message>
-        <source>fewer than two lumps were found and their hardness said</source>
+        <source>fewer than two lumps were found and given a hardness</source>
         <translation>es wurden weniger als zwei Knoten gefunden und ihre Härte angegeben</translation>
     </message>
     <message>
-        <source>fewer than two lumps were there</source>
+        <source>there were fewer than two lumps</source>
         <translation>es gab weniger als zwei Knoten</translation>
     </message>
     <message>
@@ -1382,7 +1480,7 @@ Einzelheiten: %2</translation>
         <translation>es wurde nichts berührt, also auch nichts vorhergesagt</translation>
     </message>
     <message>
-        <source>the trace has no prediction</source>
+        <source>the recording has no prediction</source>
         <translation>die Aufzeichnung enthält keine Vorhersage</translation>
     </message>
     <message>
@@ -1390,39 +1488,39 @@ Einzelheiten: %2</translation>
         <translation>Schwerstes durch Raten gefunden</translation>
     </message>
     <message>
-        <source>How often the heaviest is chosen by somebody who feels nothing. A share that is not larger shows no skill.</source>
-        <translation>Wie oft jemand das Schwerste wählt, der nichts fühlt. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Wie oft jemand, der nichts fühlt, das schwerste Objekt wählen würde. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Localisation error by chance</source>
         <translation>Lagefehler durch Raten</translation>
     </message>
     <message>
-        <source>How far findings lie from a lump if they hit it without aim. A localisation error that is not smaller shows no skill.</source>
-        <translation>Wie weit Befunde von einem Knoten liegen, wenn sie ihn ohne Zielen treffen. Ein Lagefehler, der nicht kleiner ist, zeigt kein Können.</translation>
+        <source>How far findings would be from a lump if they hit it at random. A localisation error that is not smaller shows no skill.</source>
+        <translation>Wie weit Funde von einem Knoten entfernt wären, wenn sie ihn zufällig träfen. Ein Lagefehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Hardness order by chance</source>
         <translation>Reihenfolge der Härte durch Raten</translation>
     </message>
     <message>
-        <source>The hardness order of somebody who says the same words of the lumps in random order. A share that is not larger shows no skill.</source>
-        <translation>Die Reihenfolge der Härte von jemandem, der dieselben Worte in zufälliger Reihenfolge über die Knoten sagt. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
+        <source>The hardness order of somebody who assigns the same hardness ratings to the lumps at random. A share that is not larger shows no skill.</source>
+        <translation>Die Reihenfolge der Härte von jemandem, der dieselben Härteangaben zufällig auf die Knoten verteilt. Ein Anteil, der nicht größer ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Apex error by chance</source>
         <translation>Scheitelfehler durch Raten</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same place, the best one. An error that is not smaller shows no skill.</source>
-        <translation>Der Scheitelfehler von jemandem, der nichts fühlt und immer dieselbe Stelle markiert, die beste. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
+        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Der Scheitelfehler von jemandem, der nichts fühlt und immer dieselbe, bestmögliche Stelle markiert. Ein Fehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
     <message>
         <source>Size error by chance</source>
         <translation>Größenfehler durch Raten</translation>
     </message>
     <message>
-        <source>The size error of somebody who feels nothing and always says the middle size. A size error that is not smaller shows no skill.</source>
+        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
         <translation>Der Größenfehler von jemandem, der nichts fühlt und immer die mittlere Größe angibt. Ein Größenfehler, der nicht kleiner ist, zeigt kein Können.</translation>
     </message>
     <message>
@@ -1430,7 +1528,7 @@ Einzelheiten: %2</translation>
         <translation>Reihenfolge der Härte</translation>
     </message>
     <message>
-        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %. By chance it is 50 % or less.</source>
+        <source>In how many pairs of lumps found in a trial the harder one was rated harder, in %. Guessing gives 50 % or less.</source>
         <translation>Bei wie vielen Paaren gefundener Knoten eines Durchgangs der härtere auch härter genannt wurde, in %. Durch Raten sind es höchstens 50 %.</translation>
     </message>
     <message>
@@ -1443,11 +1541,11 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Time in the force band</source>
-        <translation>Zeit im Kraftband</translation>
+        <translation>Zeit im Kraftbereich</translation>
     </message>
     <message>
-        <source>For how much of the time pressing the force was neither too light nor too hard.</source>
-        <translation>In welchem Teil der Druckzeit die Kraft weder zu leicht noch zu stark war.</translation>
+        <source>How much of the pressing time the force was neither too low nor too high.</source>
+        <translation>In welchem Teil der Druckzeit die Kraft weder zu gering noch zu groß war.</translation>
     </message>
     <message>
         <source>Time pressing</source>
@@ -1462,23 +1560,23 @@ Einzelheiten: %2</translation>
         <translation>Suchzeit</translation>
     </message>
     <message>
-        <source>How long the trials took until done was said; pauses do not count.</source>
+        <source>How long the trials took until the search was reported as done; pauses do not count.</source>
         <translation>Wie lange die Durchgänge bis zur Fertigmeldung dauerten; Pausen zählen nicht.</translation>
     </message>
     <message>
-        <source>the trace has no lumps and search area</source>
+        <source>the recording has neither lumps nor a search area</source>
         <translation>die Aufzeichnung enthält weder Knoten noch Suchfeld</translation>
     </message>
     <message>
-        <source>the trace has no reports</source>
+        <source>the recording has no reports</source>
         <translation>die Aufzeichnung enthält keine Meldungen</translation>
     </message>
     <message>
-        <source>the trace lost reports</source>
+        <source>reports are missing from the recording</source>
         <translation>in der Aufzeichnung fehlen Meldungen</translation>
     </message>
     <message>
-        <source>no lump was there</source>
+        <source>there was no lump</source>
         <translation>es gab keinen Knoten</translation>
     </message>
     <message>
@@ -1486,11 +1584,11 @@ Einzelheiten: %2</translation>
         <translation>es wurde kein Knoten gefunden</translation>
     </message>
     <message>
-        <source>nobody said how sure a finding is</source>
+        <source>no finding has a confidence rating</source>
         <translation>zu keinem Fund wurde die Sicherheit angegeben</translation>
     </message>
     <message>
-        <source>of no lump that was found the size was said</source>
+        <source>no lump found was given a size</source>
         <translation>zu keinem gefundenen Knoten wurde die Größe angegeben</translation>
     </message>
     <message>
@@ -1502,7 +1600,7 @@ Einzelheiten: %2</translation>
         <translation>die Stufe fragt nicht nach der Härte</translation>
     </message>
     <message>
-        <source>fewer than two lumps of a trial were found and their hardness said</source>
+        <source>in no trial were two lumps found and given a hardness</source>
         <translation>in keinem Durchgang wurden zwei Knoten gefunden und ihre Härte angegeben</translation>
     </message>
     <message>
@@ -1510,12 +1608,12 @@ Einzelheiten: %2</translation>
         <translation>die gefundenen Knoten sind gleich hart</translation>
     </message>
     <message>
-        <source>the trace has no coverage</source>
+        <source>the recording has no coverage data</source>
         <translation>die Aufzeichnung enthält keine abgetastete Fläche</translation>
     </message>
     <message>
-        <source>the trace has no force band</source>
-        <translation>die Aufzeichnung enthält kein Kraftband</translation>
+        <source>the recording has no force band</source>
+        <translation>die Aufzeichnung enthält keinen Kraftbereich</translation>
     </message>
     <message>
         <source>nothing was pressed</source>
@@ -1530,8 +1628,8 @@ Einzelheiten: %2</translation>
         <translation>Zug der Falte im Zielbereich</translation>
     </message>
     <message>
-        <source>How much of the time, once the fold of tissue was held back, its pull was where it had to be, in %; the mean over all trials.</source>
-        <translation>Wie viel der Zeit, seit die Gewebefalte zurückgehalten wurde, ihr Zug dort lag, wo er liegen sollte, in %; Mittel über alle Durchgänge.</translation>
+        <source>How much of the time the pull on the fold of tissue was in its band, once the fold was held back, in %; the mean over all trials.</source>
+        <translation>Wie viel der Zeit der Zug an der Gewebefalte im Zielbereich lag, sobald sie zurückgehalten wurde, in %; Mittel über alle Durchgänge.</translation>
     </message>
     <message>
         <source>Largest retraction</source>
@@ -1546,19 +1644,19 @@ Einzelheiten: %2</translation>
         <translation>keine Position, die gewertet werden könnte</translation>
     </message>
     <message>
-        <source>the apex&apos;s true place is not known</source>
+        <source>the true position of the apex is not known</source>
         <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
 </context>
 <context>
     <name>PalpationFindings</name>
     <message>
-        <source>size said %1, was %2</source>
-        <translation>Größe angegeben %1, war %2</translation>
+        <source>stated size %1, true size %2</source>
+        <translation>angegebene Größe %1, wahre Größe %2</translation>
     </message>
     <message>
-        <source>hardness said %1, was %2</source>
-        <translation>Härte angegeben %1, war %2</translation>
+        <source>stated hardness %1, true hardness %2</source>
+        <translation>angegebene Härte %1, wahre Härte %2</translation>
     </message>
     <message>
         <source>confidence: %1</source>
@@ -1569,8 +1667,8 @@ Einzelheiten: %2</translation>
         <translation>Knoten %1 (%2, %3 mm tief): übersehen</translation>
     </message>
     <message>
-        <source>Lump %1: found, finding %2, %3 mm beside its middle</source>
-        <translation>Knoten %1: gefunden, Fund %2, %3 mm neben der Mitte</translation>
+        <source>Lump %1: found, finding %2, %3 mm from its centre</source>
+        <translation>Knoten %1: gefunden, Fund %2, %3 mm von der Mitte entfernt</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -1589,16 +1687,16 @@ Einzelheiten: %2</translation>
         <translation>Gefundene Knoten: %1 von %2.</translation>
     </message>
     <message>
-        <source>Findings where no lump was: %1.</source>
-        <translation>Funde, wo kein Knoten war: %1.</translation>
+        <source>Findings where there was no lump: %1.</source>
+        <translation>Funde an Stellen ohne Knoten: %1.</translation>
     </message>
     <message>
         <source>Searched: %1 %.</source>
         <translation>Abgetastet: %1 %.</translation>
     </message>
     <message>
-        <source>Time was up before the end was reported.</source>
-        <translation>Die Zeit war um, bevor das Ende gemeldet wurde.</translation>
+        <source>Time was up before the search was reported as done.</source>
+        <translation>Die Zeit war um, bevor die Suche als beendet gemeldet wurde.</translation>
     </message>
     <message>
         <source>Finding %1: no lump there; the nearest was %2 mm away</source>
@@ -1640,11 +1738,11 @@ Einzelheiten: %2</translation>
         <translation>fest</translation>
     </message>
     <message>
-        <source>stony</source>
+        <source>stony hard</source>
         <translation>steinhart</translation>
     </message>
     <message>
-        <source>not said</source>
+        <source>not given</source>
         <translation>nicht angegeben</translation>
     </message>
     <message>
@@ -1672,15 +1770,15 @@ Einzelheiten: %2</translation>
         <translation>%1 mm Durchmesser</translation>
     </message>
     <message>
-        <source>size not said</source>
+        <source>size not given</source>
         <translation>Größe nicht angegeben</translation>
     </message>
     <message>
-        <source>hardness not said</source>
+        <source>hardness not given</source>
         <translation>Härte nicht angegeben</translation>
     </message>
     <message>
-        <source>confidence not said</source>
+        <source>confidence not given</source>
         <translation>Sicherheit nicht angegeben</translation>
     </message>
     <message>
@@ -1735,8 +1833,8 @@ Einzelheiten: %2</translation>
         <translation>Rauschen, Hysterese und Kriechen der Kraftsensoren</translation>
     </message>
     <message>
-        <source>Steps of the converter</source>
-        <translation>Stufen des Wandlers</translation>
+        <source>Resolution of the converter</source>
+        <translation>Auflösung des Wandlers</translation>
     </message>
     <message>
         <source>Delay of the force sensors</source>
@@ -1755,8 +1853,8 @@ Einzelheiten: %2</translation>
         <translation>16 Bit</translation>
     </message>
     <message>
-        <source>× %1 as coarse</source>
-        <translation>× %1 so grob</translation>
+        <source>%1 times as coarse</source>
+        <translation>%1-mal so grob</translation>
     </message>
     <message>
         <source>none</source>
@@ -1767,15 +1865,15 @@ Einzelheiten: %2</translation>
         <translation>× %1</translation>
     </message>
     <message>
-        <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
-        <translation>Dies ist die simulierte Plattform, so unvollkommen wie solche Teile sind: %1 mN Rauschen der Kraft und %2 Bit des Wandlers, %3 % Hysterese, %4 ms Verzögerung vom Sensor zum Regler, %5 N Getriebereibung je Antrieb, %6 µm Spiel, ein Lagesensor mit %7° Versatz und %8° Rauschen.</translation>
+        <source>This is the simulated platform, with hardware as imperfect as real parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N per drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
+        <translation>Dies ist die simulierte Plattform, so unvollkommen wie echte Bauteile: %1 mN Rauschen der Kraft und %2 Bit des Wandlers, %3 % Hysterese, %4 ms Verzögerung vom Sensor zum Regler, %5 N Getriebereibung je Antrieb, %6 µm Spiel, ein Lagesensor mit %7° Versatz und %8° Rauschen.</translation>
     </message>
     <message>
-        <source>Friction as identified by moving the drives: %1 N, and %2 N·s/m with speed.</source>
-        <translation>Reibung, durch Bewegen der Antriebe bestimmt: %1 N, mit der Geschwindigkeit %2 N·s/m.</translation>
+        <source>Friction, identified by moving the drives: %1 N, plus %2 N·s/m with speed.</source>
+        <translation>Reibung, durch Bewegen der Antriebe bestimmt: %1 N, dazu %2 N·s/m mit der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>A step of force is felt after %1 ms. With the damping of drives and pad alone, a wall is stable up to %2 N/mm.</source>
+        <source>A step of force is felt after %1 ms. With the damping of drives and fingertip alone, a wall is stable up to %2 N/mm.</source>
         <translation>Ein Kraftsprung ist nach %1 ms zu spüren. Allein mit der Dämpfung von Antrieben und Fingerkuppe ist eine Wand bis %2 N/mm stabil.</translation>
     </message>
     <message>
@@ -1783,8 +1881,8 @@ Einzelheiten: %2</translation>
         <translation>Rauschen und Versatz des Lagesensors</translation>
     </message>
     <message>
-        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad&apos;s force is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.</source>
-        <translation>Eine Simulation: Die simulierte Plattform hält ihre Grenzen an %1 von %2 simulierten Fingern ein. Im schlechtesten Fall weicht die Kraft an der Fingerkuppe um %3 ab (quadratisches Mittel), die Neigung um %4, ein Sprung schwingt um %5 % der Kraft über, und die Fingerkuppe bekommt höchstens %6 (%7). Eine echte Plattform muss eigens gemessen werden.</translation>
+        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the force on the fingertip is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the fingertip gets at most %6 (%7). A real platform has to be measured separately.</source>
+        <translation>Eine Simulation: Die simulierte Plattform hält ihre Grenzen an %1 von %2 simulierten Fingern ein. Im schlechtesten Fall weicht die Kraft an der Fingerkuppe um %3 ab (quadratisches Mittel), die Neigung um %4, ein Sprung schwingt um %5 % der Kraft über, und die Fingerkuppe bekommt höchstens %6 (%7). Eine echte Plattform muss gesondert gemessen werden.</translation>
     </message>
     <message>
         <source>bounds: %1, %2, %3 %, %4</source>
@@ -1819,12 +1917,12 @@ Einzelheiten: %2</translation>
         <translation>Doppelt so steif, dünn, nachlassend</translation>
     </message>
     <message>
-        <source>The finger that is assumed</source>
+        <source>The assumed finger</source>
         <translation>Der angenommene Finger</translation>
     </message>
     <message>
-        <source>On other fingers: what the pad really got</source>
-        <translation>An anderen Fingern: was die Fingerkuppe wirklich bekam</translation>
+        <source>On other fingers: the true force on the fingertip</source>
+        <translation>An anderen Fingern: die wahre Kraft an der Fingerkuppe</translation>
     </message>
     <message>
         <source>Simulated finger</source>
@@ -1839,11 +1937,11 @@ Einzelheiten: %2</translation>
         <translation>Überschwingen</translation>
     </message>
     <message>
-        <source>Most at 1 N</source>
+        <source>Max. at 1 N</source>
         <translation>Max. bei 1 N</translation>
     </message>
     <message>
-        <source>Most at 4 N</source>
+        <source>Max. at 4 N</source>
         <translation>Max. bei 4 N</translation>
     </message>
     <message>
@@ -1859,8 +1957,8 @@ Einzelheiten: %2</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Beside the published figures</source>
-        <translation>Neben den veröffentlichten Werten</translation>
+        <source>Compared with the published figures</source>
+        <translation>Vergleich mit den veröffentlichten Werten</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -1871,8 +1969,8 @@ Einzelheiten: %2</translation>
         <translation>Nach den eigenen Sensoren</translation>
     </message>
     <message>
-        <source>What was really so</source>
-        <translation>Was wirklich war</translation>
+        <source>True value</source>
+        <translation>Wahrer Wert</translation>
     </message>
     <message>
         <source>Published (P3)</source>
@@ -1880,7 +1978,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Force, cycle %1: root mean square error</source>
-        <translation>Kraft, Periode %1: quadratischer Mittelwert des Fehlers</translation>
+        <translation>Kraft, Periode %1: quadratisches Mittel des Fehlers</translation>
     </message>
     <message>
         <source>Force, mean of the cycles</source>
@@ -1907,8 +2005,8 @@ Einzelheiten: %2</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>When one thing gets worse</source>
-        <translation>Wenn eines schlechter wird</translation>
+        <source>When one part gets worse</source>
+        <translation>Wenn ein Bauteil schlechter wird</translation>
     </message>
     <message>
         <source>What</source>
@@ -1938,32 +2036,32 @@ Einzelheiten: %2</translation>
         <translation>Kraft (N)</translation>
     </message>
     <message>
-        <source>sensed</source>
+        <source>measured</source>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>on the pad</source>
+        <source>on the fingertip</source>
         <translation>an der Fingerkuppe</translation>
     </message>
     <message>
-        <source>wanted</source>
+        <source>target</source>
         <translation>Soll</translation>
     </message>
     <message>
-        <source>Orientations, sensed over wanted</source>
+        <source>Orientations, measured against target</source>
         <translation>Neigungen, gemessen über Soll</translation>
     </message>
     <message>
-        <source>Wanted (°)</source>
+        <source>Target (°)</source>
         <translation>Soll (°)</translation>
     </message>
     <message>
-        <source>Sensed (°)</source>
+        <source>Measured (°)</source>
         <translation>Gemessen (°)</translation>
     </message>
     <message>
-        <source>as wanted</source>
-        <translation>wie gewollt</translation>
+        <source>ideal</source>
+        <translation>ideal</translation>
     </message>
     <message>
         <source>pitch</source>
@@ -1974,8 +2072,8 @@ Einzelheiten: %2</translation>
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>How large the errors of orientation were</source>
-        <translation>Wie groß die Fehler der Neigung waren</translation>
+        <source>Distribution of the orientation errors</source>
+        <translation>Verteilung der Neigungsfehler</translation>
     </message>
     <message>
         <source>Error (°)</source>
@@ -1993,35 +2091,35 @@ Einzelheiten: %2</translation>
 <context>
     <name>PlaybackMarks</name>
     <message>
-        <source>Force held: the tool moved too fast</source>
-        <translation>Kraft zurückgehalten: Instrument zu schnell</translation>
+        <source>Force on hold: the tool moved too fast</source>
+        <translation>Kraft vorübergehend aus: Instrument zu schnell</translation>
     </message>
     <message>
-        <source>A sample of the device was not usable</source>
-        <translation>Ein Messpunkt des Geräts war unbrauchbar</translation>
+        <source>The device sent an invalid sample</source>
+        <translation>Das Gerät sendete einen ungültigen Messpunkt</translation>
     </message>
     <message>
-        <source>Fault: too many samples of the device were not usable</source>
-        <translation>Störung: zu viele unbrauchbare Messpunkte des Geräts</translation>
+        <source>Fault: the device sent too many invalid samples</source>
+        <translation>Störung: zu viele ungültige Messpunkte vom Gerät</translation>
     </message>
     <message>
-        <source>Force held: samples of the device came late</source>
-        <translation>Kraft zurückgehalten: Daten des Geräts kamen verspätet</translation>
+        <source>Force on hold: samples from the device came late</source>
+        <translation>Kraft vorübergehend aus: Daten des Geräts kamen verspätet</translation>
     </message>
     <message>
-        <source>Fault: the device went silent</source>
-        <translation>Störung: Das Gerät verstummte</translation>
+        <source>Fault: the device stopped sending data</source>
+        <translation>Störung: Das Gerät sendete keine Daten mehr</translation>
     </message>
     <message>
-        <source>Force held: the window did not answer</source>
-        <translation>Kraft zurückgehalten: Das Fenster reagierte nicht</translation>
+        <source>Force on hold: the window did not respond</source>
+        <translation>Kraft vorübergehend aus: Das Fenster reagierte nicht</translation>
     </message>
     <message>
         <source>Force damped to keep it stable</source>
         <translation>Kraft gedämpft, damit sie stabil bleibt</translation>
     </message>
     <message>
-        <source>Fault: the device reported one</source>
+        <source>Fault: reported by the device</source>
         <translation>Störung: vom Gerät gemeldet</translation>
     </message>
     <message>
@@ -2038,7 +2136,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Time was up without a mark</source>
-        <translation>Zeit abgelaufen ohne Markierung</translation>
+        <translation>Zeit ohne Markierung abgelaufen</translation>
     </message>
     <message>
         <source>The trace ended without a mark</source>
@@ -2050,14 +2148,14 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Over the limit for %1, up to %2</source>
-        <translation>%1 lang über der Grenze, bis %2</translation>
+        <translation>%1 lang über der Grenze, mit bis zu %2</translation>
     </message>
     <message>
         <source>Paused for %1</source>
         <translation>%1 lang Pause</translation>
     </message>
     <message>
-        <source>Force armed again</source>
+        <source>Force re-armed</source>
         <translation>Kraft wieder freigegeben</translation>
     </message>
     <message>
@@ -2098,7 +2196,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>Step: carry to the target</source>
-        <translation>Schritt: zum Ziel führen</translation>
+        <translation>Schritt: zum Ziel bringen</translation>
     </message>
     <message>
         <source>Step: set down</source>
@@ -2121,16 +2219,16 @@ Einzelheiten: %2</translation>
         <translation>Eine Landmarke wurde gesehen</translation>
     </message>
     <message>
-        <source>Pressed on the wall for %1, up to %2</source>
+        <source>Pressed against the wall for %1, up to %2</source>
         <translation>%1 lang gegen die Wand gedrückt, mit bis zu %2</translation>
     </message>
     <message>
-        <source>Went back by %1</source>
+        <source>Moved back by %1</source>
         <translation>Um %1 zurückgegangen</translation>
     </message>
     <message>
-        <source>Off the middle for %1, up to %2</source>
-        <translation>%1 lang von der Mitte ausgelenkt, um bis zu %2</translation>
+        <source>Off-centre for %1, up to %2</source>
+        <translation>%1 lang von der Mittellinie abgewichen, um bis zu %2</translation>
     </message>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
@@ -2165,12 +2263,12 @@ Einzelheiten: %2</translation>
         <translation>Fund %1 zurückgenommen</translation>
     </message>
     <message>
-        <source>The trial was done</source>
-        <translation>Der Durchgang wurde zu Ende geführt</translation>
+        <source>The trial was completed</source>
+        <translation>Der Durchgang wurde abgeschlossen</translation>
     </message>
     <message>
-        <source>The trial could not be done any more</source>
-        <translation>Der Durchgang war nicht mehr möglich</translation>
+        <source>The trial could no longer be completed</source>
+        <translation>Der Durchgang ließ sich nicht mehr abschließen</translation>
     </message>
     <message>
         <source>The tissue was damaged</source>
@@ -2181,16 +2279,16 @@ Einzelheiten: %2</translation>
         <translation>Beendet</translation>
     </message>
     <message>
-        <source>The procedure was done to its end</source>
-        <translation>Der Eingriff wurde zu Ende geführt</translation>
+        <source>The procedure was completed</source>
+        <translation>Der Eingriff wurde abgeschlossen</translation>
     </message>
     <message>
         <source>Time was up before the end of the procedure</source>
-        <translation>Die Zeit war vor dem Ende des Eingriffs um</translation>
+        <translation>Die Zeit lief vor dem Ende des Eingriffs ab</translation>
     </message>
     <message>
-        <source>The procedure could not be done any more</source>
-        <translation>Der Eingriff war nicht mehr möglich</translation>
+        <source>The procedure could no longer be completed</source>
+        <translation>Der Eingriff ließ sich nicht mehr abschließen</translation>
     </message>
     <message>
         <source>The tube was held as asked</source>
@@ -2201,8 +2299,8 @@ Einzelheiten: %2</translation>
         <translation>Die Zeit war um, bevor der Schlauch wie verlangt gehalten wurde</translation>
     </message>
     <message>
-        <source>The tube tore: the trial could not be done any more</source>
-        <translation>Der Schlauch riss: Der Durchgang war nicht mehr möglich</translation>
+        <source>The tube tore: the trial could no longer be completed</source>
+        <translation>Der Schlauch riss: Der Durchgang ließ sich nicht mehr abschließen</translation>
     </message>
     <message>
         <source>The tube was stretched too far</source>
@@ -2218,7 +2316,7 @@ Einzelheiten: %2</translation>
     </message>
     <message>
         <source>The object was squeezed too hard</source>
-        <translation>Das Objekt wurde zu fest gequetscht</translation>
+        <translation>Das Objekt wurde zu fest zusammengedrückt</translation>
     </message>
     <message>
         <source>The search was reported as done</source>
@@ -2229,47 +2327,47 @@ Einzelheiten: %2</translation>
         <translation>Die Zeit war um, bevor die Suche als beendet gemeldet wurde</translation>
     </message>
     <message>
-        <source>The search could not be done any more</source>
-        <translation>Die Suche war nicht mehr möglich</translation>
+        <source>The search could no longer be completed</source>
+        <translation>Die Suche ließ sich nicht mehr abschließen</translation>
     </message>
     <message>
         <source>Answered</source>
         <translation>Beantwortet</translation>
     </message>
     <message>
-        <source>The comparison was done</source>
-        <translation>Der Vergleich wurde zu Ende geführt</translation>
+        <source>The comparison was completed</source>
+        <translation>Der Vergleich wurde abgeschlossen</translation>
     </message>
     <message>
         <source>Time was up without an answer</source>
-        <translation>Die Zeit war ohne Antwort um</translation>
+        <translation>Die Zeit lief ohne Antwort ab</translation>
     </message>
     <message>
-        <source>The comparison could not be done any more</source>
-        <translation>Der Vergleich war nicht mehr möglich</translation>
+        <source>The comparison could no longer be completed</source>
+        <translation>Der Vergleich ließ sich nicht mehr abschließen</translation>
     </message>
     <message>
         <source>The object was damaged</source>
         <translation>Das Objekt wurde beschädigt</translation>
     </message>
     <message>
-        <source>Force stopped by the person, for %1</source>
-        <translation>Kraft von der Person angehalten, %1 lang</translation>
+        <source>The person stopped the force for %1</source>
+        <translation>Die Person stoppte die Kraft, %1 lang</translation>
     </message>
     <message>
-        <source>Force stopped by the person</source>
-        <translation>Kraft von der Person angehalten</translation>
+        <source>The person stopped the force</source>
+        <translation>Die Person stoppte die Kraft</translation>
     </message>
     <message>
-        <source>Felt less than the tissue answered for %1, which was up to %2</source>
-        <translation>%1 lang weniger gefühlt, als das Gewebe antwortete: bis zu %2</translation>
+        <source>For %1, less force was felt than the tissue exerted (up to %2)</source>
+        <translation>%1 lang war weniger Kraft zu fühlen, als das Gewebe ausübte (bis zu %2)</translation>
     </message>
     <message>
-        <source>A miss: not on what was to be marked</source>
-        <translation>Ein Fehlversuch: nicht auf dem, was zu markieren war</translation>
+        <source>Miss: the wrong place was marked</source>
+        <translation>Fehlversuch: falsche Stelle markiert</translation>
     </message>
     <message>
-        <source>Finding %1 marked where no lump was</source>
+        <source>Finding %1 marked where there was no lump</source>
         <translation>Fund %1 markiert, wo kein Knoten war</translation>
     </message>
     <message>
@@ -2277,7 +2375,7 @@ Einzelheiten: %2</translation>
         <translation>Ein Knoten wurde übersehen</translation>
     </message>
     <message>
-        <source>The tissue gave way to a torque of %1</source>
+        <source>The tissue gave way at a torque of %1</source>
         <translation>Das Gewebe gab bei einem Drehmoment von %1 nach</translation>
     </message>
 </context>
@@ -2548,7 +2646,7 @@ Möchten Sie die Datei ersetzen?</translation>
     <name>RocWords</name>
     <message>
         <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
-        <translation>Fläche unter der Kurve: %1; 0,5 ist Zufall, 1 vollkommen. Sitzungen: %2 (%3). Stellen mit Knoten: %4, ohne: %5.</translation>
+        <translation>Fläche unter der Kurve: %1; 0,5 bedeutet Zufall, 1 perfekt. Sitzungen: %2 (%3). Stellen mit Knoten: %4, ohne: %5.</translation>
     </message>
     <message>
         <source>force felt</source>
@@ -2559,12 +2657,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Kraft gezeigt</translation>
     </message>
     <message>
-        <source>Hits over false alarms, from certain to a guess</source>
-        <translation>Treffer über falschen Alarmen, von ganz sicher bis geraten</translation>
+        <source>Hits against false alarms, from certain to a guess</source>
+        <translation>Treffer gegen Fehlalarme, von ganz sicher bis geraten</translation>
     </message>
     <message>
         <source>False alarm rate</source>
-        <translation>Rate falscher Alarme</translation>
+        <translation>Falschalarmrate</translation>
     </message>
     <message>
         <source>Hit rate</source>
@@ -2590,11 +2688,11 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>zu viele Zeilen, höchstens %1</translation>
     </message>
     <message>
-        <source>a heading line and at least one person are needed</source>
+        <source>a header line and at least one person are needed</source>
         <translation>eine Kopfzeile und mindestens eine Person sind nötig</translation>
     </message>
     <message>
-        <source>the column &quot;%1&quot; is not known, or is there twice</source>
+        <source>the column &quot;%1&quot; is unknown or appears twice</source>
         <translation>die Spalte „%1“ ist unbekannt oder doppelt vorhanden</translation>
     </message>
     <message>
@@ -2618,15 +2716,15 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>der vollständige Name ist zu lang</translation>
     </message>
     <message>
-        <source>the password needs %1 characters, %2 different ones, and must not be the name</source>
-        <translation>das Passwort braucht %1 Zeichen, davon %2 verschiedene, und darf nicht der Name sein</translation>
+        <source>the password needs at least %1 characters, %2 of them different, and must not be the name</source>
+        <translation>das Passwort braucht mindestens %1 Zeichen, davon %2 verschiedene, und darf nicht der Name sein</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is in line %2 already</source>
+        <source>&quot;%1&quot; is already in line %2</source>
         <translation>„%1“ steht schon in Zeile %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is on this site already</source>
+        <source>&quot;%1&quot; already exists at this site</source>
         <translation>„%1“ gibt es an diesem Standort schon</translation>
     </message>
     <message>
@@ -2911,12 +3009,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Der Ton ist an diesem Arbeitsplatz ausgeschaltet. Alles Hörbare wird auch angezeigt.</translation>
     </message>
     <message>
-        <source>The sound part of Chiron is not installed. Everything that can be heard is also shown.</source>
-        <translation>Der Tonteil von Chiron ist nicht installiert. Alles Hörbare wird auch angezeigt.</translation>
+        <source>The sound module of Chiron is not installed. Everything that can be heard is also shown.</source>
+        <translation>Das Tonmodul von Chiron ist nicht installiert. Alles Hörbare wird auch angezeigt.</translation>
     </message>
     <message>
-        <source>The sound part belongs to another version of Chiron. Everything that can be heard is also shown.</source>
-        <translation>Der Tonteil gehört zu einer anderen Version von Chiron. Alles Hörbare wird auch angezeigt.</translation>
+        <source>The sound module belongs to another version of Chiron. Everything that can be heard is also shown.</source>
+        <translation>Das Tonmodul gehört zu einer anderen Version von Chiron. Alles Hörbare wird auch angezeigt.</translation>
     </message>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
@@ -2966,7 +3064,7 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Einführen: auf dem Weg zum Ziel</translation>
     </message>
     <message>
-        <source>Withdrawal: bring the endoscope out again</source>
+        <source>Withdrawal: bring the endoscope back out</source>
         <translation>Rückzug: das Endoskop wieder herausführen</translation>
     </message>
 </context>
@@ -2994,7 +3092,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Ready. Plays a trace file as if a hand moved the device.</source>
-        <translation>Bereit. Spielt eine Bewegungsdatei ab, als bewegte eine Hand das Gerät.</translation>
+        <translation>Bereit. Spielt eine Bewegungsdatei ab, als würde eine Hand das Gerät bewegen.</translation>
     </message>
     <message>
         <source>Force is felt</source>
@@ -3009,62 +3107,62 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Die Kraftregelung läuft mit Echtzeitpriorität.</translation>
     </message>
     <message>
-        <source>The force loop has no real-time priority: under load, touch may become rough.</source>
+        <source>The force loop has no real-time priority: under load, touch may feel rough.</source>
         <translation>Die Kraftregelung läuft ohne Echtzeitpriorität: Unter Last kann sich die Berührung rau anfühlen.</translation>
     </message>
     <message>
-        <source>To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of the group that trains: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
-        <translation>Zum Erlauben trägt die Systemadministration dieses Computers zwei Zeilen in eine Datei in /etc/security/limits.d ein, mit dem Namen der Gruppe, die trainiert: „@group - rtprio 80“ und „@group - memlock unlimited“. Das gilt ab der nächsten Anmeldung am Computer.</translation>
+        <source>To permit it, the administrator of this computer adds two lines to a file in /etc/security/limits.d, where &quot;group&quot; is the group of those who train: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
+        <translation>Um das zu erlauben, trägt die Systemadministration dieses Computers zwei Zeilen in eine Datei in /etc/security/limits.d ein; „group“ steht für die Gruppe derer, die trainieren: „@group - rtprio 80“ und „@group - memlock unlimited“. Das gilt ab der nächsten Anmeldung am Computer.</translation>
     </message>
     <message>
         <source>Memory is locked: nothing the loop needs can be swapped out.</source>
         <translation>Der Arbeitsspeicher ist gesperrt: Nichts, was die Regelung braucht, kann ausgelagert werden.</translation>
     </message>
     <message>
-        <source>Memory is not locked: under pressure the loop may have to wait for the disk.</source>
+        <source>Memory is not locked: when it runs short, the loop may have to wait for the disk.</source>
         <translation>Der Arbeitsspeicher ist nicht gesperrt: Wird er knapp, muss die Regelung womöglich auf die Festplatte warten.</translation>
     </message>
     <message>
-        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
+        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were skipped.</source>
         <translation>%1 Takte von 1 ms. Die Hälfte begann innerhalb von %2 µs, 99 von 100 innerhalb von %3 µs, der späteste nach %4 µs. %5 kamen mehr als 100 µs zu spät, %6 fielen aus.</translation>
     </message>
     <message numerus="yes">
-        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
         <translation>
-            <numerusform>Die Schleife ist nicht pünktlich: %n Takt fiel aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
-            <numerusform>Die Schleife ist nicht pünktlich: %n Takte fielen aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
+            <numerusform>Die Kraftregelung ist nicht pünktlich: %n Takt fiel aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
+            <numerusform>Die Kraftregelung ist nicht pünktlich: %n Takte fielen aus. Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.</source>
-        <translation>Die Schleife ist pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %), und keiner fiel aus.</translation>
+        <source>The loop runs on time: %1 % of the ticks were late (limit %2 %), and none was skipped.</source>
+        <translation>Die Kraftregelung ist pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %), und keiner fiel aus.</translation>
     </message>
     <message>
-        <source>The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
-        <translation>Die Schleife ist nicht pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %). Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</translation>
+        <source>The loop does not run on time: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
+        <translation>Die Kraftregelung ist nicht pünktlich: %1 % der Takte kamen zu spät (Grenze %2 %). Schließen Sie andere Programme oder erlauben Sie Echtzeitpriorität.</translation>
     </message>
 </context>
 <context>
     <name>StorageWords</name>
     <message>
-        <source>The disk is full: %1 are free. Sessions may not be stored. Make room before anybody trains.</source>
-        <translation>Die Festplatte ist voll: %1 sind frei. Sitzungen werden womöglich nicht gespeichert. Schaffen Sie Platz, bevor jemand trainiert.</translation>
+        <source>The disk is full: only %1 is free. Sessions might not be saved. Free up space before anybody trains.</source>
+        <translation>Die Festplatte ist voll: Nur noch %1 sind frei. Sitzungen werden womöglich nicht gespeichert. Schaffen Sie Platz, bevor jemand trainiert.</translation>
     </message>
     <message>
-        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions will be refused. Close other programs.</source>
-        <translation>Für die Sicherheitskopie einer laufenden Sitzung fehlt Platz (%1 nötig, %2 im Arbeitsspeicher frei). Sitzungen werden abgelehnt. Schließen Sie andere Programme.</translation>
+        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions cannot start. Close other programs.</source>
+        <translation>Für die Sicherheitskopie einer laufenden Sitzung fehlt Platz (%1 nötig, %2 im Arbeitsspeicher frei). Sitzungen können nicht starten. Schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>The disk is getting full: %1 are free. Sessions can still be recorded. Make room, or move backups to another disk.</source>
+        <source>The disk is getting full: %1 is free. Sessions can still be recorded. Free up space, or move backups to another disk.</source>
         <translation>Die Festplatte wird voll: %1 sind frei. Sitzungen können noch aufgezeichnet werden. Schaffen Sie Platz oder verschieben Sie Sicherungen auf eine andere Festplatte.</translation>
     </message>
     <message>
-        <source>Memory for the safety copy of running sessions is getting short: %1 are free.</source>
+        <source>Memory for the safety copy of running sessions is running low: %1 is free.</source>
         <translation>Der Arbeitsspeicher für die Sicherheitskopie laufender Sitzungen wird knapp: %1 sind frei.</translation>
     </message>
     <message>
-        <source>There is room: %1 are free.</source>
-        <translation>Es ist Platz: %1 sind frei.</translation>
+        <source>There is enough room: %1 is free.</source>
+        <translation>Es ist genug Platz: %1 sind frei.</translation>
     </message>
     <message>
         <source>There is no backup yet. What is recorded exists only once.</source>
@@ -3099,35 +3197,35 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Nicht lesbar</translation>
     </message>
     <message>
-        <source>A session is not as it ended</source>
-        <translation>Eine Sitzung ist nicht, wie sie endete</translation>
+        <source>A session was changed after it ended</source>
+        <translation>Eine Sitzung wurde nach ihrem Ende verändert</translation>
     </message>
     <message>
-        <source>The audit trail does not hold</source>
-        <translation>Das Prüfprotokoll stimmt nicht</translation>
+        <source>The audit trail is not intact</source>
+        <translation>Das Prüfprotokoll ist nicht intakt</translation>
     </message>
     <message>
-        <source>A score does not follow from its recording</source>
-        <translation>Eine Wertung folgt nicht aus ihrer Aufzeichnung</translation>
+        <source>A score does not match its recording</source>
+        <translation>Eine Wertung passt nicht zu ihrer Aufzeichnung</translation>
     </message>
     <message>
-        <source>Something does not hold</source>
+        <source>Something is wrong</source>
         <translation>Etwas stimmt nicht</translation>
     </message>
     <message numerus="yes">
-        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <source>The check found %n error(s). Nothing was changed. Keep this database as it is and restore a backup that passes the check.</source>
         <translation>
-            <numerusform>%n Stelle stimmt nicht. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine geprüfte Sicherung wieder her.</numerusform>
-            <numerusform>%n Stellen stimmen nicht. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine geprüfte Sicherung wieder her.</numerusform>
+            <numerusform>Die Prüfung fand %n Fehler. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine Sicherung wieder her, die die Prüfung besteht.</numerusform>
+            <numerusform>Die Prüfung fand %n Fehler. Es wurde nichts geändert. Lassen Sie diese Datenbank, wie sie ist, und stellen Sie eine Sicherung wieder her, die die Prüfung besteht.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The check was stopped after %1 records. Nothing wrong was found until then.</source>
+        <source>The check was stopped after %1 records. It had found no errors until then.</source>
         <translation>Die Prüfung wurde nach %1 Datensätzen abgebrochen. Bis dahin wurde kein Fehler gefunden.</translation>
     </message>
     <message>
-        <source>Everything holds: %1 records, every recording, every score, the audit trail.</source>
-        <translation>Alles stimmt: %1 Datensätze, jede Aufzeichnung, jede Wertung, das Prüfprotokoll.</translation>
+        <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
+        <translation>Kein Fehler gefunden: %1 Datensätze, jede Aufzeichnung, jede Wertung und das Prüfprotokoll wurden geprüft.</translation>
     </message>
 </context>
 <context>
@@ -3148,14 +3246,14 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>DEMONSTRATION: erfundene Personen und Ergebnisse</translation>
     </message>
     <message numerus="yes">
-        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <source>SIMULATED: %n participant(s) are programs, not people</source>
         <translation>
             <numerusform>SIMULIERT: %n Teilnehmer ist ein Programm, keine Person</numerusform>
             <numerusform>SIMULIERT: %n Teilnehmer sind Programme, keine Personen</numerusform>
         </translation>
     </message>
     <message>
-        <source>BLIND: conditions go by sealed codes until the study is unblinded</source>
+        <source>BLINDED: conditions carry sealed codes until the study is unblinded</source>
         <translation>VERBLINDET: Bedingungen tragen versiegelte Codes, bis die Studie entblindet ist</translation>
     </message>
     <message>
@@ -3187,7 +3285,7 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Participants blind</source>
+        <source>Participants blinded</source>
         <translation>Teilnehmende verblindet</translation>
     </message>
     <message>
@@ -3199,7 +3297,7 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>Experimenters blind</source>
+        <source>Experimenters blinded</source>
         <translation>Versuchsleitung verblindet</translation>
     </message>
     <message>
@@ -3295,16 +3393,16 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Warum wiederholt</translation>
     </message>
     <message>
-        <source>Same choices again</source>
-        <translation>Erneut gleiche Wahl</translation>
+        <source>Choices reproduced</source>
+        <translation>Auswahl reproduziert</translation>
     </message>
     <message>
-        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit in more than %4 of the contact.</source>
-        <translation>Ein Durchgang wird wiederholt, wenn die Kraft um mehr als %1 N oder der gefühlte Wert um mehr als %2 abweicht, mehr als %3 der Takte verspätet sind oder das Gerät in mehr als %4 des Kontakts an seiner Grenze ist.</translation>
+        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit for more than %4 of the contact.</source>
+        <translation>Ein Durchgang wird wiederholt, wenn die Kraft um mehr als %1 N oder der gefühlte Wert um mehr als %2 abweicht, mehr als %3 der Takte verspätet sind oder das Gerät während mehr als %4 des Kontakts an seiner Grenze ist.</translation>
     </message>
     <message>
-        <source>Same choices again: run again from its log, the procedure chose the same presentations.</source>
-        <translation>Erneut gleiche Wahl: Aus dem Protokoll wiederholt, wählte das Verfahren dieselben Darbietungen.</translation>
+        <source>Choices reproduced: when run again from its log, the procedure chose the same presentations.</source>
+        <translation>Auswahl reproduziert: Beim erneuten Ablauf aus dem Protokoll wählte das Verfahren dieselben Darbietungen.</translation>
     </message>
     <message>
         <source>No answers</source>
@@ -3313,13 +3411,13 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n free text(s), in the exported tables</source>
         <translation>
-            <numerusform>%n freier Text, in den exportierten Tabellen</numerusform>
-            <numerusform>%n freie Texte, in den exportierten Tabellen</numerusform>
+            <numerusform>%n Freitext, in den exportierten Tabellen</numerusform>
+            <numerusform>%n Freitexte, in den exportierten Tabellen</numerusform>
         </translation>
     </message>
     <message>
-        <source>Median %1, middle half %2 to %3, of %4</source>
-        <translation>Median %1, mittlere Hälfte %2 bis %3, von %4</translation>
+        <source>Median %1, interquartile range %2 to %3, n = %4</source>
+        <translation>Median %1, Interquartilbereich %2 bis %3, n = %4</translation>
     </message>
     <message>
         <source>Question</source>
@@ -3334,8 +3432,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Unterschied zur Referenz (%)</translation>
     </message>
     <message>
-        <source>Proportion right</source>
-        <translation>Anteil richtig</translation>
+        <source>Proportion correct</source>
+        <translation>Anteil richtiger Antworten</translation>
     </message>
     <message>
         <source>95 % band</source>
@@ -3362,20 +3460,20 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>95-%-Intervall</translation>
     </message>
     <message>
-        <source>A further participant, 95 %</source>
-        <translation>Eine weitere Person, 95 %</translation>
+        <source>95 % prediction interval</source>
+        <translation>95-%-Vorhersageintervall</translation>
     </message>
     <message>
-        <source>Participants used, left out</source>
-        <translation>Personen verwendet, ausgelassen</translation>
+        <source>Participants included, excluded</source>
+        <translation>Personen einbezogen, ausgeschlossen</translation>
     </message>
     <message>
         <source>JND at the reference</source>
         <translation>JND an der Referenz</translation>
     </message>
     <message>
-        <source>Point of equality</source>
-        <translation>Punkt der Gleichheit</translation>
+        <source>Point of subjective equality</source>
+        <translation>Punkt subjektiver Gleichheit</translation>
     </message>
     <message>
         <source>Exponent of the power law</source>
@@ -3399,7 +3497,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>Durchführen</translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -3434,12 +3532,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Rangfolge von dreien</translation>
     </message>
     <message>
-        <source>Two intervals (2AFC)</source>
-        <translation>Zwei zur Wahl (2AFC)</translation>
+        <source>Two alternatives (2AFC)</source>
+        <translation>Zwei Alternativen (2AFC)</translation>
     </message>
     <message>
-        <source>Three intervals (3AFC)</source>
-        <translation>Drei zur Wahl (3AFC)</translation>
+        <source>Three alternatives (3AFC)</source>
+        <translation>Drei Alternativen (3AFC)</translation>
     </message>
     <message>
         <source>Odd one out of three</source>
@@ -3463,7 +3561,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Staircase (up–down)</source>
-        <translation>Treppe (auf–ab)</translation>
+        <translation>Treppenverfahren (auf–ab)</translation>
     </message>
     <message>
         <source>Constant stimuli</source>
@@ -3531,11 +3629,11 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Stopped</source>
-        <translation>Angehalten</translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>Force was not what was asked</source>
-        <translation>Kraft war nicht die verlangte</translation>
+        <source>Force not as commanded</source>
+        <translation>Kraft weicht vom Sollwert ab</translation>
     </message>
     <message>
         <source>Felt value off</source>
@@ -3562,11 +3660,11 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Zeit abgelaufen</translation>
     </message>
     <message>
-        <source>Not all were touched</source>
+        <source>Not all touched</source>
         <translation>Nicht alle berührt</translation>
     </message>
     <message>
-        <source>Spoiled by the experimenter</source>
+        <source>Discarded by the experimenter</source>
         <translation>Von der Versuchsleitung verworfen</translation>
     </message>
     <message>
@@ -3574,7 +3672,7 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Noch keine Markierung</translation>
     </message>
     <message>
-        <source>Marks about the true apex</source>
+        <source>Marks around the true apex</source>
         <translation>Markierungen um den wahren Scheitel</translation>
     </message>
     <message>
@@ -3594,16 +3692,16 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Verschiebung</translation>
     </message>
     <message>
-        <source>± 1 SD an axis</source>
+        <source>± 1 SD per axis</source>
         <translation>± 1 SD je Achse</translation>
     </message>
     <message>
         <source>Error in locating spheres</source>
-        <translation>Fehler beim Finden der Kugeln</translation>
+        <translation>Fehler bei der Lokalisation der Kugeln</translation>
     </message>
     <message>
         <source>Absolute error (% of radius)</source>
-        <translation>Fehlerbetrag (% des Radius)</translation>
+        <translation>Absoluter Fehler (% des Radius)</translation>
     </message>
     <message>
         <source>mean over both axes ± SD</source>
@@ -3643,7 +3741,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Mean absolute error ± SD</source>
-        <translation>Mittlerer Fehlerbetrag ± SD</translation>
+        <translation>Mittlerer absoluter Fehler ± SD</translation>
     </message>
     <message>
         <source>Error</source>
@@ -3656,15 +3754,15 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n trial(s) have no mark and are left out.</source>
         <translation>
-            <numerusform>%n Versuch ohne Markierung ist ausgelassen.</numerusform>
-            <numerusform>%n Versuche ohne Markierung sind ausgelassen.</numerusform>
+            <numerusform>%n Durchgang ohne Markierung ist ausgelassen.</numerusform>
+            <numerusform>%n Durchgänge ohne Markierung sind ausgelassen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <source>With only %n participant(s), differences between people are very uncertain.</source>
         <translation>
-            <numerusform>Nur %n Person: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
-            <numerusform>Nur %n Personen: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Person: Über Unterschiede zwischen Personen ist kaum etwas bekannt.</numerusform>
+            <numerusform>Nur %n Personen: Über Unterschiede zwischen Personen ist kaum etwas bekannt.</numerusform>
         </translation>
     </message>
     <message>
@@ -3672,12 +3770,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Manche Personen haben weniger als 10 Markierungen.</translation>
     </message>
     <message>
-        <source>Errors in x lean to one side: the absolute error is not scatter alone.</source>
-        <translation>Fehler in x neigen zu einer Seite: Der Fehlerbetrag ist nicht Streuung allein.</translation>
+        <source>Errors in x lean to one side: the absolute error is not only scatter.</source>
+        <translation>Fehler in x liegen überwiegend auf einer Seite: Der absolute Fehler ist nicht nur Streuung.</translation>
     </message>
     <message>
-        <source>Errors in y lean to one side: the absolute error is not scatter alone.</source>
-        <translation>Fehler in y neigen zu einer Seite: Der Fehlerbetrag ist nicht Streuung allein.</translation>
+        <source>Errors in y lean to one side: the absolute error is not only scatter.</source>
+        <translation>Fehler in y liegen überwiegend auf einer Seite: Der absolute Fehler ist nicht nur Streuung.</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) lie off the sphere.</source>
@@ -3687,10 +3785,10 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
         <translation>
-            <numerusform>%n Markierung stammt vom Beobachter für die Planung: Nichts wurde dargestellt.</numerusform>
-            <numerusform>%n Markierungen stammen vom Beobachter für die Planung: Nichts wurde dargestellt.</numerusform>
+            <numerusform>%n Markierung stammt vom Beobachter für die Planung: Es wurde nichts dargestellt.</numerusform>
+            <numerusform>%n Markierungen stammen vom Beobachter für die Planung: Es wurde nichts dargestellt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3708,15 +3806,15 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <source>%n simulated participant(s) are left out: the group contains only people.</source>
         <translation>
-            <numerusform>%n simulierte Person ist ausgelassen: Die Gruppe besteht aus Menschen.</numerusform>
-            <numerusform>%n simulierte Personen sind ausgelassen: Die Gruppe besteht aus Menschen.</numerusform>
+            <numerusform>%n simulierte Person ist ausgelassen: Die Gruppe besteht nur aus Menschen.</numerusform>
+            <numerusform>%n simulierte Personen sind ausgelassen: Die Gruppe besteht nur aus Menschen.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The group is of simulated participants alone.</source>
-        <translation>Die Gruppe besteht allein aus simulierten Personen.</translation>
+        <source>The group contains only simulated participants.</source>
+        <translation>Die Gruppe besteht nur aus simulierten Personen.</translation>
     </message>
     <message>
         <source>%1 (p &lt; %2)</source>
@@ -3771,8 +3869,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Pages L</translation>
     </message>
     <message>
-        <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
-        <translation>Kein Wert eines Objekts ist endlich: Ein Objekt stand immer oder nie über den anderen.</translation>
+        <source>The worths cannot be estimated: one object was always, or never, ranked above the others.</source>
+        <translation>Die Werte lassen sich nicht schätzen: Ein Objekt stand immer oder nie über den anderen.</translation>
     </message>
     <message>
         <source>Bradley-Terry</source>
@@ -3791,12 +3889,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Thurstone</translation>
     </message>
     <message>
-        <source>Scale (sd)</source>
+        <source>Scale (SD)</source>
         <translation>Skala (SD)</translation>
     </message>
     <message>
-        <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
-        <translation>Wert jedes Objekts aus allen Rangfolgen der Gruppe: wie viel öfter es über den anderen stand. Je weiter auseinander, desto leichter zu unterscheiden. Alle Unterschiede D sind zusammengenommen.</translation>
+        <source>Worth of each object, from all rankings of the group: how much more often it was ranked above the others. The farther apart two objects are, the easier they are to tell apart. All differences D are pooled.</source>
+        <translation>Wert jedes Objekts aus allen Rangfolgen der Gruppe: wie viel öfter es über den anderen stand. Je weiter zwei Objekte auseinanderliegen, desto leichter sind sie zu unterscheiden. Alle Unterschiede D sind zusammengefasst.</translation>
     </message>
     <message>
         <source>Sealed reason</source>
@@ -3810,39 +3908,39 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>There is no scored trial yet, so nothing can be said.</source>
-        <translation>Es gibt noch keinen gewerteten Durchgang; es lässt sich nichts sagen.</translation>
+        <source>There is no scored trial yet, so there is no result.</source>
+        <translation>Es gibt noch keinen gewerteten Durchgang und deshalb kein Ergebnis.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <source>Only %n trial(s): the interval is wide and depends partly on prior assumptions.</source>
         <translation>
-            <numerusform>Nur %n Durchgang: Das Intervall ist breit und beruht zum Teil auf Annahmen von vornherein.</numerusform>
-            <numerusform>Nur %n Durchgänge: Das Intervall ist breit und beruht zum Teil auf Annahmen von vornherein.</numerusform>
+            <numerusform>Nur %n Durchgang: Das Intervall ist breit und beruht zum Teil auf Vorannahmen.</numerusform>
+            <numerusform>Nur %n Durchgänge: Das Intervall ist breit und beruht zum Teil auf Vorannahmen.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The objects never differed, so nothing can be said about telling them apart.</source>
-        <translation>Die Objekte unterschieden sich nie; darüber, wie gut sie unterschieden werden, lässt sich nichts sagen.</translation>
+        <source>The objects never differed, so it is not known how well they are told apart.</source>
+        <translation>Die Objekte unterschieden sich nie; wie gut sie unterschieden werden, ist deshalb nicht bekannt.</translation>
     </message>
     <message>
-        <source>Only one difference was presented: slips of attention cannot be told from a high threshold.</source>
-        <translation>Es wurde nur ein Unterschied dargeboten: Unaufmerksamkeit und eine hohe Schwelle sind nicht auseinanderzuhalten.</translation>
+        <source>Only one difference was presented: lapses of attention cannot be distinguished from a high threshold.</source>
+        <translation>Es wurde nur ein Unterschied dargeboten: Unaufmerksamkeit lässt sich nicht von einer hohen Schwelle unterscheiden.</translation>
     </message>
     <message>
-        <source>Very many different differences were presented; neighbouring ones were put together.</source>
-        <translation>Es wurden sehr viele verschiedene Unterschiede dargeboten; benachbarte wurden zusammengefasst.</translation>
+        <source>A great many differences were presented; neighbouring ones were grouped.</source>
+        <translation>Es wurden sehr viele Unterschiede dargeboten; benachbarte wurden zusammengefasst.</translation>
     </message>
     <message>
         <source>The same answer was given every time: it says nothing about what was felt.</source>
         <translation>Jedes Mal wurde dasselbe geantwortet: Das sagt nichts darüber, was gefühlt wurde.</translation>
     </message>
     <message>
-        <source>Every answer was right: the threshold is below the smallest difference, how far is not known.</source>
-        <translation>Jede Antwort war richtig: Die Schwelle liegt unter dem kleinsten Unterschied, wie weit, ist nicht bekannt.</translation>
+        <source>Every answer was right: the threshold is below the smallest difference, but how far below is not known.</source>
+        <translation>Jede Antwort war richtig: Die Schwelle liegt unter dem kleinsten Unterschied; wie weit darunter, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>No better than guessing: the threshold may be above the largest difference presented.</source>
-        <translation>Nicht besser als geraten: Die Schwelle liegt vielleicht über dem größten dargebotenen Unterschied.</translation>
+        <source>The answers are no better than guessing: the threshold may be above the largest difference presented.</source>
+        <translation>Die Antworten sind nicht besser als geraten: Die Schwelle liegt vielleicht über dem größten dargebotenen Unterschied.</translation>
     </message>
     <message>
         <source>More than a tenth of the answers look like guesses even where the difference was easy.</source>
@@ -3853,52 +3951,52 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Zwischen zwei benachbarten Unterschieden springen die Antworten von geraten auf immer richtig: Was dazwischen liegt, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>Wrong answers fall on one place much more often than chance allows.</source>
-        <translation>Falsche Antworten fallen viel öfter auf einen Platz, als der Zufall es erlaubt.</translation>
+        <source>Wrong answers name one position much more often than chance would explain.</source>
+        <translation>Falsche Antworten nennen eine Position viel öfter, als durch Zufall zu erwarten ist.</translation>
     </message>
     <message>
-        <source>Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.</source>
-        <translation>Die Bedingungen unterscheiden sich in dem, was eine Auswertung wissen muss: Eine Schätzung gibt es, sobald die Studie entblindet ist.</translation>
+        <source>The conditions differ in values that the analysis needs: there will be an estimate once the study is unblinded.</source>
+        <translation>Die Bedingungen unterscheiden sich in Werten, die die Auswertung braucht: Eine Schätzung gibt es, sobald die Studie entblindet ist.</translation>
     </message>
     <message>
-        <source>A quick simulation without rendering: the observer was told the values.</source>
-        <translation>Eine schnelle Simulation ohne Darstellung: Dem Beobachter wurden die Werte gesagt.</translation>
+        <source>A quick simulation without rendering: the observer knew the values.</source>
+        <translation>Eine schnelle Simulation ohne Darstellung: Der Beobachter kannte die Werte.</translation>
     </message>
     <message>
-        <source>The answers do not tell how small the threshold is: the value shown is what was assumed beforehand.</source>
-        <translation>Die Antworten sagen nicht, wie klein die Schwelle ist: Der gezeigte Wert ist die Annahme von vornherein.</translation>
+        <source>The answers do not tell how small the threshold is: the value shown comes from prior assumptions.</source>
+        <translation>Die Antworten sagen nicht, wie klein die Schwelle ist: Der gezeigte Wert beruht auf Vorannahmen.</translation>
     </message>
     <message>
-        <source>The answers do not tell how large the threshold is: the value shown is what was assumed beforehand.</source>
-        <translation>Die Antworten sagen nicht, wie groß die Schwelle ist: Der gezeigte Wert ist die Annahme von vornherein.</translation>
+        <source>The answers do not tell how large the threshold is: the value shown comes from prior assumptions.</source>
+        <translation>Die Antworten sagen nicht, wie groß die Schwelle ist: Der gezeigte Wert beruht auf Vorannahmen.</translation>
     </message>
     <message>
-        <source>The lower end of the interval comes from what was assumed beforehand, not from the answers.</source>
-        <translation>Das untere Ende des Intervalls stammt aus der Annahme von vornherein, nicht aus den Antworten.</translation>
+        <source>The lower end of the interval comes from prior assumptions, not from the answers.</source>
+        <translation>Das untere Ende des Intervalls beruht auf Vorannahmen, nicht auf den Antworten.</translation>
     </message>
     <message>
-        <source>The upper end of the interval comes from what was assumed beforehand, not from the answers.</source>
-        <translation>Das obere Ende des Intervalls stammt aus der Annahme von vornherein, nicht aus den Antworten.</translation>
+        <source>The upper end of the interval comes from prior assumptions, not from the answers.</source>
+        <translation>Das obere Ende des Intervalls beruht auf Vorannahmen, nicht auf den Antworten.</translation>
     </message>
     <message>
         <source>The curve does not describe the answers well: attention or strategy may have changed.</source>
         <translation>Die Kurve beschreibt die Antworten schlecht: Aufmerksamkeit oder Vorgehen haben sich vielleicht geändert.</translation>
     </message>
     <message>
-        <source>Another curve through the same answers puts the threshold elsewhere: take the value with care.</source>
-        <translation>Eine andere Kurve durch dieselben Antworten legt die Schwelle anderswohin: Der Wert ist mit Vorsicht zu nehmen.</translation>
+        <source>Another curve through the same answers puts the threshold elsewhere: treat the value with caution.</source>
+        <translation>Eine andere Kurve durch dieselben Antworten ergibt eine andere Schwelle: Der Wert ist mit Vorsicht zu betrachten.</translation>
     </message>
     <message>
         <source>Answers do not get better as the difference grows, so there is no threshold to find.</source>
         <translation>Die Antworten werden mit wachsendem Unterschied nicht besser; eine Schwelle ist nicht zu finden.</translation>
     </message>
     <message>
-        <source>Answers get worse as the difference grows: do differences and answers belong together?</source>
-        <translation>Die Antworten werden mit wachsendem Unterschied schlechter: Gehören Unterschiede und Antworten zusammen?</translation>
+        <source>Answers get worse as the difference grows: check that answers and differences match.</source>
+        <translation>Die Antworten werden mit wachsendem Unterschied schlechter: Prüfen Sie, ob Antworten und Unterschiede richtig zugeordnet sind.</translation>
     </message>
     <message>
-        <source>The condition has no reference above zero, so nothing can be given in its unit.</source>
-        <translation>Die Bedingung hat keinen Bezugswert über null; in ihrer Einheit lässt sich nichts angeben.</translation>
+        <source>The condition has no reference above zero, so no value can be given in its unit.</source>
+        <translation>Die Bedingung hat keinen Bezugswert über null; in ihrer Einheit lässt sich kein Wert angeben.</translation>
     </message>
     <message numerus="yes">
         <source>%n setting(s) are not above zero and are left out.</source>
@@ -3908,19 +4006,19 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>Nothing has been set yet, so nothing can be said.</source>
-        <translation>Es wurde noch nichts eingestellt; es lässt sich nichts sagen.</translation>
+        <source>Nothing has been set yet, so there is no result.</source>
+        <translation>Es wurde noch nichts eingestellt; deshalb gibt es kein Ergebnis.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <source>With only %n setting(s), the scatter is very uncertain.</source>
         <translation>
-            <numerusform>Nur %n Einstellung: Wie sehr sie streuen, ist kaum bekannt.</numerusform>
-            <numerusform>Nur %n Einstellungen: Wie sehr sie streuen, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Einstellung: Über die Streuung ist kaum etwas bekannt.</numerusform>
+            <numerusform>Nur %n Einstellungen: Über die Streuung ist kaum etwas bekannt.</numerusform>
         </translation>
     </message>
     <message>
         <source>All settings are the same: the step of the adjustment may be too coarse.</source>
-        <translation>Alle Einstellungen sind gleich: Der Schritt beim Einstellen ist vielleicht zu grob.</translation>
+        <translation>Alle Einstellungen sind gleich: Die Schrittweite beim Einstellen ist vielleicht zu grob.</translation>
     </message>
     <message numerus="yes">
         <source>%n answer(s) are not numbers above zero and are left out.</source>
@@ -3930,25 +4028,25 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>No number has been said yet, so nothing can be said.</source>
-        <translation>Es wurde noch keine Zahl genannt; es lässt sich nichts sagen.</translation>
+        <source>No number has been given yet, so there is no result.</source>
+        <translation>Es wurde noch keine Zahl genannt; deshalb gibt es kein Ergebnis.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n answer(s): the result is hardly known.</source>
+        <source>With only %n answer(s), the result is very uncertain.</source>
         <translation>
-            <numerusform>Nur %n Antwort: Das Ergebnis ist kaum bekannt.</numerusform>
-            <numerusform>Nur %n Antworten: Das Ergebnis ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Antwort: Das Ergebnis ist sehr unsicher.</numerusform>
+            <numerusform>Nur %n Antworten: Das Ergebnis ist sehr unsicher.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Only one strength was presented, so there is no exponent.</source>
-        <translation>Es wurde nur eine Stärke dargeboten; einen Exponenten gibt es nicht.</translation>
+        <source>Only one stimulus intensity was presented, so there is no exponent.</source>
+        <translation>Es wurde nur eine Reizstärke dargeboten; deshalb gibt es keinen Exponenten.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <source>With only %n participant(s) with an exponent, differences between people are very uncertain.</source>
         <translation>
-            <numerusform>Nur %n Person mit Exponent: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
-            <numerusform>Nur %n Personen mit Exponent: Wie sehr sich Menschen unterscheiden, ist kaum bekannt.</numerusform>
+            <numerusform>Nur %n Person mit Exponent: Über Unterschiede zwischen Personen ist kaum etwas bekannt.</numerusform>
+            <numerusform>Nur %n Personen mit Exponent: Über Unterschiede zwischen Personen ist kaum etwas bekannt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3959,18 +4057,18 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>Nobody&apos;s answers give a value.</source>
-        <translation>Von niemandem ergeben die Antworten einen Wert.</translation>
+        <source>No participant&apos;s answers give a value.</source>
+        <translation>Bei keiner Person ergeben die Antworten einen Wert.</translation>
     </message>
     <message>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Eine Person ist keine Gruppe: Es gibt kein Intervall.</translation>
     </message>
     <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
         <translation>
-            <numerusform>%n Person der Gruppe wurde ohne Darstellung simuliert: Ihr wurden die Werte gesagt, gefühlt wurde nichts.</numerusform>
-            <numerusform>%n Personen der Gruppe wurden ohne Darstellung simuliert: Ihnen wurden die Werte gesagt, gefühlt wurde nichts.</numerusform>
+            <numerusform>%n Person der Gruppe wurde ohne Darstellung simuliert: Sie kannte die Werte und fühlte nichts.</numerusform>
+            <numerusform>%n Personen der Gruppe wurden ohne Darstellung simuliert: Sie kannten die Werte und fühlten nichts.</numerusform>
         </translation>
     </message>
     <message>
@@ -3982,8 +4080,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Diese Bedingung lässt sich nicht simulieren: Sie braucht ein Verfahren und Unterschiede.</translation>
     </message>
     <message>
-        <source>The largest difference is below what this observer needs.</source>
-        <translation>Der größte Unterschied ist kleiner, als dieser Beobachter ihn braucht.</translation>
+        <source>The largest difference is too small for this observer.</source>
+        <translation>Der größte Unterschied ist für diesen Beobachter zu klein.</translation>
     </message>
     <message numerus="yes">
         <source>%n of %1 simulated run(s) gave no value.</source>
@@ -3997,24 +4095,24 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Geschätzt aus allen Antworten zusammen, richtigen wie falschen</translation>
     </message>
     <message>
-        <source>Estimated from all orders said together</source>
+        <source>Estimated from all orders given, taken together</source>
         <translation>Geschätzt aus allen genannten Reihenfolgen zusammen</translation>
     </message>
     <message>
-        <source>Mean and spread of what was set</source>
-        <translation>Mittel und Streuung des Eingestellten</translation>
+        <source>Mean and spread of the settings</source>
+        <translation>Mittelwert und Streuung der Einstellungen</translation>
     </message>
     <message>
-        <source>A power law through the numbers said</source>
-        <translation>Ein Potenzgesetz durch die genannten Zahlen</translation>
+        <source>Power law fitted to the numbers given</source>
+        <translation>Potenzgesetz, an die genannten Zahlen angepasst</translation>
     </message>
     <message>
         <source>Errors of the marks</source>
         <translation>Fehler der Markierungen</translation>
     </message>
     <message>
-        <source>Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
-        <translation>Richtig: ganze Rangfolgen (Raten ergibt 1 von 6, mit Gleichständen weniger). τ: Ähnlichkeit mit der wahren Rangfolge, 1 gleich, 0 kein Zusammenhang. W: Übereinstimmung, 0 keine, 1 völlig. L: Trend zur wahren Rangfolge. Bei einer Person ist jede Rangfolge ein Urteil, bei der Gruppe sind es die mittleren Ränge jeder Person.</translation>
+        <source>Right: rankings with the whole order right (guessing gives 1 in 6, fewer with ties). τ: agreement with the true order (1 identical, 0 none). W: agreement among rankings (0 none, 1 complete). L: trend towards the true order. For a person, each ranking is one judgement; for the group, each person&apos;s mean ranks are one.</source>
+        <translation>Richtig: Rangfolgen, deren ganze Ordnung stimmt (Raten ergibt 1 von 6, mit Gleichständen weniger). τ: Übereinstimmung mit der wahren Rangfolge (1 identisch, 0 keine). W: Übereinstimmung der Rangfolgen untereinander (0 keine, 1 völlig). L: Trend zur wahren Rangfolge. Bei einer Person ist jede Rangfolge ein Urteil, bei der Gruppe sind es die mittleren Ränge jeder Person.</translation>
     </message>
     <message>
         <source>Bradley-Terry, ties by Davidson</source>
@@ -4037,12 +4135,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Anpassung: ganze Reihenfolge richtig</translation>
     </message>
     <message>
-        <source>the same observer, right of two</source>
-        <translation>dieselbe Person, richtig von zweien</translation>
+        <source>same observer: pair in right order</source>
+        <translation>dieselbe Person: Paar richtig geordnet</translation>
     </message>
     <message>
-        <source>criterion of two compared</source>
-        <translation>Kriterium beim Vergleich zweier</translation>
+        <source>criterion for a pair</source>
+        <translation>Kriterium für ein Paar</translation>
     </message>
     <message>
         <source>felt</source>
@@ -4057,12 +4155,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>Of all conditions together. How many trials there were is told of those who have done every condition.</source>
-        <translation>Über alle Bedingungen zusammen. Wie viele Durchgänge es waren, steht bei denen, die jede Bedingung erledigt haben.</translation>
+        <source>Over all conditions together. The number of trials is shown only for those who have done every condition.</source>
+        <translation>Über alle Bedingungen zusammen. Die Zahl der Durchgänge steht nur bei denen, die jede Bedingung erledigt haben.</translation>
     </message>
     <message>
-        <source>What came of it, how long it took and how many trials it took stay sealed until the study is unblinded.</source>
-        <translation>Was dabei herauskam, wie lange es dauerte und wie viele Durchgänge es brauchte, bleibt versiegelt, bis die Studie entblindet ist.</translation>
+        <source>The result, the time and the number of trials stay sealed until the study is unblinded.</source>
+        <translation>Ergebnis, Dauer und Zahl der Durchgänge bleiben versiegelt, bis die Studie entblindet ist.</translation>
     </message>
     <message numerus="yes">
         <source>Shown, not felt: %n trial(s) were done on a device that renders no force.</source>
@@ -4079,7 +4177,7 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
         <translation>
             <numerusform>Zur Gruppe gehört %n teilnehmende Person, der Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
             <numerusform>Zur Gruppe gehören %n Teilnehmende, denen Objekte gezeigt, nicht fühlbar gemacht wurden.</numerusform>
@@ -4095,11 +4193,11 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>p, adjusted</source>
-        <translation>p, angepasst</translation>
+        <translation>p, adjustiert</translation>
     </message>
     <message>
-        <source>p, own thresholds</source>
-        <translation>p, eigene Schwellen</translation>
+        <source>p, separate thresholds</source>
+        <translation>p, getrennte Schwellen</translation>
     </message>
     <message>
         <source>%1 over %2</source>
@@ -4118,12 +4216,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Bedingungen im Vergleich</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both; not told of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.</source>
-        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; von den Personen, die beides gemacht haben, wo es mindestens zwei sind, sonst von zwei Gruppen. Angepasst: an so viele Vergleiche (Holm). Eigene Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine für beide; bei adaptiven Läufen, deren Antworten die Unterschiede bestimmten, nicht angegeben: Dort ist eine angepasste Steigung verzerrt, und p wäre zu klein.</translation>
+        <source>Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is not given for adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.</source>
+        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; aus den Personen, die beides gemacht haben, wenn es mindestens zwei sind, sonst aus zwei Gruppen. Adjustiert: für diese Zahl von Vergleichen (Holm). Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Bei adaptiven Läufen wird dieses p nicht angegeben: Dort bestimmten die Antworten die Unterschiede, die angepasste Steigung ist verzerrt, und p wäre zu klein.</translation>
     </message>
     <message>
-        <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
-        <translation>Bedingungen werden verglichen, sobald die Studie entblindet ist: Ein Unterschied, dem man beim Wachsen zusieht, ist kein Test mehr.</translation>
+        <source>Conditions are compared once the study is unblinded: looking at the difference while data come in would invalidate the test.</source>
+        <translation>Bedingungen werden verglichen, sobald die Studie entblindet ist: Wer den Unterschied schon während der Datenerhebung ansieht, macht den Test ungültig.</translation>
     </message>
     <message>
         <source>The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.</source>
@@ -4138,15 +4236,15 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>W der Gruppe, 95 % über ihre Teilnehmenden: %1</translation>
     </message>
     <message>
-        <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
-        <translation>Wie viel des Ergebnisses vorher angenommen wurde: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
+        <source>How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.</source>
+        <translation>Wie viel des Ergebnisses aus der A-priori-Verteilung stammt: Nahe 0 % entscheiden die Antworten, nahe 100 % die A-priori-Verteilung.</translation>
     </message>
     <message>
-        <source>Prior&apos;s part</source>
+        <source>Prior influence</source>
         <translation>Anteil der A-priori-Verteilung</translation>
     </message>
     <message>
-        <source>Prior&apos;s part: %1</source>
+        <source>Share of the prior: %1</source>
         <translation>Anteil der A-priori-Verteilung: %1</translation>
     </message>
 </context>
@@ -4173,16 +4271,16 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Standardabweichung</translation>
     </message>
     <message>
-        <source>Lapses</source>
-        <translation>Aussetzer</translation>
+        <source>Lapse rate</source>
+        <translation>Lapse-Rate</translation>
     </message>
     <message>
-        <source>Guesses</source>
+        <source>Guess rate</source>
         <translation>Ratewahrscheinlichkeit</translation>
     </message>
     <message>
         <source>Staircase (up–down)</source>
-        <translation>Treppe (auf–ab)</translation>
+        <translation>Treppenverfahren (auf–ab)</translation>
     </message>
     <message>
         <source>PEST</source>
@@ -4245,12 +4343,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Rangfolge von dreien</translation>
     </message>
     <message>
-        <source>Two intervals (2AFC)</source>
-        <translation>Zwei zur Wahl (2AFC)</translation>
+        <source>Two alternatives (2AFC)</source>
+        <translation>Zwei Alternativen (2AFC)</translation>
     </message>
     <message>
-        <source>Three intervals (3AFC)</source>
-        <translation>Drei zur Wahl (3AFC)</translation>
+        <source>Three alternatives (3AFC)</source>
+        <translation>Drei Alternativen (3AFC)</translation>
     </message>
     <message>
         <source>Odd one out of three</source>
@@ -4277,12 +4375,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet.</translation>
     </message>
     <message>
-        <source>Which of two objects is more?</source>
-        <translation>Welches von zwei Objekten ist mehr?</translation>
+        <source>Which of two objects has more of the attribute?</source>
+        <translation>Bei welchem von zwei Objekten ist die Eigenschaft stärker?</translation>
     </message>
     <message>
-        <source>Which of three objects is more? Two are the reference.</source>
-        <translation>Welches von drei Objekten ist mehr? Zwei sind die Referenz.</translation>
+        <source>Which of three objects has more of the attribute? Two are the reference.</source>
+        <translation>Bei welchem von drei Objekten ist die Eigenschaft stärker? Zwei sind die Referenz.</translation>
     </message>
     <message>
         <source>Which of three objects is unlike the other two?</source>
@@ -4293,12 +4391,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Sind zwei Objekte gleich oder verschieden?</translation>
     </message>
     <message>
-        <source>Is one object more than the reference that was explored before?</source>
-        <translation>Ist ein Objekt mehr als die Referenz, die zuvor erkundet wurde?</translation>
+        <source>Does an object have more of the attribute than the reference explored before it?</source>
+        <translation>Ist die Eigenschaft bei einem Objekt stärker als bei der zuvor erkundeten Referenz?</translation>
     </message>
     <message>
-        <source>One object is changed until it equals the other.</source>
-        <translation>Ein Objekt wird verändert, bis es dem anderen gleicht.</translation>
+        <source>One object is adjusted until it feels like the other.</source>
+        <translation>Ein Objekt wird verändert, bis es sich wie das andere anfühlt.</translation>
     </message>
     <message>
         <source>Each object is given a number.</source>
@@ -4313,8 +4411,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>schwerer</translation>
     </message>
     <message>
-        <source>slower to come back</source>
-        <translation>langsamer in der Rückkehr</translation>
+        <source>slower to spring back</source>
+        <translation>langsamer beim Zurückfedern</translation>
     </message>
     <message>
         <source>rougher</source>
@@ -4322,7 +4420,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>stickier</source>
-        <translation>haftender</translation>
+        <translation>griffiger</translation>
     </message>
     <message>
         <source>more viscous</source>
@@ -4333,8 +4431,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>höher</translation>
     </message>
     <message>
-        <source>Put the three in order; the one that is %1 comes last.</source>
-        <translation>Ordnen Sie die drei; was %1 ist, kommt zuletzt.</translation>
+        <source>Put the three in order: each one %1 than the one before.</source>
+        <translation>Ordnen Sie die drei: jedes %1 als das vorige.</translation>
     </message>
     <message>
         <source>Which one is %1?</source>
@@ -4361,36 +4459,36 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Verändern Sie das rechte, bis sich beide gleich anfühlen.</translation>
     </message>
     <message>
-        <source>Give what you feel a number. Any positive number is right.</source>
-        <translation>Geben Sie dem, was Sie fühlen, eine Zahl. Jede positive Zahl ist richtig.</translation>
+        <source>Give a number to what you feel. Any positive number is allowed.</source>
+        <translation>Ordnen Sie dem, was Sie fühlen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
     </message>
     <message>
-        <source>Harder after right answers, easier after wrong ones. Robust and easy to explain.</source>
-        <translation>Schwerer nach richtigen, leichter nach falschen Antworten. Robust und leicht zu erklären.</translation>
+        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Wird nach richtigen Antworten schwerer und nach falschen leichter. Robust und leicht zu erklären.</translation>
     </message>
     <message>
-        <source>Steps halve and double by a running test. For replications only.</source>
-        <translation>Schritte halbieren und verdoppeln sich nach einem laufenden Test. Nur für Wiederholungen früherer Arbeiten.</translation>
+        <source>A sequential test halves and doubles the steps. For replications only.</source>
+        <translation>Ein sequenzieller Test halbiert und verdoppelt die Schritte. Nur für Replikationen früherer Arbeiten.</translation>
     </message>
     <message>
-        <source>Every difference equally often, in random order. The whole curve, with many trials.</source>
-        <translation>Jeder Unterschied gleich oft, in zufälliger Folge. Die ganze Kurve, mit vielen Durchgängen.</translation>
+        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
+        <translation>Bietet jeden Unterschied gleich oft dar, in zufälliger Reihenfolge. Misst die ganze Kurve, braucht aber viele Durchgänge.</translation>
     </message>
     <message>
-        <source>The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.</source>
-        <translation>Der Unterschied schrumpft, bis eine Antwort falsch ist. Überschätzt den JND um die Hälfte bis auf das Dreifache; nur für Wiederholungen früherer Arbeiten.</translation>
+        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
+        <translation>Der Unterschied wird kleiner, bis eine Antwort falsch ist. Die so bestimmte JND ist 1,5- bis 3-mal zu groß; nur für Replikationen früherer Arbeiten.</translation>
     </message>
     <message>
         <source>Bayesian; places each trial where the threshold probably is.</source>
-        <translation>Bayesianisch; legt jeden Durchgang dorthin, wo die Schwelle wahrscheinlich ist.</translation>
+        <translation>Bayes-Verfahren; legt jeden Durchgang dorthin, wo die Schwelle wahrscheinlich liegt.</translation>
     </message>
     <message>
-        <source>Bayesian; chooses the trial that teaches most about threshold, slope and lapses.</source>
-        <translation>Bayesianisch; wählt den Durchgang, der am meisten über Schwelle, Steigung und Aussetzer lehrt.</translation>
+        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
+        <translation>Bayes-Verfahren; wählt den Durchgang, der am meisten über Schwelle, Steigung und Lapse-Rate verrät.</translation>
     </message>
     <message>
-        <source>QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.</source>
-        <translation>QUEST+ mit einem Modell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Vorgabe.</translation>
+        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ mit einem Beobachtermodell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Voreinstellung.</translation>
     </message>
     <message>
         <source>Difference D</source>
@@ -4454,11 +4552,11 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Stopped</source>
-        <translation>Angehalten</translation>
+        <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>Force was not what was asked</source>
-        <translation>Kraft war nicht die verlangte</translation>
+        <source>Force not as commanded</source>
+        <translation>Kraft weicht vom Sollwert ab</translation>
     </message>
     <message>
         <source>Felt value off</source>
@@ -4485,15 +4583,15 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Zeit abgelaufen</translation>
     </message>
     <message>
-        <source>Not all were touched</source>
+        <source>Not all touched</source>
         <translation>Nicht alle berührt</translation>
     </message>
     <message>
-        <source>Spoiled by the experimenter</source>
+        <source>Discarded by the experimenter</source>
         <translation>Von der Versuchsleitung verworfen</translation>
     </message>
     <message>
-        <source>Change of a text</source>
+        <source>Text change</source>
         <translation>Textänderung</translation>
     </message>
     <message>
@@ -4505,12 +4603,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Rangfolge von dreien, mit Gleichständen</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be called equal.</source>
-        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet; was sich gleich anfühlt, darf gleich genannt werden.</translation>
+        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
+        <translation>Drei Objekte, die sich in gleichen Schritten unterscheiden, werden geordnet; was sich gleich anfühlt, darf als gleich angegeben werden.</translation>
     </message>
     <message>
-        <source>Put the three in order; the one that is %1 comes last. What feels the same may be called equal.</source>
-        <translation>Ordnen Sie die drei; was %1 ist, kommt zuletzt. Was sich gleich anfühlt, darf gleich genannt werden.</translation>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
+        <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
     </message>
 </context>
 <context>
@@ -4536,24 +4634,24 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Riskant (drückt zu fest)</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated gimbal (%1): shown, not felt</source>
-        <translation>Vorführung am simulierten Gimbal (%1): gezeigt, nicht gefühlt</translation>
+        <source>Demonstration on the simulated gimbal (%1): force shown, not felt</source>
+        <translation>Vorführung am simulierten Gimbal (%1): Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>Replayed file %1: shown, not felt</source>
-        <translation>Abgespielte Datei %1: gezeigt, nicht gefühlt</translation>
+        <source>Replayed file %1: force shown, not felt</source>
+        <translation>Abgespielte Datei %1: Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>Mouse and keyboard: shown, not felt</source>
-        <translation>Maus und Tastatur: gezeigt, nicht gefühlt</translation>
+        <source>Mouse and keyboard: force shown, not felt</source>
+        <translation>Maus und Tastatur: Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>You are watching. Space: pause or go on. Esc: stop.</source>
+        <source>You are watching. Space: pause or continue. Esc: stop.</source>
         <translation>Sie sehen zu. Leertaste: Pause oder weiter. Esc: Stopp.</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated five-bar mechanism (%1): shown, not felt</source>
-        <translation>Vorführung am simulierten Fünfgelenk (%1): gezeigt, nicht gefühlt</translation>
+        <source>Demonstration on the simulated five-bar mechanism (%1): force shown, not felt</source>
+        <translation>Vorführung am simulierten Fünfgelenk (%1): Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
         <source>Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -4588,16 +4686,16 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Sie bewegen Instrument %1 von %2</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated arm with fingertip platform (%1): shown, not felt</source>
-        <translation>Vorführung am simulierten Arm mit Fingerkuppen-Plattform (%1): gezeigt, nicht gefühlt</translation>
+        <source>Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt</source>
+        <translation>Vorführung am simulierten Arm mit Fingerkuppen-Plattform (%1): Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Bewegen: Maus oder Pfeiltasten. Drücken und heben: Rad, rechte Taste und ziehen oder Bild ab und Bild auf. Fund markieren: Klick oder Eingabe.</translation>
+        <translation>Bewegen: Maus oder Pfeiltasten. Drücken und heben: Mausrad, rechte Taste und ziehen, oder Bild ab und Bild auf. Fund markieren: Klick oder Enter.</translation>
     </message>
     <message>
-        <source>Rate it: 1 to 5, V for the other rating, + and − for its size.</source>
-        <translation>Bewerten: 1 bis 5, V für die andere Bewertung, + und − für die Größe.</translation>
+        <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
+        <translation>Fund bewerten: 1 bis 5, V für die andere Bewertung, + und − für die Größe.</translation>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
@@ -4608,8 +4706,8 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Nächster Fund: N. Zurücknehmen: Entf. Nichts mehr zu melden: D.</translation>
     </message>
     <message>
-        <source>Use the mouse there: T; a click in the scene takes it back.</source>
-        <translation>Die Maus dort benutzen: T; ein Klick in die Szene holt sie zurück.</translation>
+        <source>Use the mouse in the panel: T. A click in the scene brings it back.</source>
+        <translation>Maus im Bedienfeld benutzen: T. Ein Klick in die Szene bringt sie zurück.</translation>
     </message>
     <message>
         <source>Other hand: H.</source>
@@ -4658,34 +4756,34 @@ Möchten Sie die Datei ersetzen?</translation>
         </translation>
     </message>
     <message>
-        <source>%1 of %2 trials were done.</source>
-        <translation>%1 von %2 Durchgängen wurden gemacht.</translation>
+        <source>%1 of %2 trials were completed.</source>
+        <translation>%1 von %2 Durchgängen wurden abgeschlossen.</translation>
     </message>
     <message>
         <source>Stopped before the end</source>
         <translation>Vor dem Ende abgebrochen</translation>
     </message>
     <message>
-        <source>%1 What was recorded is kept and can be played back. It does not count towards passing; try again when you are ready.</source>
-        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Es zählt nicht fürs Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
+        <source>%1 What was recorded is kept and can be played back. The session does not count towards passing; try again when you are ready.</source>
+        <translation>%1 Aufgezeichnetes bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; versuchen Sie es erneut, wenn Sie so weit sind.</translation>
     </message>
     <message>
         <source>Interrupted</source>
         <translation>Unterbrochen</translation>
     </message>
     <message>
-        <source>The program ended during this session. %1 Everything recorded until then was saved and can be played back. It does not count towards passing.</source>
-        <translation>Das Programm endete während dieser Sitzung. %1 Alles bis dahin Aufgezeichnete wurde gespeichert und kann wiedergegeben werden. Es zählt nicht fürs Bestehen.</translation>
+        <source>The program ended during this session. %1 Everything recorded up to then was saved and can be played back. The session does not count towards passing.</source>
+        <translation>Das Programm endete während dieser Sitzung. %1 Alles bis dahin Aufgezeichnete wurde gespeichert und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen.</translation>
     </message>
     <message>
         <source>Incomplete recording</source>
         <translation>Unvollständige Aufzeichnung</translation>
     </message>
     <message numerus="yes">
-        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</source>
+        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</source>
         <translation>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Er zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
-            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Er zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkt ging verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
+            <numerusform>Der Computer kam nicht nach, und %n Messpunkte gingen verloren. Der Rest bleibt erhalten und kann wiedergegeben werden. Die Sitzung zählt nicht fürs Bestehen; schließen Sie vor dem nächsten Versuch andere Programme.</numerusform>
         </translation>
     </message>
     <message>
@@ -4693,30 +4791,30 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Durch eine Störung beendet</translation>
     </message>
     <message>
-        <source>The device or the force supervisor stopped this session to keep it safe. %1 What was recorded is kept. It does not count towards passing; check the device before the next attempt.</source>
-        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung zur Sicherheit gestoppt. %1 Aufgezeichnetes bleibt erhalten. Es zählt nicht fürs Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
+        <source>The device or the force supervisor stopped this session for safety. %1 What was recorded is kept. The session does not count towards passing; check the device before the next attempt.</source>
+        <translation>Das Gerät oder die Sicherheitsüberwachung hat diese Sitzung aus Sicherheitsgründen gestoppt. %1 Aufgezeichnetes bleibt erhalten. Die Sitzung zählt nicht fürs Bestehen; prüfen Sie das Gerät vor dem nächsten Versuch.</translation>
     </message>
     <message>
         <source>Still running</source>
         <translation>Läuft noch</translation>
     </message>
     <message>
-        <source>This session has not ended yet. Its result is here as soon as it has.</source>
-        <translation>Diese Sitzung ist noch nicht beendet. Ihr Ergebnis erscheint hier, sobald sie es ist.</translation>
+        <source>This session has not ended yet. Its result will appear here when it ends.</source>
+        <translation>Diese Sitzung ist noch nicht beendet. Das Ergebnis erscheint hier, sobald sie endet.</translation>
     </message>
     <message>
         <source>Voided</source>
         <translation>Ungültig</translation>
     </message>
     <message>
-        <source>A trainer declared this session void. Recording and scores are kept; they count for nothing.</source>
-        <translation>Eine ausbildende Person hat diese Sitzung für ungültig erklärt. Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
+        <source>A trainer declared this session void. Recording and scores are kept but do not count.</source>
+        <translation>Ein/e Ausbilder/in hat diese Sitzung für ungültig erklärt. Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
     <message>
         <source>A trainer declared this session void: %1
-Recording and scores are kept; they count for nothing.</source>
-        <translation>Eine ausbildende Person hat diese Sitzung für ungültig erklärt: %1
-Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
+Recording and scores are kept but do not count.</source>
+        <translation>Ein/e Ausbilder/in hat diese Sitzung für ungültig erklärt: %1
+Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
     <message>
         <source>%1: no value (%2), but the pass mark is %3</source>
@@ -4727,16 +4825,32 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu viel)</translation>
     </message>
     <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too many)</source>
+        <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu viele)</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too few)</source>
+        <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu wenige)</translation>
+    </message>
+    <message>
         <source>%1: %2, but the pass mark is %3 (%4 too little)</source>
         <translation>%1: %2, doch die Bestehensgrenze ist %3 (%4 zu wenig)</translation>
     </message>
     <message>
-        <source>Familiarisation: recorded, never counted. %1</source>
-        <translation>Eingewöhnung: aufgezeichnet, nie gezählt. %1</translation>
+        <source>Familiarisation is recorded but never counts. %1</source>
+        <translation>Die Eingewöhnung wird aufgezeichnet, zählt aber nie. %1</translation>
     </message>
     <message>
-        <source>The procedure was not done to its end.</source>
+        <source>The procedure was not completed.</source>
         <translation>Der Eingriff wurde nicht bis zum Ende durchgeführt.</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Since your last attempt: %1</source>
+        <translation>Seit Ihrem letzten Versuch: %1</translation>
     </message>
 </context>
 <context>
@@ -4750,8 +4864,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Anmeldename</translation>
     </message>
     <message>
-        <source>Without commas. It cannot be changed later.</source>
-        <translation>Ohne Kommas. Er lässt sich später nicht ändern.</translation>
+        <source>No commas. It cannot be changed later.</source>
+        <translation>Keine Kommas. Er lässt sich später nicht ändern.</translation>
     </message>
     <message>
         <source>Full name (may be left empty)</source>
@@ -4762,12 +4876,12 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
-        <translation>Dieser Name ist nicht möglich: keine Kommas, keine Leerzeichen am Anfang oder Ende, höchstens %1 Zeichen und kein Name, den das Programm selbst benutzt.</translation>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Dieser Name ist nicht möglich. Erlaubt sind höchstens %1 Zeichen, keine Kommas und keine Leerzeichen am Anfang oder Ende. Einige Namen sind für das Programm reserviert.</translation>
     </message>
     <message>
-        <source>%1 was not added: somebody has this name already. Names differ by more than capital letters.</source>
-        <translation>%1 wurde nicht hinzugefügt: Dieser Name ist schon vergeben. Groß- und Kleinschreibung allein unterscheidet Namen nicht.</translation>
+        <source>%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.</source>
+        <translation>%1 wurde nicht hinzugefügt: Dieser Name ist schon vergeben. Namen, die sich nur in der Groß- und Kleinschreibung unterscheiden, gelten als gleich.</translation>
     </message>
     <message>
         <source>%1 was not added.
@@ -4787,7 +4901,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Wer betreut diesen Standort?</translation>
     </message>
     <message>
-        <source>The first person is an administrator: adds people, makes backups, may train as well.</source>
+        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
         <translation>Die erste Person übernimmt die Administration: Sie legt Personen an, erstellt Sicherungen und kann auch selbst trainieren.</translation>
     </message>
     <message>
@@ -4811,11 +4925,11 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Standort einrichten</translation>
     </message>
     <message>
-        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
-        <translation>Dieser Name ist nicht möglich: keine Kommas, keine Leerzeichen am Anfang oder Ende, höchstens %1 Zeichen und kein Name, den das Programm selbst benutzt.</translation>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Dieser Name ist nicht möglich. Erlaubt sind höchstens %1 Zeichen, keine Kommas und keine Leerzeichen am Anfang oder Ende. Einige Namen sind für das Programm reserviert.</translation>
     </message>
     <message>
-        <source>Making the site …</source>
+        <source>Creating the site …</source>
         <translation>Standort wird angelegt …</translation>
     </message>
 </context>
@@ -4870,7 +4984,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Ihre Zahl</translation>
     </message>
     <message>
-        <source>Give it (Enter)</source>
+        <source>Submit (Enter)</source>
         <translation>Abgeben (Enter)</translation>
     </message>
     <message>
@@ -4882,8 +4996,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Zurück (⌫)</translation>
     </message>
     <message>
-        <source>That is it (Enter)</source>
-        <translation>Das ist es (Enter)</translation>
+        <source>Confirm (Enter)</source>
+        <translation>Bestätigen (Enter)</translation>
     </message>
     <message>
         <source>least</source>
@@ -4898,8 +5012,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>am meisten</translation>
     </message>
     <message>
-        <source>A number above nothing, please.</source>
-        <translation>Bitte eine Zahl über null.</translation>
+        <source>Enter a number above zero.</source>
+        <translation>Geben Sie eine Zahl über null ein.</translation>
     </message>
     <message>
         <source>Equal to the last (=)</source>
@@ -4909,8 +5023,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
 <context>
     <name>chiron::desktop::ApexPage</name>
     <message>
-        <source>Nobody has done this condition yet. Each participant&apos;s marks will be here as soon as there is a run.</source>
-        <translation>Noch hat niemand diese Bedingung durchlaufen. Die Markierungen jeder Person stehen hier, sobald es einen Durchgang gibt.</translation>
+        <source>Nobody has done this condition yet. Each participant&apos;s marks will appear here after the first run.</source>
+        <translation>Noch hat niemand diese Bedingung durchlaufen. Die Markierungen jeder Person erscheinen hier nach dem ersten Lauf.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -4938,7 +5052,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
     <message>
         <source>Mean absolute error</source>
-        <translation>Mittlerer Fehlerbetrag</translation>
+        <translation>Mittlerer absoluter Fehler</translation>
     </message>
     <message>
         <source>SD %1; published: %2</source>
@@ -4954,8 +5068,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     <message numerus="yes">
         <source>, %n trial(s) repeated</source>
         <translation>
-            <numerusform>, %n Versuch wiederholt</numerusform>
-            <numerusform>, %n Versuche wiederholt</numerusform>
+            <numerusform>, %n Durchgang wiederholt</numerusform>
+            <numerusform>, %n Durchgänge wiederholt</numerusform>
         </translation>
     </message>
     <message>
@@ -4988,7 +5102,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>Durchführen</translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>%1 (%2 repeated)</source>
@@ -5056,8 +5170,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
 <context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
-        <source>Time of the break</source>
-        <translation>Dauer der Pause</translation>
+        <source>Break time</source>
+        <translation>Pausendauer</translation>
     </message>
 </context>
 <context>
@@ -5086,8 +5200,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
-        <source>No command has these letters. Try fewer, or another word.</source>
-        <translation>Kein Befehl enthält diese Buchstaben. Versuchen Sie es mit weniger oder mit einem anderen Wort.</translation>
+        <source>No matching command. Try fewer letters or another word.</source>
+        <translation>Kein passender Befehl. Versuchen Sie es mit weniger Buchstaben oder einem anderen Wort.</translation>
     </message>
     <message>
         <source>%1   (%2)</source>
@@ -5109,8 +5223,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Neuer Kommentar</translation>
     </message>
     <message>
-        <source>What is to be seen here?</source>
-        <translation>Was ist hier zu sehen?</translation>
+        <source>What do you see here?</source>
+        <translation>Was sehen Sie hier?</translation>
     </message>
     <message>
         <source>Comment at %1</source>
@@ -5148,12 +5262,12 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>A condition more</source>
-        <translation>Eine Bedingung mehr</translation>
+        <source>Add a condition</source>
+        <translation>Bedingung hinzufügen</translation>
     </message>
     <message>
-        <source>A condition less</source>
-        <translation>Eine Bedingung weniger</translation>
+        <source>Remove a condition</source>
+        <translation>Bedingung entfernen</translation>
     </message>
     <message>
         <source>What is compared</source>
@@ -5192,7 +5306,7 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Andere Aufgabe</translation>
     </message>
     <message>
-        <source>Threshold at (proportion right)</source>
+        <source>Threshold at (proportion correct)</source>
         <translation>Schwelle bei (Anteil richtig)</translation>
     </message>
     <message>
@@ -5208,8 +5322,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>Several are interleaved at random.</source>
-        <translation>Mehrere werden zufällig verschränkt.</translation>
+        <source>Several procedures are interleaved at random.</source>
+        <translation>Mehrere Verfahren werden zufällig gemischt.</translation>
     </message>
     <message>
         <source>Scale of the procedure</source>
@@ -5217,27 +5331,27 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
     </message>
     <message>
         <source>Interleave one more</source>
-        <translation>Eines mehr verschränken</translation>
+        <translation>Weiteres einmischen</translation>
     </message>
     <message>
         <source>Remove the last</source>
         <translation>Letztes entfernen</translation>
     </message>
     <message>
-        <source>A procedure less</source>
-        <translation>Ein Verfahren weniger</translation>
+        <source>Remove a procedure</source>
+        <translation>Verfahren entfernen</translation>
     </message>
     <message>
-        <source>A procedure more</source>
-        <translation>Ein Verfahren mehr</translation>
+        <source>Add a procedure</source>
+        <translation>Verfahren hinzufügen</translation>
     </message>
     <message>
         <source>Sealed conditions</source>
         <translation>Versiegelte Bedingungen</translation>
     </message>
     <message>
-        <source>The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and administrators see the design.</source>
-        <translation>Die Studie ist blind: Bis zur Entblindung stehen ihre Bedingungen unter diesen Codes, und was sie unterscheidet, bleibt weg. Den Entwurf sehen nur, wer ihn verfasst hat, und die Verwaltung.</translation>
+        <source>The study is blind: until it is unblinded, its conditions are shown only by these codes and their differences are hidden. Only the study&apos;s author and administrators see the design.</source>
+        <translation>Die Studie ist verblindet: Bis zur Entblindung erscheinen ihre Bedingungen nur unter diesen Codes, und ihre Unterschiede sind verborgen. Den Entwurf sehen nur die Administration und die Person, die ihn verfasst hat.</translation>
     </message>
     <message>
         <source>What the conditions have in common</source>
@@ -5275,8 +5389,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Ich habe dies gelesen und willige ein</translation>
     </message>
     <message>
-        <source>The moment and the text&apos;s SHA-256 are recorded. Whoever takes part may withdraw at any time.</source>
-        <translation>Festgehalten werden der Zeitpunkt und der SHA-256 des Textes. Wer teilnimmt, kann jederzeit zurücktreten.</translation>
+        <source>The time and the text&apos;s SHA-256 are recorded. Participants may withdraw at any time.</source>
+        <translation>Zeitpunkt und SHA-256 des Textes werden festgehalten. Wer teilnimmt, kann jederzeit zurücktreten.</translation>
     </message>
     <message>
         <source>Record the consent</source>
@@ -5293,8 +5407,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
 %1</translation>
     </message>
     <message>
-        <source>The consent of %1 is recorded.</source>
-        <translation>Die Einwilligung von %1 ist festgehalten.</translation>
+        <source>The consent of %1 was recorded.</source>
+        <translation>Die Einwilligung von %1 wurde festgehalten.</translation>
     </message>
 </context>
 <context>
@@ -5328,8 +5442,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Neu beginnen …</translation>
     </message>
     <message>
-        <source>Start again from the beginning (F5). The attempt so far is kept as stopped.</source>
-        <translation>Von vorn neu beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
+        <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
+        <translation>Von vorn beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
     </message>
 </context>
 <context>
@@ -5343,8 +5457,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>%1 · %2 · %3 · %4</translation>
     </message>
     <message>
-        <source>Force was shown, not felt: these scores form a series of their own and are not compared with felt ones.</source>
-        <translation>Die Kraft wurde gezeigt, nicht gefühlt: Diese Wertungen bilden eine eigene Reihe und werden nicht mit gefühlten verglichen.</translation>
+        <source>Force was shown, not felt: these scores form a separate series and are not compared with scores from felt force.</source>
+        <translation>Die Kraft wurde gezeigt, nicht gefühlt: Diese Wertungen bilden eine eigene Reihe und werden nicht mit Wertungen aus gefühlter Kraft verglichen.</translation>
     </message>
     <message>
         <source>Next level</source>
@@ -5355,8 +5469,8 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Erneut versuchen</translation>
     </message>
     <message>
-        <source>Worst moment</source>
-        <translation>Schlechtester Moment</translation>
+        <source>Watch the worst moment</source>
+        <translation>Schlechtesten Moment ansehen</translation>
     </message>
     <message>
         <source>Playback</source>
@@ -5371,16 +5485,16 @@ Aufzeichnung und Wertungen bleiben erhalten; sie zählen nicht.</translation>
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>What this session came to.
+        <source>The result of this session.
 
 At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
 
-&quot;Worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
-        <translation>Was diese Sitzung ergeben hat.
+&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
+        <translation>Das Ergebnis dieser Sitzung.
 
 Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel verfehlt wurde. Darunter die wichtigsten Zahlen auf ihrer Skala: Der Zeiger ist der Wert, die Linie die Bestehensgrenze, der Bereich das, was andere erreicht haben.
 
-„Schlechtester Moment“ öffnet die Wiedergabe dort, wo am meisten schiefging. „Bericht“ schreibt ein druckbares PDF. Die Tabelle enthält jede Messgröße; wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
+„Schlechtesten Moment ansehen“ öffnet die Wiedergabe an der schlechtesten Stelle. „Bericht“ erstellt ein druckbares PDF. Die Tabelle enthält jede Messgröße; wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
     </message>
     <message>
         <source>Open the playback</source>
@@ -5388,7 +5502,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Write the report (PDF)</source>
-        <translation>Bericht schreiben (PDF)</translation>
+        <translation>Bericht erstellen (PDF)</translation>
     </message>
     <message>
         <source>Reading the scores …</source>
@@ -5407,7 +5521,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Die Aufzeichnung wurde gelöscht</translation>
     </message>
     <message>
-        <source>It was withdrawn at the person&apos;s wish. The scores above are kept; there is nothing to play back.</source>
+        <source>It was erased at the person&apos;s request. The scores above are kept; there is nothing to play back.</source>
         <translation>Sie wurde auf Wunsch der Person gelöscht. Die Wertungen oben bleiben erhalten; es gibt nichts wiederzugeben.</translation>
     </message>
     <message>
@@ -5432,7 +5546,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Write the report</source>
-        <translation>Bericht schreiben</translation>
+        <translation>Bericht erstellen</translation>
     </message>
     <message>
         <source>PDF documents (*.pdf)</source>
@@ -5440,15 +5554,15 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Writing the report …</source>
-        <translation>Bericht wird geschrieben …</translation>
+        <translation>Bericht wird erstellt …</translation>
     </message>
     <message>
         <source>The report was written to %1.</source>
-        <translation>Der Bericht wurde in %1 geschrieben.</translation>
+        <translation>Der Bericht wurde in %1 gespeichert.</translation>
     </message>
     <message>
         <source>The report could not be written.</source>
-        <translation>Der Bericht konnte nicht geschrieben werden.</translation>
+        <translation>Der Bericht konnte nicht gespeichert werden.</translation>
     </message>
     <message>
         <source>%1: %2, at %3</source>
@@ -5456,19 +5570,59 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
-        <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen. Die Wertung oben ist wie gespeichert.</translation>
+        <translation>Funde und Karten konnten aus der Aufzeichnung nicht gelesen werden. Die Wertungen oben sind so, wie sie gespeichert wurden.</translation>
     </message>
     <message>
         <source>Force of the tissue, and what was felt</source>
         <translation>Kraft des Gewebes und was davon gefühlt wurde</translation>
     </message>
     <message>
-        <source>The session did not come to its end: these values are judged by no pass mark.</source>
-        <translation>Die Sitzung kam nicht zu ihrem Ende: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
+        <source>The session was not completed: these values are not compared with pass marks.</source>
+        <translation>Die Sitzung wurde nicht abgeschlossen: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
     </message>
     <message>
-        <source>No trial came to its end: there is no score.</source>
-        <translation>Kein Durchgang kam zu seinem Ende: Es gibt keine Wertung.</translation>
+        <source>No trial was completed: there is no score.</source>
+        <translation>Kein Durchgang wurde abgeschlossen: Es gibt keine Wertung.</translation>
+    </message>
+    <message>
+        <source>Now you</source>
+        <translation>Jetzt Sie</translation>
+    </message>
+    <message>
+        <source>Watch an expert</source>
+        <translation>Experten zusehen</translation>
+    </message>
+    <message>
+        <source>Worst moment: %1</source>
+        <translation>Schlechtester Moment: %1</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Jemand anderes</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(gelöscht)</translation>
+    </message>
+    <message>
+        <source>%1, at %2: %3</source>
+        <translation>%1, bei %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Ansehen</translation>
     </message>
 </context>
 <context>
@@ -5487,7 +5641,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
-        <translation>Bereit. Eine programmierte Hand am simulierten Gimbal.</translation>
+        <translation>Bereit. Eine programmierte Hand führt am simulierten Gimbal vor.</translation>
     </message>
     <message>
         <source>Replay a file</source>
@@ -5498,12 +5652,12 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Eine aufgezeichnete Bewegung (CSV) führt das Instrument.</translation>
     </message>
     <message>
-        <source>Who demonstrates</source>
-        <translation>Wer führt vor</translation>
+        <source>Operator</source>
+        <translation>Programmierte Hand</translation>
     </message>
     <message>
-        <source>The session is listed as simulated and is nobody&apos;s score.</source>
-        <translation>Die Sitzung gilt als simuliert und ist niemandes Wertung.</translation>
+        <source>The session is listed as simulated and does not count for anyone.</source>
+        <translation>Die Sitzung wird als simuliert geführt und zählt für niemanden.</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -5539,12 +5693,12 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 %1</translation>
     </message>
     <message>
-        <source>Nobody demonstrates this exercise on this station.</source>
+        <source>There is no demonstration of this exercise on this station.</source>
         <translation>An diesem Arbeitsplatz gibt es für diese Übung keine Vorführung.</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
-        <translation>Bereit. Eine programmierte Hand am simulierten Fünfgelenk.</translation>
+        <translation>Bereit. Eine programmierte Hand führt am simulierten Fünfgelenk vor.</translation>
     </message>
     <message>
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
@@ -5556,19 +5710,19 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>How the gimbal renders force</source>
-        <translation>Wie die Aufhängung Kraft ausgibt</translation>
+        <translation>Wie der Gimbal Kraft ausgibt</translation>
     </message>
     <message>
         <source>Exactly</source>
         <translation>Exakt</translation>
     </message>
     <message>
-        <source>By the formulas as published (up to 27 % off)</source>
-        <translation>Nach den veröffentlichten Formeln (bis 27 % daneben)</translation>
+        <source>By the published formulas (error up to 27 %)</source>
+        <translation>Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
-        <translation>Bereit. Sehen Sie einem Skript am simulierten Arm mit Fingerkuppen-Plattform zu.</translation>
+        <translation>Bereit. Eine programmierte Hand führt am simulierten Arm mit Fingerkuppen-Plattform vor.</translation>
     </message>
 </context>
 <context>
@@ -5582,24 +5736,24 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Größter</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Wie viele</translation>
+        <source>Number</source>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>On both sides of the reference</source>
         <translation>Auf beiden Seiten der Referenz</translation>
     </message>
     <message>
-        <source>Or typed, in percent</source>
-        <translation>Oder getippt, in Prozent</translation>
+        <source>Or type them, in per cent</source>
+        <translation>Oder eingeben, in Prozent</translation>
     </message>
     <message>
-        <source>Make the table</source>
+        <source>Create the table</source>
         <translation>Tabelle erstellen</translation>
     </message>
     <message>
-        <source>Nothing to choose from yet.</source>
-        <translation>Noch nichts zur Wahl.</translation>
+        <source>No candidates yet.</source>
+        <translation>Noch keine Kandidaten.</translation>
     </message>
     <message>
         <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
@@ -5617,12 +5771,12 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>%1 von %2 geplanten Personen sind aufgenommen.</translation>
     </message>
     <message>
-        <source>Who it is (name, number in your own list …)</source>
-        <translation>Wer es ist (Name, Nummer Ihrer eigenen Liste …)</translation>
+        <source>Identity (name, number in your own list …)</source>
+        <translation>Identität (Name, Nummer in Ihrer eigenen Liste …)</translation>
     </message>
     <message>
-        <source>Kept in the key table alone, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
-        <translation>Steht nur in der Schlüsseltabelle, die allein Urheber der Studie und Administratoren öffnen können. Daten und Exporte tragen den Code.</translation>
+        <source>This is kept only in the key table, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
+        <translation>Das steht nur in der Schlüsseltabelle. Sie kann nur von der Administration und der Person geöffnet werden, die die Studie verfasst hat. Daten und Exporte enthalten den Code.</translation>
     </message>
     <message>
         <source>Enrol</source>
@@ -5639,8 +5793,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Der Code der Person ist</translation>
     </message>
     <message>
-        <source>Write it down for the participant: it begins every sitting. Consent comes next.</source>
-        <translation>Schreiben Sie ihn für die Person auf: Mit ihm beginnt jede Sitzung. Als Nächstes kommt die Einwilligung.</translation>
+        <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
+        <translation>Schreiben Sie ihn für die Person auf: Sie braucht ihn bei jeder Sitzung. Als Nächstes kommt die Einwilligung.</translation>
     </message>
 </context>
 <context>
@@ -5651,15 +5805,15 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>This cannot be undone. Disabling the account keeps everything and can be undone.</source>
-        <translation>Das lässt sich nicht rückgängig machen. Wer das Konto nur deaktiviert, behält alles und kann es zurücknehmen.</translation>
+        <translation>Das lässt sich nicht rückgängig machen. Ein deaktiviertes Konto behält alles und lässt sich wieder aktivieren.</translation>
     </message>
     <message>
         <source>Overwritten: name, code, password, comments and reasons in free text.</source>
         <translation>Überschrieben werden: Name, Code, Passwort, Kommentare und Begründungen im Freitext.</translation>
     </message>
     <message>
-        <source>Kept without a name: sessions, scores, and that an erasure took place, when and why. Backups made before still hold the person until they are deleted; a restore erases the person again.</source>
-        <translation>Ohne Namen bleiben: Sitzungen, Wertungen und der Vermerk, dass, wann und warum gelöscht wurde. Ältere Sicherungen enthalten die Person, bis sie selbst gelöscht werden; beim Wiederherstellen wird die Person erneut gelöscht.</translation>
+        <source>Kept without a name: sessions, scores, and a note of when and why the person was erased. Earlier backups still contain the person until they are deleted; restoring one erases the person again.</source>
+        <translation>Ohne Namen bleiben erhalten: Sitzungen, Wertungen und ein Vermerk, wann und warum gelöscht wurde. Ältere Sicherungen enthalten die Person, bis die Sicherungen gelöscht werden; beim Wiederherstellen wird die Person erneut gelöscht.</translation>
     </message>
     <message>
         <source>Reason (kept)</source>
@@ -5678,27 +5832,27 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Ihr eigenes Passwort</translation>
     </message>
     <message>
-        <source>Erase for ever</source>
+        <source>Erase permanently</source>
         <translation>Endgültig löschen</translation>
     </message>
     <message>
-        <source>Nobody was erased: this is not your password.
+        <source>Wrong password. Nobody was erased.
 %1</source>
-        <translation>Es wurde niemand gelöscht: Das ist nicht Ihr Passwort.
+        <translation>Falsches Passwort. Es wurde niemand gelöscht.
 %1</translation>
     </message>
     <message>
-        <source>%1 is erased. Sessions and scores are kept without a name.</source>
-        <translation>%1 ist gelöscht. Sitzungen und Wertungen bleiben ohne Namen erhalten.</translation>
+        <source>%1 was erased. Sessions and scores are kept without a name.</source>
+        <translation>%1 wurde gelöscht. Sitzungen und Wertungen bleiben ohne Namen erhalten.</translation>
     </message>
     <message>
-        <source>%1 cannot be erased now: nobody can erase themselves, and no session may be running.</source>
-        <translation>%1 kann jetzt nicht gelöscht werden: Niemand kann sich selbst löschen, und es darf keine Sitzung laufen.</translation>
+        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
+        <translation>%1 kann jetzt nicht gelöscht werden. Sie können sich nicht selbst löschen, und es darf keine Sitzung laufen.</translation>
     </message>
     <message>
-        <source>The erasure of %1 is not complete: old copies may still lie in the file. Press the button again; it goes on where it stopped.
+        <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
 %2</source>
-        <translation>Die Löschung von %1 ist nicht vollständig: In der Datei können noch alte Kopien liegen. Drücken Sie die Schaltfläche erneut; es geht dort weiter, wo es aufhörte.
+        <translation>Die Löschung von %1 ist nicht vollständig: Die Datei kann noch alte Kopien enthalten. Drücken Sie die Schaltfläche erneut, um fortzufahren.
 %2</translation>
     </message>
     <message>
@@ -5716,7 +5870,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     </message>
     <message>
         <source>Passed by touch</source>
-        <translation>Durch Tasten bestanden</translation>
+        <translation>Mit gefühlter Kraft bestanden</translation>
     </message>
     <message>
         <source>Passed with shown force</source>
@@ -5779,17 +5933,17 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is chosen already: Start (or Enter) begins. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session is nobody&apos;s score. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace says with which hand you work, how far the tool moves for your hand&apos;s movement, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Hier sehen Sie, was eine Übung verlangt, was gemessen wird und wann sie bestanden ist.
 
-Alles ist schon gewählt: „Starten“ (oder die Eingabetaste) beginnt. Wählen Sie auf Wunsch eine andere Stufe oder ein anderes Gerät. Bei „Vorführen“ sehen Sie einer programmierten Hand zu; deren Sitzung ist niemandes Wertung. Eine Datei mit einer aufgezeichneten Bewegung lässt sich durch dieselbe Übung abspielen.
+Alles ist schon gewählt: Drücken Sie „Starten“ (oder Enter), um zu beginnen. Wählen Sie auf Wunsch eine andere Stufe oder ein anderes Gerät. Bei „Vorführen“ sehen Sie einer programmierten Hand zu; deren Sitzung zählt für niemanden. Eine Datei mit einer aufgezeichneten Bewegung lässt sich in derselben Übung abspielen.
 
-„Hand und Arbeitsraum“ legt fest, mit welcher Hand Sie arbeiten, wie weit sich das Instrument bei einer Handbewegung bewegt und wo die Mitte des Feldes liegt. Eine Eingewöhnung wird aufgezeichnet, aber nie gezählt.</translation>
+„Hand und Arbeitsraum“ legt fest, mit welcher Hand Sie arbeiten, wie weit sich das Instrument bei einer Handbewegung bewegt und wo die Mitte des Feldes liegt. Eine Eingewöhnung wird aufgezeichnet, zählt aber nie.</translation>
     </message>
     <message>
-        <source>This exercise is not there</source>
+        <source>This exercise does not exist</source>
         <translation>Diese Übung gibt es nicht</translation>
     </message>
     <message>
@@ -5801,8 +5955,8 @@ Alles ist schon gewählt: „Starten“ (oder die Eingabetaste) beginnt. Wählen
         <translation>Start</translation>
     </message>
     <message>
-        <source>Your earlier results could not be read; training works all the same.</source>
-        <translation>Ihre früheren Ergebnisse konnten nicht gelesen werden; das Training geht trotzdem.</translation>
+        <source>Your earlier results could not be read. You can still train.</source>
+        <translation>Ihre früheren Ergebnisse konnten nicht gelesen werden. Sie können trotzdem trainieren.</translation>
     </message>
     <message>
         <source>This level has no pass mark.</source>
@@ -5844,8 +5998,8 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Es gibt keine Übungen</translation>
     </message>
     <message>
-        <source>The content folder of this site holds none. Ask an administrator.</source>
-        <translation>Der Inhaltsordner dieses Standorts enthält keine. Fragen Sie die Administration.</translation>
+        <source>The content folder of this site contains no exercises. Ask an administrator.</source>
+        <translation>Der Inhaltsordner dieses Standorts enthält keine Übungen. Fragen Sie die Administration.</translation>
     </message>
 </context>
 <context>
@@ -5855,7 +6009,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Versuchsleitung</translation>
     </message>
     <message>
-        <source>Spoil this trial</source>
+        <source>Discard this trial</source>
         <translation>Durchgang verwerfen</translation>
     </message>
     <message>
@@ -5902,7 +6056,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Die Schätzung bleibt versiegelt, bis die Studie entblindet ist.</translation>
     </message>
     <message>
-        <source>The fidelity of each trial will be here.</source>
+        <source>The fidelity of each trial will appear here.</source>
         <translation>Die Wiedergabetreue jedes Durchgangs erscheint hier.</translation>
     </message>
     <message>
@@ -5918,8 +6072,8 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Spitzenkraft %1 N, mittlere Geschwindigkeit %2 mm/s, %3 Kontakte, %4 s.</translation>
     </message>
     <message>
-        <source>Felt value off by %1, late ticks %2, at its limit %3.</source>
-        <translation>Gefühlter Wert weicht um %1 ab, verspätete Takte %2, an der Grenze %3.</translation>
+        <source>Felt value off by %1, late ticks %2, device at its limit %3.</source>
+        <translation>Gefühlter Wert weicht um %1 ab, verspätete Takte %2, Gerät an der Grenze %3.</translation>
     </message>
     <message>
         <source>Force error %1 N.</source>
@@ -5930,14 +6084,14 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Das Gerät misst keine Kraft.</translation>
     </message>
     <message numerus="yes">
-        <source>The device cannot render all differences: %n are left.</source>
+        <source>The device cannot render all differences: %n remain.</source>
         <translation>
             <numerusform>Das Gerät kann nicht alle Unterschiede wiedergeben: %n bleibt.</numerusform>
             <numerusform>Das Gerät kann nicht alle Unterschiede wiedergeben: %n bleiben.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The estimate will be here after the first scored trials.</source>
+        <source>The estimate will appear here after the first scored trials.</source>
         <translation>Die Schätzung erscheint hier nach den ersten gewerteten Durchgängen.</translation>
     </message>
     <message>
@@ -5965,19 +6119,19 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>95 %</translation>
     </message>
     <message>
-        <source>Force is shown, not felt: nothing limits what is rendered.</source>
-        <translation>Kraft wird gezeigt, nicht gefühlt: Nichts begrenzt die Darstellung.</translation>
+        <source>Force is shown, not felt, so rendering is not limited.</source>
+        <translation>Die Kraft wird gezeigt, nicht gefühlt; die Darstellung ist nicht begrenzt.</translation>
     </message>
     <message>
-        <source>Delay of the device, measured: %1 ms.</source>
-        <translation>Verzögerung des Geräts, gemessen: %1 ms.</translation>
+        <source>Measured delay of the device: %1 ms.</source>
+        <translation>Gemessene Verzögerung des Geräts: %1 ms.</translation>
     </message>
     <message>
-        <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
-        <translation>Die Verzögerung dieses Geräts wurde nie gemessen. Angenommen werden %1 ms, vorsichtig nach seiner Angabe.</translation>
+        <source>The delay of this device was never measured. A cautious value of %1 ms is assumed, based on what the device states.</source>
+        <translation>Die Verzögerung dieses Geräts wurde nie gemessen. Nach den Angaben des Geräts werden vorsichtshalber %1 ms angenommen.</translation>
     </message>
     <message>
-        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
+        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would reveal the condition.</source>
         <translation>Mittlere Geschwindigkeit %1 mm/s, %2 Kontakte, %3 s, verspätete Takte %4. Kräfte bleiben versiegelt: Sie würden die Bedingung verraten.</translation>
     </message>
     <message>
@@ -5985,12 +6139,12 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Zählt nicht</translation>
     </message>
     <message>
-        <source>The bias will be here after the first scored trials.</source>
-        <translation>Die Abweichung erscheint hier nach den ersten gewerteten Durchgängen.</translation>
+        <source>The bias will appear here after the first scored trials.</source>
+        <translation>Die Verschiebung erscheint hier nach den ersten gewerteten Durchgängen.</translation>
     </message>
     <message>
-        <source>Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.</source>
-        <translation>Abweichung bisher: %1 mm nach rechts, %2 mm nach hinten. Mittlerer Fehler %3 mm je Achse.</translation>
+        <source>Bias so far: %1 mm to the right, %2 mm away from you. Mean error %3 mm per axis.</source>
+        <translation>Verschiebung bisher: %1 mm nach rechts, %2 mm nach hinten. Mittlerer Fehler %3 mm je Achse.</translation>
     </message>
     <message>
         <source>marks</source>
@@ -6004,8 +6158,8 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Funde</translation>
     </message>
     <message>
-        <source>None yet. Press where something is, then click or press Enter.</source>
-        <translation>Noch keine. Drücken Sie, wo etwas ist, dann klicken oder Eingabe.</translation>
+        <source>None yet. Press where you feel something, then click or press Enter.</source>
+        <translation>Noch keine. Drücken Sie, wo Sie etwas fühlen; dann Klick oder Enter.</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -6032,16 +6186,16 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Nichts mehr (D)</translation>
     </message>
     <message>
-        <source>None is selected.</source>
-        <translation>Keiner ist gewählt.</translation>
+        <source>No finding is selected.</source>
+        <translation>Kein Fund ist gewählt.</translation>
     </message>
     <message>
-        <source>Not said yet:
+        <source>Still missing:
 %1
 Press again to end the trial without it.</source>
-        <translation>Noch nicht angegeben:
+        <translation>Es fehlt noch:
 %1
-Noch einmal drücken, um ohne das zu beenden.</translation>
+Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translation>
     </message>
 </context>
 <context>
@@ -6053,12 +6207,12 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
     <message>
         <source>Chiron is a training suite for the sense of touch in minimally invasive surgery.
 
-&quot;Set up this site&quot; makes an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
+&quot;Set up this site&quot; creates an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
 
-&quot;Open the demonstration site&quot; makes a separate site with invented people and scripted sessions, to look around. It does not touch a site that is set up later; this choice comes back at the next start until one is.</source>
+&quot;Open the demonstration site&quot; creates a separate site with invented people and scripted sessions, so that you can look around. It does not affect a site that you set up later. Until you set one up, this choice appears at every start.</source>
         <translation>Chiron trainiert den Tastsinn für die minimalinvasive Chirurgie.
 
-„Standort einrichten“ legt auf diesem Computer einen leeren Standort mit der ersten Administration an, die weitere Personen hinzufügen kann. Das dauert etwa eine Minute.
+„Standort einrichten“ legt auf diesem Computer einen leeren Standort und das erste Administrationskonto an, mit dem sich weitere Personen hinzufügen lassen. Das dauert etwa eine Minute.
 
 „Demo-Standort öffnen“ legt zum Umsehen einen getrennten Standort mit erfundenen Personen und vorbereiteten Sitzungen an. Ein später eingerichteter Standort bleibt davon unberührt; bis dahin erscheint diese Auswahl bei jedem Start.</translation>
     </message>
@@ -6079,8 +6233,8 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Standort einrichten</translation>
     </message>
     <message>
-        <source>Start a site of your own</source>
-        <translation>Eigenen Standort anlegen</translation>
+        <source>Set up your own site</source>
+        <translation>Eigenen Standort einrichten</translation>
     </message>
     <message>
         <source>You become its administrator. People, sessions and scores stay on this computer.</source>
@@ -6095,11 +6249,11 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Erst einmal umsehen</translation>
     </message>
     <message>
-        <source>Invented people and scripted sessions at every level. Making it takes about a minute, once.</source>
+        <source>Invented people and scripted sessions at every level. Creating them takes about a minute, only once.</source>
         <translation>Erfundene Personen und vorbereitete Sitzungen auf jeder Stufe. Das Anlegen dauert einmalig etwa eine Minute.</translation>
     </message>
     <message>
-        <source>The site was not made.
+        <source>The site was not created.
 %1</source>
         <translation>Der Standort wurde nicht angelegt.
 %1</translation>
@@ -6113,12 +6267,12 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Demo-Standort wird geöffnet …</translation>
     </message>
     <message>
-        <source>Making the demonstration site: people, and scripted sessions at every level …</source>
+        <source>Creating the demonstration site: people, and scripted sessions at every level …</source>
         <translation>Demo-Standort wird angelegt: Personen und vorbereitete Sitzungen auf jeder Stufe …</translation>
     </message>
     <message>
-        <source>The demonstration was stopped; what had been made of it is removed.</source>
-        <translation>Die Demo wurde abgebrochen; was davon schon angelegt war, ist entfernt.</translation>
+        <source>Creation of the demonstration site was stopped; what had been created was removed.</source>
+        <translation>Das Anlegen des Demo-Standorts wurde abgebrochen; bereits Angelegtes wurde entfernt.</translation>
     </message>
     <message>
         <source>The demonstration site could not be opened.</source>
@@ -6162,7 +6316,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>%1 einfrieren</translation>
     </message>
     <message>
-        <source>From now on the design can never be changed again, by nobody. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
+        <source>From now on nobody can change the design. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
         <translation>Von jetzt an kann niemand den Entwurf mehr ändern. Personen können aufgenommen werden, jede Bedingung bekommt einen versiegelten Code, und jeder Export trägt diesen SHA-256 des Entwurfs:</translation>
     </message>
     <message numerus="yes">
@@ -6180,17 +6334,17 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         </translation>
     </message>
     <message>
-        <source>This cannot be undone. A study that has to be changed later is copied into a new one.</source>
-        <translation>Das lässt sich nicht rückgängig machen. Soll eine Studie später anders sein, wird sie in eine neue kopiert.</translation>
+        <source>This cannot be undone. To change the study later, copy it into a new one.</source>
+        <translation>Das lässt sich nicht rückgängig machen. Um die Studie später zu ändern, kopieren Sie sie in eine neue.</translation>
     </message>
     <message>
         <source>Freeze the design</source>
         <translation>Entwurf einfrieren</translation>
     </message>
     <message>
-        <source>The study was not frozen.
+        <source>The study could not be frozen.
 %1</source>
-        <translation>Die Studie wurde nicht eingefroren.
+        <translation>Die Studie konnte nicht eingefroren werden.
 %1</translation>
     </message>
     <message>
@@ -6205,20 +6359,20 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Titel</translation>
     </message>
     <message>
-        <source>Participants planned</source>
-        <translation>Geplante Personen</translation>
+        <source>Planned participants</source>
+        <translation>Geplante Teilnehmende</translation>
     </message>
     <message>
         <source>Number of participants</source>
-        <translation>Zahl der Personen</translation>
+        <translation>Zahl der Teilnehmenden</translation>
     </message>
     <message>
         <source>Objective</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>Instructions, as participants read them</source>
-        <translation>Anleitung, wie Teilnehmende sie lesen</translation>
+        <source>Instructions shown to participants</source>
+        <translation>Anleitung für die Teilnehmenden</translation>
     </message>
     <message>
         <source>Consent text</source>
@@ -6228,8 +6382,8 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
 <context>
     <name>chiron::desktop::GraspPanel</name>
     <message>
-        <source>How much of the holding time is done</source>
-        <translation>Wie viel der Haltezeit geschafft ist</translation>
+        <source>Holding time completed</source>
+        <translation>Absolvierte Haltezeit</translation>
     </message>
     <message>
         <source>Holding time: %p %</source>
@@ -6323,18 +6477,18 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
 <context>
     <name>chiron::desktop::GroupPage</name>
     <message>
-        <source>Nobody has done this condition yet. Each participant&apos;s result will be here as soon as there is a run.</source>
-        <translation>Diese Bedingung hat noch niemand gemacht. Das Ergebnis jeder Person steht hier, sobald es einen Lauf gibt.</translation>
+        <source>Nobody has run this condition yet. Each participant&apos;s result appears here after their first run.</source>
+        <translation>Diese Bedingung hat noch niemand durchlaufen. Das Ergebnis jeder Person erscheint hier nach ihrem ersten Lauf.</translation>
     </message>
     <message>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
     <message numerus="yes">
-        <source>Weber fraction of %n participant(s), as random effects</source>
+        <source>Weber fraction of %n participant(s) (random effects)</source>
         <translation>
-            <numerusform>Weber-Bruch von %n Person, als Zufallseffekt</numerusform>
-            <numerusform>Weber-Bruch von %n Personen, als Zufallseffekte</numerusform>
+            <numerusform>Weber-Bruch von %n Person (Zufallseffekte)</numerusform>
+            <numerusform>Weber-Bruch von %n Personen (Zufallseffekte)</numerusform>
         </translation>
     </message>
     <message>
@@ -6342,16 +6496,16 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>95 %: %1</translation>
     </message>
     <message>
-        <source>a further participant: %1</source>
-        <translation>eine weitere Person: %1</translation>
+        <source>prediction for a new participant: %1</source>
+        <translation>Vorhersage für eine weitere Person: %1</translation>
     </message>
     <message>
         <source>JND %1</source>
         <translation>JND %1</translation>
     </message>
     <message>
-        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)</source>
-        <translation>Rangfolgen ganz in der wahren Ordnung: %1 von %2 (%3; Raten ergibt 16,7 %)</translation>
+        <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 %)</source>
+        <translation>Vollständig richtige Rangfolgen: %1 von %2 (%3; Zufallsniveau 16,7 %)</translation>
     </message>
     <message>
         <source>Weber fraction of each participant</source>
@@ -6395,7 +6549,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>Durchführen</translation>
+        <translation>Lauf</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -6410,12 +6564,12 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>%1 (%2 wiederholt)</translation>
     </message>
     <message>
-        <source>too few people to say what a further one would show</source>
-        <translation>zu wenige Personen, um zu sagen, was eine weitere zeigen würde</translation>
+        <source>too few participants for a prediction</source>
+        <translation>zu wenige Personen für eine Vorhersage</translation>
     </message>
     <message>
-        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
-        <translation>Rangfolgen ganz in der wahren Ordnung: %1 von %2 (%3; Raten ergibt 16,7 % oder weniger)</translation>
+        <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 % or less)</source>
+        <translation>Vollständig richtige Rangfolgen: %1 von %2 (%3; Zufallsniveau höchstens 16,7 %)</translation>
     </message>
     <message>
         <source>estimate with its 95 % interval</source>
@@ -6426,7 +6580,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Bedingungen im Vergleich</translation>
     </message>
     <message>
-        <source>Prior&apos;s part</source>
+        <source>Prior influence</source>
         <translation>Anteil der A-priori-Verteilung</translation>
     </message>
 </context>
@@ -6483,20 +6637,12 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
 <context>
     <name>chiron::desktop::HomeScreen</name>
     <message>
-        <source>Exercises</source>
-        <translation>Übungen</translation>
-    </message>
-    <message>
         <source>Every level is passed</source>
         <translation>Alle Stufen bestanden</translation>
     </message>
     <message>
-        <source>Well done. Choose any exercise below to keep your hand in.</source>
-        <translation>Sehr gut. Wählen Sie unten eine beliebige Übung, um in Übung zu bleiben.</translation>
-    </message>
-    <message>
-        <source>Go on where you were</source>
-        <translation>Weitermachen, wo Sie waren</translation>
+        <source>Continue where you left off</source>
+        <translation>Weitermachen, wo Sie aufgehört haben</translation>
     </message>
     <message>
         <source>Your next step</source>
@@ -6511,7 +6657,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Mein Fortschritt</translation>
     </message>
     <message>
-        <source>Nothing is recorded yet. Your first session will be here as soon as it has ended.</source>
+        <source>Nothing recorded yet. Your first session appears here once it has ended.</source>
         <translation>Noch nichts aufgezeichnet. Ihre erste Sitzung erscheint hier, sobald sie beendet ist.</translation>
     </message>
     <message>
@@ -6519,11 +6665,11 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Alle meine Ergebnisse</translation>
     </message>
     <message>
-        <source>Sessions to look at</source>
+        <source>Sessions to review</source>
         <translation>Sitzungen zum Ansehen</translation>
     </message>
     <message>
-        <source>Nobody has trained yet. Sessions of trainees will be here, those that broke off first.</source>
+        <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
         <translation>Noch niemand hat trainiert. Hier erscheinen die Sitzungen der Lernenden, abgebrochene zuerst.</translation>
     </message>
     <message>
@@ -6531,7 +6677,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Alle Sitzungen</translation>
     </message>
     <message>
-        <source>Who trained lately</source>
+        <source>Recent training</source>
         <translation>Wer zuletzt trainiert hat</translation>
     </message>
     <message numerus="yes">
@@ -6577,7 +6723,7 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>The database takes %1; %2 are free.</source>
+        <source>The database uses %1; %2 is free.</source>
         <translation>Die Datenbank belegt %1; %2 sind frei.</translation>
     </message>
     <message>
@@ -6589,16 +6735,16 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Die letzte Sitzung lief mit Echtzeitpriorität.</translation>
     </message>
     <message>
-        <source>The last session ran without real-time priority: touch may be less smooth than it could be.</source>
-        <translation>Die letzte Sitzung lief ohne Echtzeitpriorität: Die Berührung fühlt sich womöglich weniger glatt an als möglich.</translation>
+        <source>The last session ran without real-time priority: forces may feel less smooth.</source>
+        <translation>Die letzte Sitzung lief ohne Echtzeitpriorität: Kräfte fühlen sich womöglich weniger gleichmäßig an.</translation>
     </message>
     <message>
         <source>Station</source>
         <translation>Arbeitsplatz</translation>
     </message>
     <message>
-        <source>Devices, punctuality of the force loop, room for recordings.</source>
-        <translation>Geräte, Pünktlichkeit der Kraftregelung, Platz für Aufzeichnungen.</translation>
+        <source>Devices, timing of the force loop, free space for recordings.</source>
+        <translation>Geräte, Takttreue der Kraftregelung, freier Platz für Aufzeichnungen.</translation>
     </message>
     <message>
         <source>Open the station check</source>
@@ -6609,42 +6755,42 @@ Noch einmal drücken, um ohne das zu beenden.</translation>
         <translation>Start</translation>
     </message>
     <message>
-        <source>What is next for you, by what you are here for.
+        <source>Your next step, depending on your role.
 
-Trainees continue with the next level by one button, choose any level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are in order.
+Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
 
-The list on the left leads everywhere else; Ctrl+K finds any command by its name.</source>
-        <translation>Was für Sie als Nächstes ansteht, je nach Ihrer Aufgabe.
+The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
+        <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
 
-Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbildende sehen die Sitzungen, die einen Blick brauchen, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
+Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
 
-Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seinem Namen.</translation>
+Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
     </message>
     <message>
-        <source>Looking what is next …</source>
+        <source>Finding your next step …</source>
         <translation>Nächster Schritt wird gesucht …</translation>
     </message>
     <message>
-        <source>The home screen could not be put together.</source>
-        <translation>Die Startansicht konnte nicht aufgebaut werden.</translation>
+        <source>The home screen could not be loaded.</source>
+        <translation>Die Startansicht konnte nicht geladen werden.</translation>
     </message>
     <message>
         <source>Welcome, %1</source>
         <translation>Willkommen, %1</translation>
     </message>
     <message numerus="yes">
-        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <source>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were kept and can be played back. The session does not count.</source>
         <translation>
-            <numerusform>Das Programm endete unerwartet während Sitzung %1 (%2, %3). Sie wurde als unterbrochen übernommen: %n Messpunkt ist erhalten und kann wiedergegeben werden. Sie zählt nicht.</numerusform>
-            <numerusform>Das Programm endete unerwartet während Sitzung %1 (%2, %3). Sie wurde als unterbrochen übernommen: %n Messpunkte sind erhalten und können wiedergegeben werden. Sie zählt nicht.</numerusform>
+            <numerusform>Das Programm wurde während Sitzung %1 (%2, %3) unerwartet beendet. Die Sitzung wurde als unterbrochen gespeichert: %n Messpunkt ist erhalten und kann wiedergegeben werden. Sie zählt nicht.</numerusform>
+            <numerusform>Das Programm wurde während Sitzung %1 (%2, %3) unerwartet beendet. Die Sitzung wurde als unterbrochen gespeichert: %n Messpunkte sind erhalten und können wiedergegeben werden. Sie zählt nicht.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4</source>
-        <translation>Das Programm endete unerwartet während Sitzung %1 (%2, %3), und sie konnte nicht ganz übernommen werden: %4</translation>
+        <source>The program ended unexpectedly during session %1 (%2, %3). The session could not be fully recovered: %4</source>
+        <translation>Das Programm wurde während Sitzung %1 (%2, %3) unerwartet beendet. Die Sitzung konnte nicht vollständig wiederhergestellt werden: %4</translation>
     </message>
     <message>
-        <source>Look at it</source>
+        <source>View</source>
         <translation>Ansehen</translation>
     </message>
     <message>
@@ -6668,8 +6814,8 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>Durchführen</translation>
     </message>
     <message>
-        <source>Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped.</source>
-        <translation>Eine Person durch eine Studie führen, nach Code und in ihrer eigenen Reihenfolge. Unterbrochenes geht weiter, wo es aufhörte.</translation>
+        <source>Guide a participant through a study, by code and in their own order. Interrupted runs continue where they stopped.</source>
+        <translation>Eine Person anhand ihres Codes und in ihrer eigenen Reihenfolge durch eine Studie führen. Unterbrochene Läufe gehen dort weiter, wo sie aufgehört haben.</translation>
     </message>
     <message>
         <source>Run a study</source>
@@ -6687,16 +6833,40 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <source>Open the sessions</source>
         <translation>Sitzungen öffnen</translation>
     </message>
+    <message>
+        <source>Choose another exercise</source>
+        <translation>Andere Übung wählen</translation>
+    </message>
+    <message>
+        <source>Last time: level %1, %2, %3</source>
+        <translation>Letztes Mal: Stufe %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Well done. Choose any exercise to stay in practice.</source>
+        <translation>Gut gemacht. Wählen Sie eine beliebige Übung, um in Übung zu bleiben.</translation>
+    </message>
+    <message>
+        <source>Somebody</source>
+        <translation>Jemand</translation>
+    </message>
+    <message>
+        <source>%1 commented on your session %2 (%3, level %4).</source>
+        <translation>%1 hat Ihre Sitzung %2 kommentiert (%3, Stufe %4).</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
     <message>
         <source>Elapsed: %1</source>
-        <translation>Vergangen: %1</translation>
+        <translation>Verstrichen: %1</translation>
     </message>
     <message>
-        <source>This level shows no measurements: work by what you feel. Everything is recorded and in the results.</source>
-        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und steht im Ergebnis.</translation>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Diese Stufe zeigt keine Messwerte: Arbeiten Sie nach Gefühl. Alles wird aufgezeichnet und erscheint im Ergebnis.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6760,7 +6930,7 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
 <context>
     <name>chiron::desktop::InsertionPanel</name>
     <message>
-        <source>How much of this stage is done</source>
+        <source>Progress in this stage</source>
         <translation>Fortschritt in dieser Phase</translation>
     </message>
     <message>
@@ -6871,16 +7041,16 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>Wer ist wer</translation>
     </message>
     <message>
-        <source>That you looked is written into the audit trail.</source>
-        <translation>Dass Sie nachgesehen haben, steht im Prüfprotokoll.</translation>
+        <source>Opening this table is recorded in the audit trail.</source>
+        <translation>Das Öffnen dieser Tabelle wird im Prüfprotokoll vermerkt.</translation>
     </message>
     <message>
         <source>Code</source>
         <translation>Code</translation>
     </message>
     <message>
-        <source>Who it is</source>
-        <translation>Wer es ist</translation>
+        <source>Identity</source>
+        <translation>Identität</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6933,7 +7103,7 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
 <context>
     <name>chiron::desktop::LeanDial</name>
     <message>
-        <source>Lean of the fingertip&apos;s platform</source>
+        <source>Tilt of the fingertip platform</source>
         <translation>Neigung der Fingerkuppen-Plattform</translation>
     </message>
     <message>
@@ -6949,7 +7119,7 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Lean</source>
+        <source>Tilt</source>
         <translation>Neigung</translation>
     </message>
 </context>
@@ -7012,8 +7182,8 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
         <translation>Gesperrt</translation>
     </message>
     <message>
-        <source>%1 is logged in. Everything goes on and is kept; it is only covered.</source>
-        <translation>%1 ist angemeldet. Alles läuft weiter und bleibt erhalten; es ist nur verdeckt.</translation>
+        <source>%1 is logged in. Everything keeps running and nothing is lost; only the screen is covered.</source>
+        <translation>%1 ist angemeldet. Alles läuft weiter und bleibt erhalten; nur der Bildschirm ist verdeckt.</translation>
     </message>
     <message>
         <source>Password of %1</source>
@@ -7064,26 +7234,26 @@ Die Liste links führt überall sonst hin; Strg+K findet jeden Befehl nach seine
     <message>
         <source>Type a few letters of your name, or choose it in the list, then enter your password.
 
-After three wrong passwords the account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.
+After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
 
 Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
         <translation>Geben Sie einige Buchstaben Ihres Namens ein oder wählen Sie ihn in der Liste, danach Ihr Passwort.
 
-Nach drei falschen Passwörtern ist das Konto kurz gesperrt; die Schaltfläche zählt die Sekunden. Es geht dabei nichts verloren.
+Nach drei falschen Passwörtern ist das Konto kurz gesperrt; die Schaltfläche zählt die Sekunden herunter. Daten gehen dabei nicht verloren.
 
-Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Administration hat einen Wiederherstellungscode.</translation>
+Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erste Administrationskonto gibt es einen Wiederherstellungscode.</translation>
     </message>
     <message>
         <source>The site could not be opened.</source>
         <translation>Der Standort konnte nicht geöffnet werden.</translation>
     </message>
     <message>
-        <source>The names could not be read.</source>
-        <translation>Die Namen konnten nicht gelesen werden.</translation>
+        <source>The list of names could not be read.</source>
+        <translation>Die Namensliste konnte nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>This is a demonstration: choose anybody. The password of all of them is %1</source>
-        <translation>Dies ist eine Demo: Wählen Sie eine beliebige Person. Das Passwort ist bei allen %1</translation>
+        <source>This is a demonstration: choose anyone. The password for everyone is %1</source>
+        <translation>Dies ist eine Demo: Wählen Sie eine beliebige Person. Das Passwort lautet für alle %1</translation>
     </message>
     <message>
         <source>This is the password that you were given. Choose another one.</source>
@@ -7118,15 +7288,15 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Ereignisse</translation>
     </message>
     <message>
-        <source>Nothing of this kind happened.</source>
-        <translation>Nichts dergleichen ist vorgekommen.</translation>
+        <source>No events of this kind.</source>
+        <translation>Keine Ereignisse dieser Art.</translation>
     </message>
     <message>
         <source>%1  %2</source>
         <translation>%1  %2</translation>
     </message>
     <message>
-        <source>Contacts too</source>
+        <source>Include contacts</source>
         <translation>Auch Kontakte</translation>
     </message>
 </context>
@@ -7210,7 +7380,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Wählen Sie ein eigenes Passwort</translation>
     </message>
     <message>
-        <source>Your present password was set by somebody else. From the next login on, only the new one counts.</source>
+        <source>Your current password was set by someone else. From your next login, only the new one is valid.</source>
         <translation>Ihr jetziges Passwort hat jemand anderes festgelegt. Ab der nächsten Anmeldung gilt nur noch das neue.</translation>
     </message>
     <message>
@@ -7249,7 +7419,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Nur Kleinbuchstaben, Ziffern und _. Sie kann später nicht geändert werden.</translation>
     </message>
     <message>
-        <source>Make the draft</source>
+        <source>Create draft</source>
         <translation>Entwurf anlegen</translation>
     </message>
     <message>
@@ -7259,21 +7429,21 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
 %1</translation>
     </message>
     <message>
-        <source>A plain study</source>
-        <translation>Eine schlichte Studie</translation>
+        <source>A simple study</source>
+        <translation>Eine einfache Studie</translation>
     </message>
     <message>
-        <source>One condition, a ranking of three by stiffness.</source>
-        <translation>Eine Bedingung, eine Rangfolge von dreien nach Steifigkeit.</translation>
+        <source>One condition: three objects are ranked by stiffness.</source>
+        <translation>Eine Bedingung: Drei Objekte werden nach Steifigkeit geordnet.</translation>
     </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>The study was not made: perhaps its key is taken.
+        <source>The study was not created. Its key may already be in use.
 %1</source>
-        <translation>Die Studie wurde nicht angelegt: vielleicht ist ihre Kennung vergeben.
+        <translation>Die Studie wurde nicht angelegt. Vielleicht ist ihre Kennung schon vergeben.
 %1</translation>
     </message>
 </context>
@@ -7307,19 +7477,19 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>N</translation>
     </message>
     <message>
-        <source>Map: how hard (M)</source>
-        <translation>Karte: wie fest (M)</translation>
+        <source>Force map (M)</source>
+        <translation>Kraftkarte (M)</translation>
     </message>
     <message>
-        <source>On: the map on the tissue shows how hard was pressed. Off: where was searched.</source>
-        <translation>An: Die Karte zeigt, wie fest gedrückt wurde. Aus: wo gesucht wurde.</translation>
+        <source>On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched.</source>
+        <translation>An: Die Karte zeigt, wie fest gedrückt wurde. Aus: Sie zeigt, wo abgetastet wurde.</translation>
     </message>
     <message>
-        <source>displayed force (N)</source>
-        <translation>gezeigte Kraft (N)</translation>
+        <source>rendered force (N)</source>
+        <translation>ausgegebene Kraft (N)</translation>
     </message>
     <message>
-        <source>lean (°)</source>
+        <source>tilt (°)</source>
         <translation>Neigung (°)</translation>
     </message>
     <message>
@@ -7339,11 +7509,11 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Kraft (N)</translation>
     </message>
     <message>
-        <source>Lean, first finger (°)</source>
+        <source>Tilt, first finger (°)</source>
         <translation>Neigung, erster Finger (°)</translation>
     </message>
     <message>
-        <source>Lean (°)</source>
+        <source>Tilt (°)</source>
         <translation>Neigung (°)</translation>
     </message>
     <message>
@@ -7358,8 +7528,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Personen können aufgenommen werden, sobald der Entwurf eingefroren ist.</translation>
     </message>
     <message>
-        <source>Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own.</source>
-        <translation>Noch ist niemand aufgenommen. Jede Person bekommt einen zufälligen Code; wer sie ist, bleibt in einer eigenen Schlüsseltabelle.</translation>
+        <source>Nobody is enrolled yet. Each participant gets a random code; the identity is kept in a separate key table.</source>
+        <translation>Noch ist niemand aufgenommen. Jede Person bekommt einen zufälligen Code; ihre Identität steht in einer getrennten Schlüsseltabelle.</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -7379,7 +7549,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     </message>
     <message>
         <source>Order</source>
-        <translation>Folge</translation>
+        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Enrolled</source>
@@ -7438,16 +7608,16 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Diese Person hat alle Läufe erledigt.</translation>
     </message>
     <message>
-        <source>Participants are enrolled while a study is frozen, neither before nor after.</source>
-        <translation>Aufgenommen wird, solange eine Studie eingefroren ist, weder vorher noch nachher.</translation>
+        <source>Participants can be enrolled only while the study is frozen.</source>
+        <translation>Personen können nur aufgenommen werden, solange die Studie eingefroren ist.</translation>
     </message>
     <message>
         <source>The consent is recorded already.</source>
         <translation>Die Einwilligung ist schon festgehalten.</translation>
     </message>
     <message>
-        <source>The consent has to be recorded first.</source>
-        <translation>Zuerst muss die Einwilligung festgehalten werden.</translation>
+        <source>Record the consent first.</source>
+        <translation>Erfassen Sie zuerst die Einwilligung.</translation>
     </message>
     <message>
         <source>Nobody is enrolled yet.</source>
@@ -7457,11 +7627,11 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
 <context>
     <name>chiron::desktop::PasswordChoice</name>
     <message>
-        <source>First password</source>
-        <translation>Erstes Passwort</translation>
+        <source>Initial password</source>
+        <translation>Anfangspasswort</translation>
     </message>
     <message>
-        <source>Make one up (shown once)</source>
+        <source>Generate one (shown once)</source>
         <translation>Erzeugen (wird einmal gezeigt)</translation>
     </message>
     <message>
@@ -7492,8 +7662,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Neues Passwort</translation>
     </message>
     <message>
-        <source>The same password again</source>
-        <translation>Dasselbe Passwort noch einmal</translation>
+        <source>Repeat the password</source>
+        <translation>Passwort wiederholen</translation>
     </message>
     <message>
         <source>Show the password</source>
@@ -7586,7 +7756,7 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>Deaktivieren oder aktivieren</translation>
     </message>
     <message>
-        <source>Export everything held</source>
+        <source>Export all data</source>
         <translation>Alle Daten exportieren</translation>
     </message>
     <message>
@@ -7598,23 +7768,23 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>%1 kann sich wieder anmelden.</translation>
     </message>
     <message>
-        <source>%1 can no longer log in. What was recorded is kept.</source>
-        <translation>%1 kann sich nicht mehr anmelden. Aufgezeichnetes bleibt erhalten.</translation>
+        <source>%1 can no longer log in. Recorded data are kept.</source>
+        <translation>%1 kann sich nicht mehr anmelden. Aufgezeichnete Daten bleiben erhalten.</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>%1 stays enabled: a site needs an administrator who can log in. Make another person an administrator first.</source>
-        <translation>%1 bleibt aktiviert: Ein Standort braucht eine Administration, die sich anmelden kann. Geben Sie zuerst einer anderen Person diese Rolle.</translation>
+        <source>%1 stays enabled: the site needs at least one administrator who can log in. Make another person an administrator first.</source>
+        <translation>%1 bleibt aktiviert: Der Standort braucht mindestens eine Person mit der Rolle Administration, die sich anmelden kann. Geben Sie zuerst einer anderen Person diese Rolle.</translation>
     </message>
     <message>
-        <source>The account of %1 is as it was.</source>
-        <translation>Das Konto von %1 ist unverändert.</translation>
+        <source>The account of %1 was not changed.</source>
+        <translation>Das Konto von %1 wurde nicht geändert.</translation>
     </message>
     <message>
-        <source>Export everything held about %1</source>
+        <source>Export all data about %1</source>
         <translation>Alle Daten über %1 exportieren</translation>
     </message>
     <message>
@@ -7622,8 +7792,8 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
         <translation>JSON (*.json)</translation>
     </message>
     <message>
-        <source>Everything held about %1 is in %2.</source>
-        <translation>Alle Daten über %1 stehen in %2.</translation>
+        <source>All data about %1 were exported to %2.</source>
+        <translation>Alle Daten über %1 wurden nach %2 exportiert.</translation>
     </message>
     <message>
         <source>Nothing was exported about %1.</source>
@@ -7648,30 +7818,30 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die erste Adm
     <message>
         <source>Everybody who has an account on this site.
 
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A new password has to be changed by its owner at the next login.
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
 
-&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and shows first what it would do: everybody in it is added, or nobody.
+&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and first shows what will happen: either everybody in the file is added, or nobody.
 
-&quot;Export&quot; writes everything that is held about a person to one file. &quot;Erase&quot; overwrites who the person was, for ever.</source>
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
         <translation>Alle, die an diesem Standort ein Konto haben.
 
 Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
 
-„Liste importieren“ liest eine CSV-Datei mit den Spalten name, display_name, roles und password und zeigt zuerst, was geschehen würde: Alle darin werden hinzugefügt oder niemand.
+„Liste importieren“ liest eine CSV-Datei mit den Spalten name, display_name, roles und password und zeigt zuerst, was geschehen wird: Entweder werden alle in der Datei hinzugefügt oder niemand.
 
-„Exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ überschreibt endgültig, wer die Person war.</translation>
+„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig.</translation>
     </message>
     <message>
-        <source>Reading the people …</source>
-        <translation>Personen werden gelesen …</translation>
+        <source>Reading the list of people …</source>
+        <translation>Personenliste wird gelesen …</translation>
     </message>
     <message>
         <source>Disable</source>
         <translation>Deaktivieren</translation>
     </message>
     <message>
-        <source>The people could not be read.</source>
-        <translation>Die Personen konnten nicht gelesen werden.</translation>
+        <source>The list of people could not be read.</source>
+        <translation>Die Personenliste konnte nicht gelesen werden.</translation>
     </message>
     <message>
         <source>Nobody is chosen</source>
@@ -7717,39 +7887,39 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>JND an der Referenz</translation>
     </message>
     <message>
-        <source>Point of equality</source>
-        <translation>Punkt der Gleichheit</translation>
+        <source>Point of subjective equality</source>
+        <translation>Punkt subjektiver Gleichheit</translation>
     </message>
     <message>
         <source>Internal noise, log10</source>
-        <translation>Inneres Rauschen, log10</translation>
+        <translation>Internes Rauschen, log10</translation>
     </message>
     <message>
         <source>%1. %2. %3 scored trials, %4 repeated. %5</source>
         <translation>%1. %2. %3 gewertete Durchgänge, %4 wiederholt. %5</translation>
     </message>
     <message numerus="yes">
-        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <source>Replayed from its log, the procedure makes the same %n choice(s).</source>
         <translation>
-            <numerusform>Aus dem Protokoll wiederholt, trifft das Verfahren dieselbe %n Wahl.</numerusform>
-            <numerusform>Aus dem Protokoll wiederholt, trifft das Verfahren dieselben %n Wahlen.</numerusform>
+            <numerusform>Beim Nachrechnen aus dem Protokoll trifft das Verfahren dieselbe %n Entscheidung.</numerusform>
+            <numerusform>Beim Nachrechnen aus dem Protokoll trifft das Verfahren dieselben %n Entscheidungen.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Run again from its log, the procedure chooses differently: %1 of %2 are the same.</source>
-        <translation>Aus dem Protokoll wiederholt, wählt das Verfahren anders: %1 von %2 sind gleich.</translation>
+        <source>Replayed from its log, the procedure makes different choices: only %1 of %2 match.</source>
+        <translation>Beim Nachrechnen aus dem Protokoll entscheidet das Verfahren anders: Nur %1 von %2 stimmen überein.</translation>
     </message>
     <message>
-        <source>Right answers by difference</source>
-        <translation>Richtige Antworten nach Unterschied</translation>
+        <source>Proportion correct by difference</source>
+        <translation>Anteil richtiger Antworten nach Unterschied</translation>
     </message>
     <message>
-        <source>This task has no curve of right answers</source>
-        <translation>Diese Aufgabe hat keine Kurve richtiger Antworten</translation>
+        <source>This task has no psychometric curve</source>
+        <translation>Diese Aufgabe hat keine psychometrische Kurve</translation>
     </message>
     <message>
-        <source>Called equal below, in σ</source>
-        <translation>Gleich genannt unter, in σ</translation>
+        <source>Equality threshold (σ)</source>
+        <translation>Gleichheitsschwelle (σ)</translation>
     </message>
 </context>
 <context>
@@ -7766,7 +7936,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Fingerkuppen-Plattform</translation>
     </message>
     <message>
-        <source>Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers.</source>
+        <source>Verification of the simulated platform: the published sine and orientations, force steps, and the maximum force on the finger pad, on eight simulated fingers.</source>
         <translation>Prüfung der simulierten Plattform: die veröffentlichte Sinusschwingung und Neigungen, Kraftsprünge und die größte Kraft an der Fingerkuppe, an acht simulierten Fingern.</translation>
     </message>
     <message>
@@ -7782,7 +7952,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Protokoll (PDF) …</translation>
     </message>
     <message>
-        <source>The verification was stopped before its end.</source>
+        <source>The verification was stopped before it finished.</source>
         <translation>Die Prüfung wurde vor dem Ende abgebrochen.</translation>
     </message>
     <message>
@@ -7849,28 +8019,28 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Tension (N), dashed: the band asked for</source>
-        <translation>Spannung (N), gestrichelt: der verlangte Bereich</translation>
+        <source>Tension (N), dashed: target band</source>
+        <translation>Spannung (N), gestrichelt: Zielbereich</translation>
     </message>
     <message>
         <source>Squeeze (N)</source>
         <translation>Quetschkraft (N)</translation>
     </message>
     <message>
-        <source>Energy that the hand put in and that the object holds</source>
-        <translation>Energie, die die Hand hineingab und die das Objekt enthält</translation>
+        <source>Energy supplied by the hand and stored in the object</source>
+        <translation>Von der Hand zugeführte und im Objekt gespeicherte Energie</translation>
     </message>
     <message>
-        <source>more held than put in</source>
-        <translation>mehr enthalten als hineingegeben</translation>
+        <source>more stored than supplied</source>
+        <translation>mehr gespeichert als zugeführt</translation>
     </message>
     <message>
-        <source>put in</source>
-        <translation>hineingegeben</translation>
+        <source>supplied</source>
+        <translation>zugeführt</translation>
     </message>
     <message>
-        <source>held</source>
-        <translation>enthalten</translation>
+        <source>stored</source>
+        <translation>gespeichert</translation>
     </message>
     <message>
         <source>Energy (mJ)</source>
@@ -7885,16 +8055,16 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Finger</translation>
     </message>
     <message>
-        <source>Lean of the force</source>
+        <source>Tilt of the force</source>
         <translation>Neigung der Kraft</translation>
     </message>
     <message>
-        <source>farthest that the platform leans</source>
-        <translation>weiteste Neigung der Plattform</translation>
+        <source>maximum tilt of the platform</source>
+        <translation>größte Neigung der Plattform</translation>
     </message>
     <message>
-        <source>Lean (°), line: as far as the platform leans</source>
-        <translation>Neigung (°), Linie: so weit neigt sich die Plattform</translation>
+        <source>Tilt (°), line: limit of the platform</source>
+        <translation>Neigung (°), Linie: Grenze der Plattform</translation>
     </message>
     <message>
         <source>Depth of the fingers</source>
@@ -7913,7 +8083,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Zug</translation>
     </message>
     <message>
-        <source>Pull on the fold (N), dashed: its band</source>
+        <source>Pull on the fold (N), dashed: target band</source>
         <translation>Zug an der Falte (N), gestrichelt: Zielbereich</translation>
     </message>
     <message>
@@ -7926,14 +8096,14 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
     <message>
         <source>Force felt (N)</source>
-        <translation>Kraft gefühlt (N)</translation>
+        <translation>Gefühlte Kraft (N)</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
     <message>
-        <source>Sessions to compare with could not be listed.</source>
-        <translation>Sitzungen zum Vergleichen konnten nicht aufgelistet werden.</translation>
+        <source>The sessions for comparison could not be loaded.</source>
+        <translation>Die Vergleichssitzungen konnten nicht geladen werden.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7992,7 +8162,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>Second session beside it</source>
+        <source>Second session alongside</source>
         <translation>Zweite Sitzung daneben</translation>
     </message>
     <message>
@@ -8008,11 +8178,11 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>One picture on</source>
+        <source>One frame forward</source>
         <translation>Ein Bild vor</translation>
     </message>
     <message>
-        <source>One picture back</source>
+        <source>One frame back</source>
         <translation>Ein Bild zurück</translation>
     </message>
     <message>
@@ -8020,7 +8190,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Nächstes Ereignis</translation>
     </message>
     <message>
-        <source>Last event</source>
+        <source>Previous event</source>
         <translation>Voriges Ereignis</translation>
     </message>
     <message>
@@ -8048,7 +8218,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Die Aufzeichnung wurde gelöscht</translation>
     </message>
     <message>
-        <source>It was withdrawn at the person&apos;s wish. The scores are kept.</source>
+        <source>It was erased at the person&apos;s request. The scores are kept.</source>
         <translation>Sie wurde auf Wunsch der Person gelöscht. Die Wertungen bleiben erhalten.</translation>
     </message>
     <message>
@@ -8076,7 +8246,7 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Die Kommentare konnten nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>The comment was not stored. Its text is still there.</source>
+        <source>The comment was not saved. Its text is still here.</source>
         <translation>Der Kommentar wurde nicht gespeichert. Sein Text ist noch da.</translation>
     </message>
     <message>
@@ -8102,18 +8272,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>A session as it was recorded.
 
-Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time.
 
 Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
 
-Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.</source>
+Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
         <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
 
-Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende gehen an die Enden. Ein Klick in ein Diagramm führt ebenfalls dorthin.
+Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende springen zum Anfang und zum Ende. Ein Klick in ein Diagramm springt zu diesem Zeitpunkt.
 
 Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
 
-Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt, wenn der Durchgang hier beginnt, und sie wird an derselben Stelle gezeichnet.</translation>
+Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt zusammen mit dem Durchgang hier und wird an derselben Stelle gezeichnet.</translation>
     </message>
     <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
@@ -8136,27 +8306,27 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Knoten zeigen</translation>
     </message>
     <message>
-        <source>Where the lumps were, and what became of the findings</source>
-        <translation>Wo die Knoten waren und was aus den Funden wurde</translation>
+        <source>Where the lumps were, and how the findings were scored</source>
+        <translation>Wo die Knoten waren und wie die Funde gewertet wurden</translation>
     </message>
     <message>
         <source>Map of the whole trial</source>
         <translation>Karte des ganzen Durchgangs</translation>
     </message>
     <message>
-        <source>Off: the map as it was at this moment</source>
-        <translation>Aus: die Karte in diesem Augenblick</translation>
+        <source>Off: the map up to this moment</source>
+        <translation>Aus: die Karte bis zu diesem Augenblick</translation>
     </message>
     <message>
-        <source>Map: how hard</source>
-        <translation>Karte: wie fest</translation>
+        <source>Force map</source>
+        <translation>Kraftkarte</translation>
     </message>
     <message>
-        <source>On: how hard was pressed. Off: where was searched.</source>
-        <translation>An: wie fest gedrückt wurde. Aus: wo gesucht wurde.</translation>
+        <source>On: how hard the tissue was pressed. Off: where it was searched.</source>
+        <translation>An: wie fest gedrückt wurde. Aus: wo abgetastet wurde.</translation>
     </message>
     <message>
-        <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <source>Trial %1 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Durchgang %1 · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
     </message>
     <message>
@@ -8164,12 +8334,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Funde und Karten ließen sich aus der Aufzeichnung nicht lesen: %1</translation>
     </message>
     <message>
-        <source>Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <source>Trial %1 · %7 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Durchgang %1 · %7 · Kraft %2 · Neigung %3° · Tiefe %4 · abgetastet %5 % · Funde %6</translation>
     </message>
     <message>
         <source>force stopped</source>
-        <translation>Kraft angehalten</translation>
+        <translation>Kraft gestoppt</translation>
     </message>
     <message>
         <source>paused</source>
@@ -8187,16 +8357,16 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message>
-        <source>Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before the first participant.</source>
-        <translation>Simulierte Beobachter machen die Studie, ohne Wiedergabe. Wie sie sind, ist bekannt; so lassen sich Verzerrung und Genauigkeit vor der ersten Person angeben.</translation>
+        <source>Simulated observers run through the study without haptic rendering. Their true values are known, so bias and precision can be estimated before the first participant.</source>
+        <translation>Simulierte Beobachter durchlaufen die Studie ohne haptische Wiedergabe. Ihre wahren Werte sind bekannt; so lassen sich Verzerrung und Genauigkeit vor der ersten Person abschätzen.</translation>
     </message>
     <message>
         <source>Their Weber fraction</source>
         <translation>Ihr Weber-Bruch</translation>
     </message>
     <message>
-        <source>Answers that are guessed</source>
-        <translation>Geratene Antworten</translation>
+        <source>Lapse rate</source>
+        <translation>Lapse-Rate</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -8211,8 +8381,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Fortschritt der Vorschau</translation>
     </message>
     <message>
-        <source>The preview could not be made. %1</source>
-        <translation>Die Vorschau gelang nicht. %1</translation>
+        <source>The preview failed. %1</source>
+        <translation>Die Vorschau ist fehlgeschlagen. %1</translation>
     </message>
     <message>
         <source>expected bias of the Weber fraction</source>
@@ -8231,12 +8401,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Minuten, mit Pausen</translation>
     </message>
     <message>
-        <source>95 % intervals that hold the truth</source>
-        <translation>95-%-Intervalle, die die Wahrheit enthalten</translation>
+        <source>95 % intervals that contain the true value</source>
+        <translation>95-%-Intervalle, die den wahren Wert enthalten</translation>
     </message>
     <message>
-        <source>How the estimate settles with more trials</source>
-        <translation>Wie sich die Schätzung mit mehr Durchgängen setzt</translation>
+        <source>How the estimate converges with more trials</source>
+        <translation>Wie sich die Schätzung mit mehr Durchgängen stabilisiert</translation>
     </message>
     <message>
         <source>Trials of a run</source>
@@ -8247,10 +8417,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Weber-Bruch (%)</translation>
     </message>
     <message numerus="yes">
-        <source>middle of %n run(s)</source>
+        <source>median of %n run(s)</source>
         <translation>
             <numerusform>%n Lauf</numerusform>
-            <numerusform>Mitte von %n Läufen</numerusform>
+            <numerusform>Median von %n Läufen</numerusform>
         </translation>
     </message>
     <message>
@@ -8262,12 +8432,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>wahrer Wert</translation>
     </message>
     <message>
-        <source>They call equal, below (in σ)</source>
-        <translation>Gleich genannt wird unter (in σ)</translation>
+        <source>Equality threshold (σ)</source>
+        <translation>Gleichheitsschwelle (σ)</translation>
     </message>
     <message>
-        <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
-        <translation>Solange die Studie blind ist, sind die Bedingungen versiegelt und damit auch, was eine Vorschau sagen würde. Wer die Studie verfasst hat, kann eine machen.</translation>
+        <source>While the study is blinded, its conditions and the preview are sealed. Only the study&apos;s author can run a preview.</source>
+        <translation>Solange die Studie verblindet ist, sind ihre Bedingungen und die Vorschau versiegelt. Nur wer die Studie verfasst hat, kann eine Vorschau berechnen.</translation>
     </message>
     <message>
         <source>Runs per condition</source>
@@ -8278,8 +8448,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>±: ein Standardfehler bei so wenigen simulierten Durchläufen; mehr Durchläufe machen ihn kleiner.</translation>
     </message>
     <message>
-        <source>For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once.</source>
-        <translation>Für den Vergleich zweier Bedingungen wird angenommen, nicht simuliert, wie sich Personen unterscheiden. Änderungen zeigen sich sofort.</translation>
+        <source>For comparing two conditions, the variation between people is assumed, not simulated. Changes take effect at once.</source>
+        <translation>Für den Vergleich zweier Bedingungen wird die Streuung zwischen Personen angenommen, nicht simuliert. Änderungen wirken sofort.</translation>
     </message>
     <message>
         <source>Each participant does both conditions</source>
@@ -8302,7 +8472,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Signifikanzniveau, zweiseitig</translation>
     </message>
     <message>
-        <source>Power wanted</source>
+        <source>Desired power</source>
         <translation>Gewünschte Teststärke</translation>
     </message>
     <message>
@@ -8310,12 +8480,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>keines bis × 10</translation>
     </message>
     <message>
-        <source>smallest ratio found with %1 power by %2 participants who do both conditions</source>
-        <translation>kleinstes Verhältnis, das %2 Personen, die beide Bedingungen machen, mit %1 Teststärke finden</translation>
+        <source>smallest ratio detectable with %1 power by %2 participants who do both conditions</source>
+        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei %2 Personen in beiden Bedingungen nachweisen lässt</translation>
     </message>
     <message>
-        <source>smallest ratio found with %1 power by two groups of %2 participants</source>
-        <translation>kleinstes Verhältnis, das zwei Gruppen von je %2 Personen mit %1 Teststärke finden</translation>
+        <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
+        <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
     </message>
 </context>
 <context>
@@ -8341,16 +8511,16 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Falsche Antworten bis zum Schritt nach oben</translation>
     </message>
     <message>
-        <source>Step down : step up (0: as listed)</source>
-        <translation>Schritt ab : Schritt auf (0: wie aufgeführt)</translation>
+        <source>Step down : step up (0: from the lists)</source>
+        <translation>Schritt ab : Schritt auf (0: laut Listen)</translation>
     </message>
     <message>
-        <source>Steps are</source>
-        <translation>Schritte werden</translation>
+        <source>Step type</source>
+        <translation>Schrittart</translation>
     </message>
     <message>
-        <source>added</source>
-        <translation>addiert</translation>
+        <source>linear</source>
+        <translation>linear</translation>
     </message>
     <message>
         <source>in log10 units</source>
@@ -8377,8 +8547,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>1-auf/1-ab bis zur ersten Umkehrung</translation>
     </message>
     <message>
-        <source>Counters start anew at each step</source>
-        <translation>Zähler beginnen nach jedem Schritt neu</translation>
+        <source>Reset counters at each step</source>
+        <translation>Zähler nach jedem Schritt zurücksetzen</translation>
     </message>
     <message>
         <source>New step size at the reversal itself</source>
@@ -8389,7 +8559,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Im Bereich bleiben</translation>
     </message>
     <message>
-        <source>Proportion aimed at</source>
+        <source>Target proportion</source>
         <translation>Angestrebter Anteil</translation>
     </message>
     <message>
@@ -8409,28 +8579,28 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Größter Schritt</translation>
     </message>
     <message>
-        <source>Trials a level</source>
+        <source>Trials per level</source>
         <translation>Durchgänge je Stufe</translation>
     </message>
     <message>
         <source>In random order</source>
-        <translation>In zufälliger Folge</translation>
+        <translation>In zufälliger Reihenfolge</translation>
     </message>
     <message>
         <source>Levels (x)</source>
         <translation>Stufen (x)</translation>
     </message>
     <message>
-        <source>Presentations a level</source>
+        <source>Presentations per level</source>
         <translation>Darbietungen je Stufe</translation>
     </message>
     <message>
-        <source>Right ones to go on</source>
-        <translation>Richtige, um weiterzugehen</translation>
+        <source>Correct answers to go on</source>
+        <translation>Richtige Antworten zum Weitergehen</translation>
     </message>
     <message>
-        <source>Levels (x), falling</source>
-        <translation>Stufen (x), fallend</translation>
+        <source>Levels (x), descending</source>
+        <translation>Stufen (x), absteigend</translation>
     </message>
     <message>
         <source>Prior: mean threshold</source>
@@ -8445,15 +8615,15 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Steigung β</translation>
     </message>
     <message>
-        <source>Lapses δ</source>
-        <translation>Aussetzer δ</translation>
+        <source>Lapse rate δ</source>
+        <translation>Lapse-Rate δ</translation>
     </message>
     <message>
-        <source>Guesses γ</source>
-        <translation>Raten γ</translation>
+        <source>Guess rate γ</source>
+        <translation>Ratewahrscheinlichkeit γ</translation>
     </message>
     <message>
-        <source>Trials are placed at</source>
+        <source>Place trials at</source>
         <translation>Durchgänge liegen bei</translation>
     </message>
     <message>
@@ -8473,20 +8643,20 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Psychometrische Funktion</translation>
     </message>
     <message>
-        <source>Same stimulus in a row (0: any)</source>
-        <translation>Gleicher Reiz hintereinander (0: beliebig)</translation>
+        <source>Same stimulus in a row, at most (0: no limit)</source>
+        <translation>Gleicher Reiz in Folge, höchstens (0: unbegrenzt)</translation>
     </message>
     <message>
         <source>Share of catch trials</source>
         <translation>Anteil der Kontrolldurchgänge</translation>
     </message>
     <message>
-        <source>Grid of %1</source>
-        <translation>Raster von %1</translation>
+        <source>Grid: %1</source>
+        <translation>Raster: %1</translation>
     </message>
     <message>
-        <source>Grid of lapses</source>
-        <translation>Raster der Aussetzer</translation>
+        <source>Grid of lapse rates</source>
+        <translation>Raster der Lapse-Raten</translation>
     </message>
     <message>
         <source>Grid of noise (log10 σ)</source>
@@ -8497,35 +8667,35 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Änderung des Verfahrens</translation>
     </message>
     <message>
-        <source>Trials at most</source>
-        <translation>Höchstens Durchgänge</translation>
+        <source>Maximum trials</source>
+        <translation>Höchstzahl Durchgänge</translation>
     </message>
     <message>
-        <source>Trials at least</source>
-        <translation>Mindestens Durchgänge</translation>
+        <source>Minimum trials</source>
+        <translation>Mindestzahl Durchgänge</translation>
     </message>
     <message>
-        <source>Stop after reversals (0: no)</source>
-        <translation>Ende nach Umkehrungen (0: nein)</translation>
+        <source>Reversals until stop (0: never)</source>
+        <translation>Umkehrungen bis zum Ende (0: nie)</translation>
     </message>
     <message>
-        <source>Stop at precision, SD (0: no)</source>
-        <translation>Ende bei Genauigkeit, SD (0: nein)</translation>
+        <source>Stop at SD of estimate (0: never)</source>
+        <translation>Ende bei SD der Schätzung (0: nie)</translation>
     </message>
     <message>
-        <source>Grid of ties (in σ)</source>
-        <translation>Raster der Gleichstände (in σ)</translation>
+        <source>Grid of tie thresholds (in σ)</source>
+        <translation>Raster der Gleichstandsschwellen (in σ)</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::QualityBox</name>
     <message>
-        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could tell which condition is which. How well trials went can be seen here, by participant, over all conditions together.</source>
+        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could reveal which condition is which. This page shows how well the trials went, for each participant, across all conditions.</source>
         <translation>Ergebnisse bleiben versiegelt, bis die Studie entblindet ist: Antworten, Zeiten und sogar die Zahl der Durchgänge könnten verraten, welche Bedingung welche ist. Wie gut die Durchgänge liefen, steht hier für jede Person, über alle Bedingungen zusammen.</translation>
     </message>
     <message>
-        <source>How many trials there were is shown of those who have done every condition.</source>
-        <translation>Wie viele Durchgänge es waren, steht bei denen, die jede Bedingung erledigt haben.</translation>
+        <source>The number of trials is shown only for participants who have completed every condition.</source>
+        <translation>Die Zahl der Durchgänge steht nur bei Personen, die alle Bedingungen abgeschlossen haben.</translation>
     </message>
     <message>
         <source>Quality of the trials</source>
@@ -8575,11 +8745,11 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
 <context>
     <name>chiron::desktop::QuestionnaireForm</name>
     <message>
-        <source>%1 (may be left out)</source>
-        <translation>%1 (darf fehlen)</translation>
+        <source>%1 (optional)</source>
+        <translation>%1 (freiwillig)</translation>
     </message>
     <message>
-        <source>Please answer this one.</source>
+        <source>Please answer this question.</source>
         <translation>Bitte beantworten Sie diese Frage.</translation>
     </message>
     <message>
@@ -8598,12 +8768,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Fragebogen</translation>
     </message>
     <message>
-        <source>A participant answers these questions once.
+        <source>Each participant answers these questions once.
 
-Tab goes from question to question, the arrow keys move within a scale, Space chooses. What must be answered is marked when it is missing. The answers are stored under the participant&apos;s code as soon as they are handed in.</source>
-        <translation>Eine teilnehmende Person beantwortet diese Fragen einmal.
+Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
+        <translation>Jede Person beantwortet diese Fragen einmal.
 
-Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Leertaste wählt. Was beantwortet werden muss, wird gekennzeichnet, wenn es fehlt. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
+Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
     </message>
     <message>
         <source>Reading the questions …</source>
@@ -8626,7 +8796,7 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>There is no such questionnaire</source>
+        <source>This questionnaire does not exist</source>
         <translation>Diesen Fragebogen gibt es nicht</translation>
     </message>
     <message>
@@ -8634,13 +8804,13 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Person %1</translation>
     </message>
     <message>
-        <source>Hand in</source>
+        <source>Submit</source>
         <translation>Abgeben</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still here.
+        <source>The answers were not stored. They are still on this page.
 %1</source>
-        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch hier.
+        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite.
 %1</translation>
     </message>
     <message>
@@ -8648,7 +8818,7 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Danke. Die Antworten sind gespeichert.</translation>
     </message>
     <message>
-        <source>Leave without handing in?</source>
+        <source>Leave without submitting?</source>
         <translation>Verlassen ohne abzugeben?</translation>
     </message>
     <message>
@@ -8686,8 +8856,8 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Keine Antworten</translation>
     </message>
     <message>
-        <source>Median %1, middle half %2 to %3</source>
-        <translation>Median %1, mittlere Hälfte %2 bis %3</translation>
+        <source>Median %1, interquartile range %2 to %3</source>
+        <translation>Median %1, Interquartilbereich %2 bis %3</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -8709,8 +8879,8 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
     <message>
-        <source>Scale with words at its ends</source>
-        <translation>Skala mit Worten an den Enden</translation>
+        <source>Scale with labelled ends</source>
+        <translation>Skala mit beschrifteten Enden</translation>
     </message>
     <message>
         <source>Number</source>
@@ -8725,16 +8895,12 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Freier Text</translation>
     </message>
     <message>
-        <source>No questionnaires. They are answered once by each participant, before or after the runs, and kept beside the data.</source>
-        <translation>Keine Fragebögen. Jede Person beantwortet sie einmal, vor oder nach den Läufen; sie liegen neben den Daten.</translation>
+        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs. The answers are stored with the data.</source>
+        <translation>Keine Fragebögen. Jede Person beantwortet einen Fragebogen einmal, vor oder nach den Läufen. Die Antworten werden bei den Daten gespeichert.</translation>
     </message>
     <message>
         <source>Add a questionnaire</source>
         <translation>Fragebogen hinzufügen</translation>
-    </message>
-    <message>
-        <source>A questionnaire more</source>
-        <translation>Ein Fragebogen mehr</translation>
     </message>
     <message>
         <source>Title of the questionnaire</source>
@@ -8793,24 +8959,24 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Stufen</translation>
     </message>
     <message>
-        <source>Lowest means</source>
-        <translation>Niedrigste bedeutet</translation>
+        <source>Label at low end</source>
+        <translation>Beschriftung unten</translation>
     </message>
     <message>
-        <source>Highest means</source>
-        <translation>Höchste bedeutet</translation>
+        <source>Label at high end</source>
+        <translation>Beschriftung oben</translation>
     </message>
     <message>
-        <source>Lowest</source>
-        <translation>Niedrigste</translation>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
     </message>
     <message>
-        <source>Highest</source>
-        <translation>Höchste</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
-        <source>Choices, one a line</source>
-        <translation>Auswahl, je Zeile eine</translation>
+        <source>Choices, one per line</source>
+        <translation>Antworten, eine je Zeile</translation>
     </message>
     <message>
         <source>Must be answered</source>
@@ -8852,8 +9018,8 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Rangfolgen</translation>
     </message>
     <message>
-        <source>No ranking counts yet. Agreement and worths will be here as soon as one does.</source>
-        <translation>Noch zählt keine Rangfolge. Übereinstimmung und Werte stehen hier, sobald eine zählt.</translation>
+        <source>There are no scored rankings yet. Agreement and worths appear here after the first one.</source>
+        <translation>Noch ist keine Rangfolge gewertet. Übereinstimmung und Werte erscheinen hier nach der ersten.</translation>
     </message>
     <message numerus="yes">
         <source>%n ranking(s) of three objects; each is one judgement.</source>
@@ -8878,8 +9044,8 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>95 %: %1</translation>
     </message>
     <message>
-        <source>Whole orders right</source>
-        <translation>Ganze Rangfolgen richtig</translation>
+        <source>Completely correct orders</source>
+        <translation>Vollständig richtige Rangfolgen</translation>
     </message>
     <message>
         <source>%1 of %2; guessing gives 16.7 %.</source>
@@ -8890,20 +9056,20 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Kendalls τ</translation>
     </message>
     <message>
-        <source>Likeness to the true order: 1 the same, 0 no relation, −1 reversed.</source>
-        <translation>Ähnlichkeit mit der wahren Rangfolge: 1 gleich, 0 kein Zusammenhang, −1 umgekehrt.</translation>
+        <source>Similarity to the true order: 1 = identical, 0 = unrelated, −1 = reversed.</source>
+        <translation>Ähnlichkeit mit der wahren Rangfolge: 1 = gleich, 0 = kein Zusammenhang, −1 = umgekehrt.</translation>
     </message>
     <message>
         <source>Kendall&apos;s W</source>
         <translation>Kendalls W</translation>
     </message>
     <message>
-        <source>How far the rankings agree with each other: 0 not at all, 1 wholly.</source>
-        <translation>Wie weit die Rangfolgen übereinstimmen: 0 gar nicht, 1 völlig.</translation>
+        <source>How closely the rankings agree: 0 = not at all, 1 = completely.</source>
+        <translation>Wie stark die Rangfolgen übereinstimmen: 0 = gar nicht, 1 = völlig.</translation>
     </message>
     <message>
-        <source>How far the participants agree with each other: 0 not at all, 1 wholly.</source>
-        <translation>Wie weit die Personen übereinstimmen: 0 gar nicht, 1 völlig.</translation>
+        <source>How closely the participants agree: 0 = not at all, 1 = completely.</source>
+        <translation>Wie stark die Personen übereinstimmen: 0 = gar nicht, 1 = völlig.</translation>
     </message>
     <message>
         <source>Page&apos;s L</source>
@@ -8918,12 +9084,12 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Wert jedes Objekts</translation>
     </message>
     <message>
-        <source>How much more often an object was ranked above the others, by three models. Farther apart means easier to tell apart. All differences D of the run are taken together, and each ranking as independent of the others.</source>
-        <translation>Wie viel öfter ein Objekt über den anderen stand, nach drei Modellen. Je weiter auseinander, desto leichter zu unterscheiden. Alle Unterschiede D sind zusammengenommen, und jede Rangfolge gilt als unabhängig von den anderen.</translation>
+        <source>How much more often an object was ranked above the others, estimated by three models. The farther apart two values are, the easier the objects are to tell apart. All differences D of the run are pooled, and rankings are treated as independent of each other.</source>
+        <translation>Wie viel öfter ein Objekt über den anderen stand, geschätzt nach drei Modellen. Je weiter die Werte auseinanderliegen, desto leichter sind die Objekte zu unterscheiden. Alle Unterschiede D des Laufs sind zusammengefasst, und die Rangfolgen gelten als unabhängig voneinander.</translation>
     </message>
     <message>
-        <source>No worth is finite: some object was always, or never, ranked above the others. That is what a very clear difference looks like.</source>
-        <translation>Kein Wert ist endlich: Ein Objekt stand immer oder nie über den anderen. So sieht ein sehr deutlicher Unterschied aus.</translation>
+        <source>The worths cannot be estimated: an object was always, or never, ranked above the others. This happens when the difference is very clear.</source>
+        <translation>Die Werte lassen sich nicht schätzen: Ein Objekt stand immer oder nie über den anderen. Das kommt vor, wenn der Unterschied sehr deutlich ist.</translation>
     </message>
     <message>
         <source>Bradley-Terry</source>
@@ -8942,7 +9108,7 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>Thurstone</translation>
     </message>
     <message>
-        <source>Scale (sd of a difference)</source>
+        <source>Scale (SD of a difference)</source>
         <translation>Skala (SD einer Differenz)</translation>
     </message>
     <message>
@@ -8978,10 +9144,10 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
         <translation>nicht schätzbar</translation>
     </message>
     <message numerus="yes">
-        <source>In %n ranking(s) something was called equal.</source>
+        <source>%n ranking(s) contained ties.</source>
         <translation>
-            <numerusform>In %n Rangfolge wurde etwas gleich genannt.</numerusform>
-            <numerusform>In %n Rangfolgen wurde etwas gleich genannt.</numerusform>
+            <numerusform>%n Rangfolge enthielt einen Gleichstand.</numerusform>
+            <numerusform>%n Rangfolgen enthielten Gleichstände.</numerusform>
         </translation>
     </message>
     <message>
@@ -9017,14 +9183,55 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ReadyCard</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>To pass:
+•  %1</source>
+        <translation>Zum Bestehen:
+•  %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Resume (Enter)</source>
+        <translation>Weiter (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Go (Enter)</source>
+        <translation>Los (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Practise for a minute</source>
+        <translation>Eine Minute üben</translation>
+    </message>
+    <message>
+        <source>Try the controls here for a minute. It is recorded as a familiarisation and does not count.</source>
+        <translation>Probieren Sie hier eine Minute lang die Bedienung aus. Das wird als Eingewöhnung aufgezeichnet und zählt nicht.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Help for this screen</source>
+        <translation>Hilfe zu dieser Seite</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RecoveryCodePanel</name>
     <message>
         <source>Your recovery code</source>
         <translation>Ihr Wiederherstellungscode</translation>
     </message>
     <message>
-        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can let the first administrator in again. Keep it where you keep keys.</source>
-        <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf, und niemand sonst kann der ersten Administration wieder Zugang geben. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can restore the first administrator&apos;s access. Keep it as safe as your keys.</source>
+        <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf, und niemand sonst kann Ihnen wieder Zugang geben. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
     <message>
         <source>Recovery code: %1</source>
@@ -9055,7 +9262,7 @@ Tab geht von Frage zu Frage, die Pfeiltasten bewegen sich in einer Skala, die Le
 
 %2
 
-Keep it where you keep keys.</source>
+Keep it as safe as your keys.</source>
         <translation>Chiron: Wiederherstellungscode von %1
 
 %2
@@ -9070,12 +9277,12 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Passwort vergessen?</translation>
     </message>
     <message>
-        <source>Ask an administrator of this site: under People, &quot;Reset password&quot; gives you a new one to log in with. Your sessions and scores are kept.</source>
-        <translation>Fragen Sie die Administration dieses Standorts: Unter „Personen“ erhalten Sie mit „Passwort zurücksetzen“ ein neues zum Anmelden. Ihre Sitzungen und Wertungen bleiben erhalten.</translation>
+        <source>Ask an administrator of this site. Under People, they can give you a new password with &quot;Reset password&quot;. Your sessions and scores are kept.</source>
+        <translation>Wenden Sie sich an die Administration dieses Standorts: Sie kann Ihnen unter „Personen“ mit „Passwort zurücksetzen“ ein neues Passwort geben. Ihre Sitzungen und Wertungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
-        <translation>Die erste Administration kann den Wiederherstellungscode verwenden, der beim Einrichten des Standorts gezeigt wurde.</translation>
+        <translation>Wer den Standort eingerichtet hat, kann den Wiederherstellungscode verwenden, der dabei gezeigt wurde.</translation>
     </message>
     <message>
         <source>Login name</source>
@@ -9105,17 +9312,17 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Neues Passwort für %1</translation>
     </message>
     <message>
-        <source>The present password stops working at once. Sessions and scores are kept.</source>
-        <translation>Das jetzige Passwort gilt ab sofort nicht mehr. Sitzungen und Wertungen bleiben erhalten.</translation>
+        <source>The current password stops working at once. Sessions and scores are kept.</source>
+        <translation>Das bisherige Passwort gilt ab sofort nicht mehr. Sitzungen und Wertungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>Set the password</source>
         <translation>Passwort festlegen</translation>
     </message>
     <message>
-        <source>The password of %1 is as it was.
+        <source>The password of %1 was not changed.
 %2</source>
-        <translation>Das Passwort von %1 ist unverändert.
+        <translation>Das Passwort von %1 wurde nicht geändert.
 %2</translation>
     </message>
     <message>
@@ -9134,8 +9341,8 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Zurück zur Sicherung von %1?</translation>
     </message>
     <message>
-        <source>Everything recorded since then leaves the program. The present database is kept aside beside the new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
-        <translation>Alles seither Aufgezeichnete verschwindet aus dem Programm. Die jetzige Datenbank bleibt neben der neuen liegen, nichts wird gelöscht. Gelöschte Personen bleiben gelöscht. Alle werden abgemeldet.</translation>
+        <source>Everything recorded after this backup is removed from view. The current database is kept as a copy; nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
+        <translation>Alles, was nach dieser Sicherung aufgezeichnet wurde, ist nicht mehr zu sehen. Die jetzige Datenbank bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Alle werden abgemeldet.</translation>
     </message>
     <message>
         <source>Administrator</source>
@@ -9146,8 +9353,8 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Passwort</translation>
     </message>
     <message>
-        <source>The backup has another administrator or password</source>
-        <translation>Die Sicherung hat eine andere Administration oder ein anderes Passwort</translation>
+        <source>The backup has a different administrator or password</source>
+        <translation>In der Sicherung gilt ein anderes Administrationskonto oder Passwort</translation>
     </message>
     <message>
         <source>Administrator in the backup</source>
@@ -9158,7 +9365,7 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Passwort in der Sicherung</translation>
     </message>
     <message>
-        <source>Keep the present database</source>
+        <source>Keep the current database</source>
         <translation>Jetzige Datenbank behalten</translation>
     </message>
     <message>
@@ -9173,14 +9380,14 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>Meine Ergebnisse</translation>
     </message>
     <message>
-        <source>Every session you did, and how you are getting on.
+        <source>All your sessions, and your progress.
 
-Choose an exercise, a level and what is to be drawn. The curve has a point for each completed attempt; force that was felt and force that was only shown are lines of their own and are never compared. The line across is the pass mark, the band what others reached.
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
 
-Return or a double click opens an attempt. &quot;Export my data&quot; writes everything that is held about you into a folder of your choice.</source>
+Press Return or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
         <translation>Alle Ihre Sitzungen und wie Sie vorankommen.
 
-Wählen Sie eine Übung, eine Stufe und was gezeichnet werden soll. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; gefühlte und nur gezeigte Kraft haben eigene Linien und werden nie verglichen. Die Querlinie ist die Bestehensgrenze, der Bereich das, was andere erreicht haben.
+Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; gefühlte und nur gezeigte Kraft haben eigene Linien und werden nie verglichen. Die waagerechte Linie ist die Bestehensgrenze; der Bereich zeigt, was andere erreicht haben.
 
 Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren“ schreibt alles, was über Sie gespeichert ist, in einen Ordner Ihrer Wahl.</translation>
     </message>
@@ -9241,8 +9448,8 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Messgröße</translation>
     </message>
     <message>
-        <source>Where should your data go?</source>
-        <translation>Wohin sollen Ihre Daten?</translation>
+        <source>Choose a folder for your data</source>
+        <translation>Ordner für Ihre Daten wählen</translation>
     </message>
     <message>
         <source>Writing your data …</source>
@@ -9264,8 +9471,8 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
 <context>
     <name>chiron::desktop::RocBox</name>
     <message>
-        <source>How sure, and how right</source>
-        <translation>Wie sicher und wie richtig</translation>
+        <source>Confidence and accuracy (ROC)</source>
+        <translation>Sicherheit und Richtigkeit (ROC)</translation>
     </message>
     <message>
         <source>Reading the recordings …</source>
@@ -9287,7 +9494,7 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
 <context>
     <name>chiron::desktop::RoleChoice</name>
     <message>
-        <source>Trains, and sees own results</source>
+        <source>Trains and sees their own results</source>
         <translation>Trainiert und sieht die eigenen Ergebnisse</translation>
     </message>
     <message>
@@ -9299,11 +9506,11 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Sieht Sitzungen mit Code, ohne Namen</translation>
     </message>
     <message>
-        <source>Looks after people, storage and the station</source>
-        <translation>Betreut Personen, Speicher und Arbeitsplatz</translation>
+        <source>Manages people, storage and the station</source>
+        <translation>Verwaltet Personen, Speicher und Arbeitsplatz</translation>
     </message>
     <message>
-        <source>Roles (one at least)</source>
+        <source>Roles (at least one)</source>
         <translation>Rollen (mindestens eine)</translation>
     </message>
 </context>
@@ -9314,7 +9521,7 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Rollen von %1</translation>
     </message>
     <message>
-        <source>It takes effect at once, also for somebody who is logged in.</source>
+        <source>The change takes effect at once, even for people who are logged in.</source>
         <translation>Die Änderung gilt sofort, auch für Personen, die gerade angemeldet sind.</translation>
     </message>
     <message>
@@ -9326,8 +9533,8 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Die Rollen von %1 sind geändert.</translation>
     </message>
     <message>
-        <source>%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.</source>
-        <translation>%1 behält die Administration: Ein Standort braucht jemanden dafür, der sich anmelden kann. Geben Sie zuerst einer anderen Person diese Rolle.</translation>
+        <source>%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator first.</source>
+        <translation>%1 behält diese Rolle: Ein Standort braucht mindestens eine Person in der Administration, die sich anmelden kann. Geben Sie die Rolle zuerst jemand anderem.</translation>
     </message>
     <message>
         <source>The roles of %1 were not changed.
@@ -9373,8 +9580,8 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         </translation>
     </message>
     <message>
-        <source>Nothing can be imported yet: put these lines right in the file, then choose it again.</source>
-        <translation>Es kann noch nichts importiert werden: Berichtigen Sie diese Zeilen in der Datei und wählen Sie sie erneut.</translation>
+        <source>Nothing can be imported yet: correct these lines in the file, then choose it again.</source>
+        <translation>Es kann noch nichts importiert werden: Berichtigen Sie diese Zeilen in der Datei und wählen Sie die Datei erneut.</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -9433,12 +9640,12 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     <message>
         <source>Takes a participant through a study.
 
-Choose the study and the participant&apos;s code. The conditions come in the participant&apos;s own order; where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.
+Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too.
 
-A run that was interrupted goes on at the trial where it stopped.</source>
+An interrupted run resumes at the trial where it stopped.</source>
         <translation>Führt eine Person durch eine Studie.
 
-Wählen Sie die Studie und den Code der Person. Die Bedingungen kommen in ihrer eigenen Reihenfolge; wo die Versuchsleitung blind ist, unter versiegelten Codes. Auch die Fragebögen davor und danach werden hier beantwortet.
+Wählen Sie die Studie und den Code der Person. Die Bedingungen erscheinen in der Reihenfolge dieser Person; ist die Versuchsleitung verblindet, stehen sie unter versiegelten Codes. Auch die Fragebögen davor und danach werden hier beantwortet.
 
 Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</translation>
     </message>
@@ -9455,8 +9662,8 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Noch lässt sich keine Studie durchführen</translation>
     </message>
     <message>
-        <source>A study is run once its design is frozen and participants are enrolled.</source>
-        <translation>Eine Studie wird durchgeführt, sobald ihr Entwurf eingefroren ist und Personen aufgenommen sind.</translation>
+        <source>A study can be run as soon as its design is frozen and participants are enrolled.</source>
+        <translation>Eine Studie lässt sich durchführen, sobald ihr Entwurf eingefroren ist und Personen aufgenommen sind.</translation>
     </message>
     <message>
         <source>Open the studies</source>
@@ -9495,8 +9702,8 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>to come</source>
-        <translation>kommt noch</translation>
+        <source>not started yet</source>
+        <translation>noch nicht begonnen</translation>
     </message>
     <message>
         <source>Begin</source>
@@ -9543,8 +9750,8 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1 fortsetzen, wo unterbrochen wurde</translation>
     </message>
     <message>
-        <source>Others who were interrupted</source>
-        <translation>Andere, die unterbrochen wurden</translation>
+        <source>Other interrupted runs</source>
+        <translation>Weitere unterbrochene Läufe</translation>
     </message>
     <message>
         <source>interrupted, %1</source>
@@ -9569,7 +9776,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Person, Übung, Nummer</translation>
     </message>
     <message>
-        <source>Archived too</source>
+        <source>Include archived</source>
         <translation>Auch archivierte</translation>
     </message>
     <message>
@@ -9585,7 +9792,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Person</translation>
     </message>
     <message>
-        <source>Every exercise</source>
+        <source>All exercises</source>
         <translation>Alle Übungen</translation>
     </message>
     <message>
@@ -9593,7 +9800,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Übung</translation>
     </message>
     <message>
-        <source>Every level</source>
+        <source>All levels</source>
         <translation>Alle Stufen</translation>
     </message>
     <message>
@@ -9605,7 +9812,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Stufe %1</translation>
     </message>
     <message>
-        <source>Every state</source>
+        <source>All states</source>
         <translation>Alle Zustände</translation>
     </message>
     <message>
@@ -9613,7 +9820,7 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Every result</source>
+        <source>All results</source>
         <translation>Alle Ergebnisse</translation>
     </message>
     <message>
@@ -9723,8 +9930,8 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>versiegelt</translation>
     </message>
     <message>
-        <source>How long a sitting of a blinded study took is told once the study is unblinded.</source>
-        <translation>Wie lange eine Sitzung einer verblindeten Studie dauerte, wird angegeben, sobald die Studie entblindet ist.</translation>
+        <source>The length of a session in a blinded study is shown once the study is unblinded.</source>
+        <translation>Die Dauer einer Sitzung einer verblindeten Studie wird angezeigt, sobald die Studie entblindet ist.</translation>
     </message>
 </context>
 <context>
@@ -9798,16 +10005,16 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Sitzungen</translation>
     </message>
     <message>
-        <source>Every session that was recorded on this site, newest first.
+        <source>All sessions recorded at this site, newest first.
 
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column&apos;s head to sort by it.
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
 
-Enter or a double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.</source>
-        <translation>Jede an diesem Standort aufgezeichnete Sitzung, neueste zuerst.
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+        <translation>Alle an diesem Standort aufgezeichneten Sitzungen, neueste zuerst.
 
 Geben Sie etwas in das Suchfeld ein oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen; die Filter bleiben, wenn Sie zurückkommen. Ein Klick auf einen Spaltenkopf sortiert danach.
 
-Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Für ungültig erklären“ nimmt eine Sitzung mit Begründung aus jeder Zählung und behält sie. „Archivieren“ nimmt sie aus den üblichen Listen und lässt sich rückgängig machen.</translation>
+Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Für ungültig erklären“ nimmt eine Sitzung mit Begründung aus jeder Zählung; ihre Aufzeichnung bleibt erhalten. „Archivieren“ nimmt sie aus den üblichen Listen und lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Open the debrief</source>
@@ -9868,8 +10075,8 @@ Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Str
         <translation>Filter löschen</translation>
     </message>
     <message>
-        <source>A sitting of a blinded study can be looked at once the study is unblinded.</source>
-        <translation>Eine Sitzung einer verblindeten Studie lässt sich ansehen, sobald die Studie entblindet ist.</translation>
+        <source>A session of a blinded study can be opened once the study is unblinded.</source>
+        <translation>Eine Sitzung einer verblindeten Studie lässt sich öffnen, sobald die Studie entblindet ist.</translation>
     </message>
 </context>
 <context>
@@ -9935,12 +10142,12 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Eine Warnung über der Grenze</translation>
     </message>
     <message>
-        <source>Brighter when force leans</source>
-        <translation>Heller bei geneigter Kraft</translation>
+        <source>A brighter tone when force is tilted</source>
+        <translation>Ein hellerer Ton bei geneigter Kraft</translation>
     </message>
     <message>
-        <source>What can be heard is shown too. The force behind it is recorded, heard or not.</source>
-        <translation>Was zu hören ist, ist auch zu sehen. Die Kraft dahinter wird aufgezeichnet, gehört oder nicht.</translation>
+        <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
+        <translation>Alles Hörbare wird auch angezeigt. Die Kraft dahinter wird auch bei ausgeschaltetem Ton aufgezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -9999,12 +10206,12 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
 <context>
     <name>chiron::desktop::SoundSign</name>
     <message>
-        <source>What sounds</source>
-        <translation>Was klingt</translation>
+        <source>Current sound</source>
+        <translation>Aktueller Ton</translation>
     </message>
     <message>
-        <source>What can be heard: contact begins, how high the tone is, the warning</source>
-        <translation>Was zu hören ist: beginnende Berührung, Höhe des Tons, die Warnung</translation>
+        <source>Shows what can be heard: start of contact, pitch of the tone, warning</source>
+        <translation>Zeigt, was zu hören ist: Beginn der Berührung, Höhe des Tons, Warnung</translation>
     </message>
     <message>
         <source>Warning: pressed too hard</source>
@@ -10053,24 +10260,24 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Arbeitsplatz</translation>
     </message>
     <message>
-        <source>Looking at the station …</source>
+        <source>Checking the station …</source>
         <translation>Arbeitsplatz wird geprüft …</translation>
     </message>
     <message>
-        <source>The station could not be looked at.</source>
+        <source>The station could not be checked.</source>
         <translation>Der Arbeitsplatz konnte nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>Punctuality of the force loop</source>
-        <translation>Pünktlichkeit der Kraftregelung</translation>
+        <source>Timing of the force loop</source>
+        <translation>Zeitverhalten der Kraftregelung</translation>
     </message>
     <message>
         <source>Session %1, %2</source>
         <translation>Sitzung %1, %2</translation>
     </message>
     <message>
-        <source>None of the latest sessions ran against the clock, so nothing is known yet of how punctual this station is.</source>
-        <translation>Keine der letzten Sitzungen lief in Echtzeit; wie pünktlich dieser Arbeitsplatz ist, ist noch nicht bekannt.</translation>
+        <source>None of the latest sessions ran in real time, so it is not yet known how well this station keeps time.</source>
+        <translation>Keine der letzten Sitzungen lief in Echtzeit; wie gut dieser Arbeitsplatz den Takt hält, ist deshalb noch nicht bekannt.</translation>
     </message>
     <message>
         <source>Self-test without a device</source>
@@ -10085,8 +10292,8 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Die Administration kann ihn hier starten.</translation>
     </message>
     <message>
-        <source>This session was recorded before the spread of lateness was kept.</source>
-        <translation>Diese Sitzung wurde aufgezeichnet, bevor die Verteilung der Verspätung gespeichert wurde.</translation>
+        <source>This session was recorded before the program stored how delays are distributed.</source>
+        <translation>Als diese Sitzung aufgezeichnet wurde, speicherte das Programm die Verteilung der Verspätungen noch nicht.</translation>
     </message>
     <message>
         <source>The system said: %1</source>
@@ -10097,23 +10304,23 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>No device that makes force felt by a hand is connected: this version has no driver for one yet.</source>
-        <translation>Kein Gerät mit fühlbarer Kraft ist angeschlossen: Diese Version hat noch keinen Treiber dafür.</translation>
+        <source>No haptic device is connected: this version does not have a driver for one yet.</source>
+        <translation>Es ist kein haptisches Gerät angeschlossen: Diese Version hat noch keinen Treiber dafür.</translation>
     </message>
     <message>
-        <source>Room</source>
-        <translation>Platz</translation>
+        <source>Free space</source>
+        <translation>Freier Platz</translation>
     </message>
     <message>
-        <source>A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are free there.</source>
-        <translation>Eine laufende Sitzung hält ihre letzten Sekunden im Arbeitsspeicher, damit bei einem Absturz nichts verloren geht: %1 von %2, die dort frei sind.</translation>
+        <source>A running session keeps its last seconds in memory, so that a crash loses nothing. It needs %1 of the %2 that are free there.</source>
+        <translation>Eine laufende Sitzung hält ihre letzten Sekunden im Arbeitsspeicher, damit bei einem Absturz nichts verloren geht. Sie braucht %1 von %2, die dort frei sind.</translation>
     </message>
     <message>
         <source>Testing the loop. Do not use the computer meanwhile.</source>
         <translation>Die Regelung wird geprüft. Benutzen Sie den Computer währenddessen nicht.</translation>
     </message>
     <message>
-        <source>The self-test was stopped before its end.</source>
+        <source>The self-test was stopped before it finished.</source>
         <translation>Der Selbsttest wurde vorzeitig abgebrochen.</translation>
     </message>
     <message>
@@ -10121,8 +10328,8 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Die Fingerkuppen-Plattform wird geprüft.</translation>
     </message>
     <message>
-        <source>Write the record</source>
-        <translation>Protokoll schreiben</translation>
+        <source>Save the record</source>
+        <translation>Protokoll speichern</translation>
     </message>
     <message>
         <source>Fingertip platform.pdf</source>
@@ -10134,31 +10341,31 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     </message>
     <message>
         <source>%1, on %2</source>
-        <translation>%1, am %2</translation>
+        <translation>%1, auf %2</translation>
     </message>
     <message>
-        <source>The record was written to %1.</source>
-        <translation>Das Protokoll wurde in %1 geschrieben.</translation>
+        <source>The record was saved in %1.</source>
+        <translation>Das Protokoll wurde in %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The record could not be written.</source>
-        <translation>Das Protokoll konnte nicht geschrieben werden.</translation>
+        <source>The record could not be saved.</source>
+        <translation>Das Protokoll konnte nicht gespeichert werden.</translation>
     </message>
     <message>
-        <source>Whether this computer is fit to make force felt.
+        <source>Shows whether this computer is fast and regular enough for haptic force.
 
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
-The fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be printed.
+The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. The record can be printed.
 
-With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
-        <translation>Ob dieser Rechner geeignet ist, Kraft fühlbar zu machen.
+With real-time priority the loop stays on time whatever else the computer does. This screen shows whether the loop has that priority and how to permit it.</source>
+        <translation>Zeigt, ob dieser Computer geeignet ist, Kraft fühlbar zu machen.
 
-Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung, die gegen die Uhr lief, und in einem Selbsttest von zehn Sekunden ohne Gerät.
+Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung, die in Echtzeit lief, und in einem Selbsttest von zehn Sekunden ohne Gerät.
 
-Die Fingerkuppen-Plattform wird wie veröffentlicht geprüft: wie genau sie einer Kraft und einer Neigung folgt. Das Protokoll lässt sich drucken.
+Die Fingerkuppen-Plattform wird wie in ihrer Veröffentlichung geprüft: wie genau sie einer Kraft und einer Neigung folgt. Das Protokoll lässt sich drucken.
 
-Mit Echtzeitpriorität hält die Schleife ihre Zeit, was immer der Rechner sonst tut. Dieser Bildschirm sagt, ob sie sie hat und wie man sie erlaubt.</translation>
+Mit Echtzeitpriorität hält die Regelung ihren Takt, was immer der Computer sonst tut. Dieser Bildschirm zeigt, ob sie diese Priorität hat und wie man sie erlaubt.</translation>
     </message>
     <message>
         <source>Verify the fingertip platform</source>
@@ -10172,24 +10379,24 @@ Mit Echtzeitpriorität hält die Schleife ihre Zeit, was immer der Rechner sonst
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>Where everything that was recorded is kept, and whether it is safe.
+        <source>Shows where all recorded data is kept and whether it is safe.
 
-Back up now makes a copy beside the running program and checks it before it counts. Keep backups on another disk: choose the folder here.
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
 
-Verify reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
 
-Restore goes back to a backup. It asks an administrator for the password, keeps the present database aside, and logs everybody out.</source>
-        <translation>Wo alles Aufgezeichnete liegt und ob es sicher ist.
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Zeigt, wo alle aufgezeichneten Daten liegen und ob sie sicher sind.
 
 „Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
 
 „Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
 
-„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, legt die jetzige Datenbank beiseite und meldet alle ab.</translation>
+„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, bewahrt die jetzige Datenbank auf und meldet alle ab.</translation>
     </message>
     <message>
-        <source>Room</source>
-        <translation>Platz</translation>
+        <source>Free space</source>
+        <translation>Freier Platz</translation>
     </message>
     <message>
         <source>Database</source>
@@ -10248,12 +10455,12 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Reads every record, recomputes every score from its recording and follows the audit trail. It changes nothing.</source>
-        <translation>Liest jeden Datensatz, berechnet jede Wertung aus ihrer Aufzeichnung neu und verfolgt das Prüfprotokoll. Es ändert nichts.</translation>
+        <source>Reads every record, recomputes every score from its recording and checks the audit trail. It changes nothing.</source>
+        <translation>Liest jeden Datensatz, berechnet jede Wertung aus ihrer Aufzeichnung neu und kontrolliert das Prüfprotokoll. Dabei wird nichts geändert.</translation>
     </message>
     <message>
-        <source>What does not hold</source>
-        <translation>Was nicht stimmt</translation>
+        <source>Problems found</source>
+        <translation>Gefundene Probleme</translation>
     </message>
     <message>
         <source>What</source>
@@ -10276,8 +10483,8 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to leave this program with everything.</source>
-        <translation>Eine Sicherung und jede Tabelle als Text (JSON Lines, ohne Passwörter), zur Auswertung anderswo oder um dieses Programm mit allem zu verlassen.</translation>
+        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to move all data to another program.</source>
+        <translation>Eine Sicherung und jede Tabelle als Text (JSON Lines, ohne Passwörter), zur Auswertung anderswo oder um alle Daten in ein anderes Programm zu übernehmen.</translation>
     </message>
     <message>
         <source>Export the site …</source>
@@ -10288,10 +10495,10 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>%1 in %2</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n session(s)</source>
+        <source>%1 from %n session(s)</source>
         <translation>
-            <numerusform>%1 von %n Sitzung</numerusform>
-            <numerusform>%1 von %n Sitzungen</numerusform>
+            <numerusform>%1 aus %n Sitzung</numerusform>
+            <numerusform>%1 aus %n Sitzungen</numerusform>
         </translation>
     </message>
     <message>
@@ -10303,11 +10510,11 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Aufbewahrt in %1</translation>
     </message>
     <message>
-        <source>When it was made</source>
-        <translation>Wann sie erstellt wurde</translation>
+        <source>When created</source>
+        <translation>Bei der Erstellung</translation>
     </message>
     <message>
-        <source>Just now: it holds</source>
+        <source>Just now: intact</source>
         <translation>Gerade eben: in Ordnung</translation>
     </message>
     <message>
@@ -10315,27 +10522,27 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Gerade eben: beschädigt</translation>
     </message>
     <message>
-        <source>The restore must end first.</source>
-        <translation>Zuerst muss das Wiederherstellen enden.</translation>
+        <source>Wait until the restore has finished.</source>
+        <translation>Warten Sie, bis das Wiederherstellen beendet ist.</translation>
     </message>
     <message>
-        <source>The task that you started goes on.</source>
-        <translation>Die gestartete Aufgabe läuft weiter.</translation>
+        <source>The task that you started continues in the background.</source>
+        <translation>Die gestartete Aufgabe läuft im Hintergrund weiter.</translation>
     </message>
     <message>
-        <source>Looking at the storage …</source>
+        <source>Checking the storage …</source>
         <translation>Speicher wird geprüft …</translation>
     </message>
     <message>
-        <source>The storage could not be looked at.</source>
+        <source>The storage could not be checked.</source>
         <translation>Der Speicher konnte nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>Where to export to</source>
-        <translation>Wohin exportieren</translation>
+        <source>Folder for the export</source>
+        <translation>Ordner für den Export</translation>
     </message>
     <message>
-        <source>Where backups are kept</source>
+        <source>Folder for backups</source>
         <translation>Ordner für Sicherungen</translation>
     </message>
     <message>
@@ -10347,16 +10554,16 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Der Standort ist exportiert und geprüft: %1 in %2.</translation>
     </message>
     <message>
-        <source>The backup was stopped; nothing of it was kept.</source>
-        <translation>Die Sicherung wurde abgebrochen; nichts davon wurde behalten.</translation>
+        <source>The backup was stopped; nothing was saved.</source>
+        <translation>Die Sicherung wurde abgebrochen; es wurde nichts gespeichert.</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing of it was kept.</source>
-        <translation>Der Export wurde abgebrochen; nichts davon wurde behalten.</translation>
+        <source>The export was stopped; nothing was saved.</source>
+        <translation>Der Export wurde abgebrochen; es wurde nichts gespeichert.</translation>
     </message>
     <message>
-        <source>There is no new backup.</source>
-        <translation>Es gibt keine neue Sicherung.</translation>
+        <source>The backup was not made.</source>
+        <translation>Die Sicherung wurde nicht erstellt.</translation>
     </message>
     <message>
         <source>The site was not exported.</source>
@@ -10379,20 +10586,20 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Sicherung wird geprüft …</translation>
     </message>
     <message>
-        <source>Restoring the backup. The present database is kept aside.</source>
-        <translation>Die Sicherung wird wiederhergestellt. Die jetzige Datenbank bleibt beiseite erhalten.</translation>
+        <source>Restoring the backup. The current database is kept.</source>
+        <translation>Die Sicherung wird wiederhergestellt. Die jetzige Datenbank bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Nothing was restored. The present database is as it was.</source>
+        <source>Nothing was restored. The current database is unchanged.</source>
         <translation>Es wurde nichts wiederhergestellt. Die jetzige Datenbank ist unverändert.</translation>
     </message>
     <message>
-        <source>The present database could not be opened again.</source>
+        <source>The current database could not be opened again.</source>
         <translation>Die jetzige Datenbank konnte nicht wieder geöffnet werden.</translation>
     </message>
     <message>
-        <source>The backup is restored. The database that was here before is kept as %1. Please log in again.</source>
-        <translation>Die Sicherung ist wiederhergestellt. Die bisherige Datenbank bleibt als %1 erhalten. Bitte melden Sie sich neu an.</translation>
+        <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Die bisherige Datenbank bleibt als %1 erhalten. Bitte melden Sie sich neu an.</translation>
     </message>
 </context>
 <context>
@@ -10414,12 +10621,12 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Die Studie wurde nicht eingelesen.</translation>
     </message>
     <message>
-        <source>The study was not made.</source>
+        <source>The study was not created.</source>
         <translation>Die Studie wurde nicht angelegt.</translation>
     </message>
     <message>
-        <source>%1 is a new draft.</source>
-        <translation>%1 ist ein neuer Entwurf.</translation>
+        <source>%1 was created as a draft.</source>
+        <translation>%1 wurde als Entwurf angelegt.</translation>
     </message>
     <message>
         <source>%1 was not changed.</source>
@@ -10427,7 +10634,7 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
     <message>
         <source>%1 is archived: nothing was deleted.</source>
-        <translation>%1 ist archiviert: nichts wurde gelöscht.</translation>
+        <translation>%1 ist archiviert: Es wurde nichts gelöscht.</translation>
     </message>
     <message>
         <source>%1 is back in the list.</source>
@@ -10462,16 +10669,16 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Studien</translation>
     </message>
     <message>
-        <source>Every study of this site. A draft is designed and tried with simulated observers. Frozen, its design can never be changed again: its SHA-256 stands in every export, and participants are enrolled under random codes.
+        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
 
-New begins from a template or from nothing; Import reads a study from a JSON file. Return or a double click opens a study. Run takes a participant through it, Data shows what came of it.
+&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Return or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
 
-Close ends enrolment for good. Archive takes a study out of the list and can be undone.</source>
-        <translation>Alle Studien dieses Standorts. Ein Entwurf wird gestaltet und mit simulierten Beobachtern erprobt. Eingefroren ist er nie mehr zu ändern: sein SHA-256 steht in jedem Export, und Personen werden unter zufälligen Codes aufgenommen.
+&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
+        <translation>Alle Studien dieses Standorts. Ein Entwurf wird gestaltet und mit simulierten Beobachtern erprobt. Ist er eingefroren, lässt er sich nie mehr ändern: Sein SHA-256 steht in jedem Export, und Personen werden unter zufälligen Codes aufgenommen.
 
-Neu beginnt mit einer Vorlage oder mit nichts; Einlesen liest eine Studie aus einer JSON-Datei. Eingabetaste oder Doppelklick öffnet eine Studie. Durchführen führt eine Person hindurch, Daten zeigt, was herauskam.
+„Neue Studie“ beginnt mit einer Vorlage oder ganz leer; „Einlesen“ liest eine Studie aus einer JSON-Datei. Eingabetaste oder Doppelklick öffnet eine Studie. „Durchführen“ führt eine Person hindurch, „Daten“ zeigt die Ergebnisse.
 
-Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus der Liste und lässt sich rückgängig machen.</translation>
+„Schließen“ beendet die Aufnahme endgültig. „Archivieren“ nimmt eine Studie aus der Liste und lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>New study …</source>
@@ -10482,7 +10689,7 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Einlesen …</translation>
     </message>
     <message>
-        <source>Show archived ones</source>
+        <source>Show archived</source>
         <translation>Archivierte zeigen</translation>
     </message>
     <message>
@@ -10549,8 +10756,8 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Noch keine Studien</translation>
     </message>
     <message>
-        <source>Begin with a template: a ranking of three, a staircase or constant stimuli, ready to be changed.</source>
-        <translation>Beginnen Sie mit einer Vorlage: einer Rangfolge von dreien, einer Treppe oder konstanten Reizen, bereit zum Ändern.</translation>
+        <source>Start from a template and change it: a ranking of three, a staircase or constant stimuli.</source>
+        <translation>Beginnen Sie mit einer Vorlage und passen Sie sie an: Rangfolge von dreien, Treppe oder konstante Reize.</translation>
     </message>
     <message>
         <source>none</source>
@@ -10578,7 +10785,7 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
     </message>
     <message>
         <source>The design is still a draft: freeze it first.</source>
-        <translation>Noch ist es ein Entwurf: Frieren Sie ihn zuerst ein.</translation>
+        <translation>Der Entwurf ist noch nicht eingefroren: Frieren Sie ihn zuerst ein.</translation>
     </message>
     <message>
         <source>The study is archived: bring it back first.</source>
@@ -10612,16 +10819,16 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Als CSV exportieren</translation>
     </message>
     <message>
-        <source>Write a PDF</source>
-        <translation>PDF schreiben</translation>
+        <source>Save as PDF</source>
+        <translation>Als PDF speichern</translation>
     </message>
     <message>
         <source>Export as BIDS</source>
         <translation>Als BIDS exportieren</translation>
     </message>
     <message>
-        <source>Where should the folder go?</source>
-        <translation>Wohin soll der Ordner?</translation>
+        <source>Choose a location for the folder</source>
+        <translation>Speicherort für den Ordner wählen</translation>
     </message>
     <message>
         <source>Writing the tables …</source>
@@ -10653,7 +10860,7 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
     </message>
     <message>
         <source>The report was written to %1.</source>
-        <translation>Der Bericht liegt in %1.</translation>
+        <translation>Der Bericht wurde in %1 geschrieben.</translation>
     </message>
     <message>
         <source>The report could not be written.</source>
@@ -10676,8 +10883,8 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>Noch keine Daten</translation>
     </message>
     <message>
-        <source>Data come from frozen studies that participants took part in.</source>
-        <translation>Daten kommen von eingefrorenen Studien, an denen Personen teilgenommen haben.</translation>
+        <source>Data appear here once participants have taken part in a frozen study.</source>
+        <translation>Daten erscheinen hier, sobald Personen an einer eingefrorenen Studie teilgenommen haben.</translation>
     </message>
     <message>
         <source>Open the studies</source>
@@ -10738,24 +10945,24 @@ Schließen beendet die Aufnahme endgültig. Archivieren nimmt eine Studie aus de
         <translation>entblindet</translation>
     </message>
     <message>
-        <source>blind: conditions by sealed codes</source>
-        <translation>blind: Bedingungen unter versiegelten Codes</translation>
+        <source>blind: conditions shown by sealed codes</source>
+        <translation>verblindet: Bedingungen unter versiegelten Codes</translation>
     </message>
     <message>
-        <source>What came of a study.
+        <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires.
 
-Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is recorded and cannot be undone.</source>
-        <translation>Was bei einer Studie herauskam.
+You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
+        <translation>Die Ergebnisse einer Studie.
 
-Gruppe zeigt den Weber-Bruch jeder Person mit seinem Intervall, Bedingung für Bedingung, und Warnungen in Worten. Person zeigt die Kurve eines Laufs mit ihren Daten. Durchgänge führt jede Darbietung mit ihrer Wiedergabetreue auf; was nicht zählte, sagt warum. Fragen fasst die Fragebögen zusammen.
+„Gruppe“ zeigt den Weber-Bruch jeder Person mit seinem Intervall für jede Bedingung sowie Warnungen. „Person“ zeigt die Kurve eines Laufs mit ihren Daten. „Durchgänge“ führt jede Darbietung mit ihrer Wiedergabetreue auf und sagt, warum eine nicht zählt. „Fragen“ fasst die Fragebögen zusammen.
 
-Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung blind ist, stehen Bedingungen unter versiegelten Codes, und von ihren Läufen ist nur zu sehen, wie gut die Durchgänge jeder Person liefen; das Entblinden verlangt einen Grund, wird festgehalten und lässt sich nicht rückgängig machen.</translation>
+Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung verblindet ist, stehen die Bedingungen unter versiegelten Codes, und von ihren Läufen sehen Sie nur, wie gut die Durchgänge jeder Person liefen. Das Entblinden verlangt einen Grund, wird festgehalten und lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
-        <source>Groups hold runs that were shown, not felt</source>
-        <translation>Gruppen enthalten auch gezeigte, nicht gefühlte Läufe</translation>
+        <source>Groups include runs with force shown, not felt</source>
+        <translation>Gruppen enthalten auch Läufe mit gezeigter, nicht gefühlter Kraft</translation>
     </message>
 </context>
 <context>
@@ -10765,16 +10972,16 @@ Exportiert werden Tabellen (CSV), ein BIDS-Datensatz oder ein PDF; in jedem steh
         <translation>Studie</translation>
     </message>
     <message>
-        <source>One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and what is wrong is said above the page.
+        <source>One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and errors are shown above the page.
 
-Conditions say what is compared, by which task and procedure. Preview lets simulated observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random codes and records their consent.
+Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people under random codes and records their consent.
 
-Freeze fixes the design for good under its SHA-256; participants can be enrolled from then on.</source>
-        <translation>Eine Studie. Solange sie Entwurf ist, lässt sich alles ändern; was vollständig ist, wird sofort behalten, Strg+Z nimmt einen Schritt zurück, und was nicht stimmt, steht über der Seite.
+Freeze fixes the design permanently under its SHA-256; participants can be enrolled from then on.</source>
+        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und Fehler werden über der Seite angezeigt.
 
-Bedingungen sagen, was verglichen wird, mit welcher Aufgabe und welchem Verfahren. Vorschau lässt simulierte Beobachter die Studie machen und zeigt, welche Genauigkeit, wie viele Durchgänge und wie viel Zeit zu erwarten sind. Teilnehmende nimmt Personen unter zufälligen Codes auf und hält ihre Einwilligung fest.
+„Bedingungen“ legt fest, was verglichen wird, mit welcher Aufgabe und welchem Verfahren. „Vorschau“ führt die Studie mit simulierten Beobachtern durch und zeigt, welche Genauigkeit, wie viele Durchgänge und wie viel Zeit zu erwarten sind. „Teilnehmende“ nimmt Personen unter zufälligen Codes auf und hält ihre Einwilligung fest.
 
-Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an können Personen aufgenommen werden.</translation>
+„Einfrieren“ legt den Entwurf unter seinem SHA-256 endgültig fest; von da an können Personen aufgenommen werden.</translation>
     </message>
     <message>
         <source>Reading the study …</source>
@@ -10789,8 +10996,8 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
         <translation>Teile der Studie</translation>
     </message>
     <message>
-        <source>About</source>
-        <translation>Über</translation>
+        <source>General</source>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Conditions</source>
@@ -10852,15 +11059,15 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
         </translation>
     </message>
     <message>
-        <source>Not kept yet, because this is not right:
+        <source>Not saved yet. Correct this first:
 %1</source>
-        <translation>Noch nicht behalten, weil dies nicht stimmt:
+        <translation>Noch nicht gespeichert. Korrigieren Sie zuerst:
 %1</translation>
     </message>
     <message>
-        <source>The draft could not be kept.
+        <source>The draft could not be saved.
 %1</source>
-        <translation>Der Entwurf konnte nicht behalten werden.
+        <translation>Der Entwurf konnte nicht gespeichert werden.
 %1</translation>
     </message>
     <message>
@@ -10881,31 +11088,31 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
     </message>
     <message>
         <source>blind</source>
-        <translation>blind</translation>
+        <translation>verblindet</translation>
     </message>
     <message>
-        <source>everything is kept</source>
-        <translation>alles ist behalten</translation>
+        <source>all changes saved</source>
+        <translation>alles gespeichert</translation>
     </message>
     <message>
-        <source>keeping …</source>
-        <translation>wird behalten …</translation>
+        <source>saving …</source>
+        <translation>wird gespeichert …</translation>
     </message>
     <message>
-        <source>not kept</source>
-        <translation>nicht behalten</translation>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
     </message>
     <message>
-        <source>The draft could not be kept.</source>
-        <translation>Der Entwurf konnte nicht behalten werden.</translation>
+        <source>The draft could not be saved.</source>
+        <translation>Der Entwurf konnte nicht gespeichert werden.</translation>
     </message>
     <message>
         <source>Leave without the last changes?</source>
-        <translation>Ohne die letzten Änderungen gehen?</translation>
+        <translation>Ohne die letzten Änderungen verlassen?</translation>
     </message>
     <message>
-        <source>The design is not right yet, so its last changes are not kept. What was right before is.</source>
-        <translation>Der Entwurf stimmt noch nicht, darum sind seine letzten Änderungen nicht behalten. Was vorher stimmte, ist es.</translation>
+        <source>The design still has errors, so the last changes were not saved. The last version without errors is saved.</source>
+        <translation>Der Entwurf enthält noch Fehler, darum wurden die letzten Änderungen nicht gespeichert. Die letzte fehlerfreie Fassung ist gespeichert.</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -10916,17 +11123,17 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
         <translation>Verlassen</translation>
     </message>
     <message>
-        <source>Take the design of a file</source>
-        <translation>Entwurf aus einer Datei übernehmen</translation>
+        <source>Import a design from a file</source>
+        <translation>Entwurf aus einer Datei einlesen</translation>
     </message>
     <message>
         <source>Studies (*.json)</source>
         <translation>Studien (*.json)</translation>
     </message>
     <message>
-        <source>The file was not taken:
+        <source>The file was not imported:
 %1</source>
-        <translation>Die Datei wurde nicht übernommen:
+        <translation>Die Datei wurde nicht eingelesen:
 %1</translation>
     </message>
     <message>
@@ -10942,15 +11149,15 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
         <translation>Der Entwurf wurde nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The design is saved in %1.</source>
-        <translation>Der Entwurf liegt in %1.</translation>
+        <source>The design was saved in %1.</source>
+        <translation>Der Entwurf wurde in %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The design has to be right before it can be frozen.</source>
+        <source>The design must be free of errors before it can be frozen.</source>
         <translation>Der Entwurf muss fehlerfrei sein, bevor er eingefroren werden kann.</translation>
     </message>
     <message>
-        <source>The last changes are still being kept.</source>
+        <source>The last changes are still being saved.</source>
         <translation>Die letzten Änderungen werden noch gespeichert.</translation>
     </message>
 </context>
@@ -11103,18 +11310,18 @@ Einfrieren legt den Entwurf unter seinem SHA-256 endgültig fest; von da an kön
         <translation>Nach dem letzten Durchgang öffnet sich die Auswertung von selbst.</translation>
     </message>
     <message>
-        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+        <source>This is where you train. The scene is on the left, the measurements are on the right and the controls are below. Each level shows only what belongs to it; what is hidden is still recorded.
 
 %1
 
-Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+Stop force switches the force off at once and stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
 
 %2</source>
-        <translation>Hier arbeiten Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Eine Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
+        <translation>Hier trainieren Sie. Links sehen Sie die Szene, rechts die Messwerte, unten die Bedienelemente. Jede Stufe zeigt nur, was zu ihr gehört; Verborgenes wird trotzdem aufgezeichnet.
 
 %1
 
-„Kraft stoppen“ nimmt die Kraft sofort weg, und die Uhr steht. „Freigeben“ bringt sie langsam zurück. „Pause“ lässt alles, wie es ist. „Neu beginnen“ bewahrt den bisherigen Versuch als abgebrochen auf und beginnt einen neuen von vorn.
+„Kraft stoppen“ schaltet die Kraft sofort ab und hält die Uhr an. „Freigeben“ bringt die Kraft langsam zurück. „Pause“ lässt alles, wie es ist. „Neu beginnen“ bewahrt den bisherigen Versuch als abgebrochen auf und beginnt einen neuen von vorn.
 
 %2</translation>
     </message>
@@ -11131,7 +11338,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Nächsten Fund wählen</translation>
     </message>
     <message>
-        <source>Take the selected finding back</source>
+        <source>Take back the selected finding</source>
         <translation>Gewählten Fund zurücknehmen</translation>
     </message>
     <message>
@@ -11143,8 +11350,35 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Zeiger freigeben, um mit der Maus zu bewerten</translation>
     </message>
     <message>
-        <source>Map: where, or how hard</source>
-        <translation>Karte: wo oder wie fest</translation>
+        <source>Map: searched area or force</source>
+        <translation>Karte: abgetastete Fläche oder Kraft</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Kraft ist gestoppt</translation>
+    </message>
+    <message>
+        <source>The clock is stopped. Press Re-arm or R to go on.</source>
+        <translation>Die Uhr steht. Drücken Sie „Freigeben“ oder R, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The clock is stopped. Press Resume or Space to go on.</source>
+        <translation>Die Uhr steht. Drücken Sie „Weiter“ oder die Leertaste, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>Force limit: %1 N. %2.</source>
+        <translation>Kraftgrenze: %1 N. %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go or move the tool with a key.</source>
+        <translation>
+            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Los“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Los“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11154,7 +11388,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Zum Anfang (Pos1)</translation>
     </message>
     <message>
-        <source>One picture back (Left)</source>
+        <source>One frame back (Left)</source>
         <translation>Ein Bild zurück (Links)</translation>
     </message>
     <message>
@@ -11162,7 +11396,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>One picture on (Right)</source>
+        <source>One frame forward (Right)</source>
         <translation>Ein Bild vor (Rechts)</translation>
     </message>
     <message>
@@ -11221,12 +11455,12 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Regeln eines Durchgangs</translation>
     </message>
     <message>
-        <source>Time to explore (0: any)</source>
-        <translation>Zeit zum Erkunden (0: beliebig)</translation>
+        <source>Time to explore (0: no limit)</source>
+        <translation>Zeit zum Erkunden (0: unbegrenzt)</translation>
     </message>
     <message>
-        <source>Time to answer (0: any)</source>
-        <translation>Zeit zum Antworten (0: beliebig)</translation>
+        <source>Time to answer (0: no limit)</source>
+        <translation>Zeit zum Antworten (0: unbegrenzt)</translation>
     </message>
     <message>
         <source>Between trials</source>
@@ -11237,20 +11471,20 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Übungsdurchgänge</translation>
     </message>
     <message>
-        <source>Break every (trials; 0: none)</source>
-        <translation>Pause nach (Durchgängen; 0: keine)</translation>
+        <source>Break after (trials; 0: never)</source>
+        <translation>Pause nach (Durchgänge; 0: nie)</translation>
     </message>
     <message>
-        <source>Break of at least</source>
-        <translation>Pause mindestens</translation>
+        <source>Minimum break</source>
+        <translation>Mindestdauer der Pause</translation>
     </message>
     <message>
-        <source>Say whether an answer was right</source>
-        <translation>Antwort bewerten</translation>
+        <source>Feedback: right or wrong</source>
+        <translation>Rückmeldung richtig/falsch</translation>
     </message>
     <message>
         <source>Masking sound</source>
-        <translation>Maskierendes Geräusch</translation>
+        <translation>Maskierungsgeräusch</translation>
     </message>
     <message>
         <source>Show the objects, all alike</source>
@@ -11265,8 +11499,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Wiedergabetreue eines Durchgangs</translation>
     </message>
     <message>
-        <source>A trial beyond these is not scored and presented again.</source>
-        <translation>Ein Durchgang jenseits davon zählt nicht und wird noch einmal dargeboten.</translation>
+        <source>A trial outside these limits is not scored and is presented again.</source>
+        <translation>Ein Durchgang außerhalb dieser Grenzen zählt nicht und wird wiederholt.</translation>
     </message>
     <message>
         <source>Limits of fidelity</source>
@@ -11297,8 +11531,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Mittlere Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Repeats of one trial at most</source>
-        <translation>Höchstens Wiederholungen eines Durchgangs</translation>
+        <source>Maximum repeats of one trial</source>
+        <translation>Höchstzahl der Wiederholungen</translation>
     </message>
 </context>
 <context>
@@ -11360,16 +11594,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Nummer der Darbietung</translation>
     </message>
     <message>
-        <source>How much more the object had</source>
-        <translation>Um wie viel mehr der Gegenstand hatte</translation>
+        <source>By how much the object exceeded the reference</source>
+        <translation>Um wie viel das Objekt über der Referenz lag</translation>
     </message>
     <message>
         <source>What the participant said</source>
         <translation>Was die Person sagte</translation>
     </message>
     <message>
-        <source>Whether the trial counts, and why not</source>
-        <translation>Ob der Durchgang zählt, und warum nicht</translation>
+        <source>Whether the trial counts, and if not, why</source>
+        <translation>Ob der Durchgang zählt, und wenn nicht, warum</translation>
     </message>
     <message>
         <source>Time until the answer</source>
@@ -11381,14 +11615,14 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Mean speed of the tool</source>
-        <translation>Mittlere Geschwindigkeit des Werkzeugs</translation>
+        <translation>Mittlere Geschwindigkeit des Instruments</translation>
     </message>
     <message>
-        <source>Share of ticks that came late</source>
+        <source>Share of late ticks</source>
         <translation>Anteil verspäteter Takte</translation>
     </message>
     <message>
-        <source>How far the felt value was from the one asked for</source>
+        <source>How far the felt value was from the requested one</source>
         <translation>Wie weit der gefühlte Wert vom verlangten abwich</translation>
     </message>
     <message>
@@ -11400,7 +11634,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Späte Takte</translation>
     </message>
     <message>
-        <source>Felt off by</source>
+        <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
 </context>
@@ -11435,16 +11669,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Die nächsten Objekte kommen. Heben Sie das Instrument ab.</translation>
     </message>
     <message>
-        <source>Force is coming. Hold still for a moment.</source>
+        <source>Force is starting. Hold still for a moment.</source>
         <translation>Die Kraft setzt ein. Halten Sie einen Moment still.</translation>
     </message>
     <message>
-        <source>Right.</source>
+        <source>Correct.</source>
         <translation>Richtig.</translation>
     </message>
     <message>
-        <source>Not this time.</source>
-        <translation>Diesmal nicht.</translation>
+        <source>Wrong.</source>
+        <translation>Falsch.</translation>
     </message>
     <message>
         <source>Touch every object first.</source>
@@ -11459,22 +11693,22 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Einen Moment …</translation>
     </message>
     <message>
-        <source>A break</source>
-        <translation>Eine Pause</translation>
+        <source>Break</source>
+        <translation>Pause</translation>
     </message>
     <message numerus="yes">
-        <source>Rest your hand. It can go on in %n second(s).</source>
+        <source>Rest your hand. You can continue in %n second(s).</source>
         <translation>
-            <numerusform>Ruhen Sie Ihre Hand aus. In %n Sekunde kann es weitergehen.</numerusform>
-            <numerusform>Ruhen Sie Ihre Hand aus. In %n Sekunden kann es weitergehen.</numerusform>
+            <numerusform>Lassen Sie die Hand ruhen. In %n Sekunde geht es weiter.</numerusform>
+            <numerusform>Lassen Sie die Hand ruhen. In %n Sekunden geht es weiter.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Whenever you are ready.</source>
-        <translation>Wenn Sie bereit sind.</translation>
+        <source>Continue when you are ready.</source>
+        <translation>Machen Sie weiter, wenn Sie bereit sind.</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Weiter</translation>
     </message>
     <message>
@@ -11482,8 +11716,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Bitte fragen Sie die Versuchsleitung</translation>
     </message>
     <message>
-        <source>The last trial could not be shown well enough, several times.</source>
-        <translation>Der letzte Durchgang konnte mehrmals nicht gut genug dargeboten werden.</translation>
+        <source>The last trial could not be presented accurately enough, even after several attempts.</source>
+        <translation>Der letzte Durchgang konnte auch nach mehreren Versuchen nicht genau genug dargeboten werden.</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -11491,7 +11725,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Everything so far is kept.</source>
-        <translation>Alles bisher ist behalten.</translation>
+        <translation>Alles Bisherige bleibt erhalten.</translation>
     </message>
     <message>
         <source>Thank you</source>
@@ -11499,10 +11733,10 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>This part is done.</source>
-        <translation>Dieser Teil ist fertig.</translation>
+        <translation>Dieser Teil ist abgeschlossen.</translation>
     </message>
     <message>
-        <source>The answer was not taken.</source>
+        <source>The answer was not accepted.</source>
         <translation>Die Antwort wurde nicht angenommen.</translation>
     </message>
     <message>
@@ -11510,8 +11744,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Diese Sitzung anhalten?</translation>
     </message>
     <message>
-        <source>Every answered trial is kept. It goes on later at the same trial.</source>
-        <translation>Jeder beantwortete Durchgang ist behalten. Es geht später bei demselben Durchgang weiter.</translation>
+        <source>All answered trials are kept. The run continues later at the same trial.</source>
+        <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht später beim selben Durchgang weiter.</translation>
     </message>
     <message>
         <source>Keep going</source>
@@ -11526,8 +11760,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Diese Bedingung ist abgeschlossen.</translation>
     </message>
     <message>
-        <source>Every answered trial is kept. The run goes on at the same trial.</source>
-        <translation>Jeder beantwortete Durchgang ist behalten. Der Lauf geht bei demselben Durchgang weiter.</translation>
+        <source>All answered trials are kept. The run continues at the same trial.</source>
+        <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht beim selben Durchgang weiter.</translation>
     </message>
     <message>
         <source>The sitting could not be run</source>
@@ -11546,8 +11780,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Sitzung anhalten</translation>
     </message>
     <message>
-        <source>How far this part is</source>
-        <translation>Wie weit dieser Teil ist</translation>
+        <source>Progress of this part</source>
+        <translation>Fortschritt dieses Teils</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -11555,7 +11789,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Masking sound on or off</source>
-        <translation>Maskierendes Geräusch an oder aus</translation>
+        <translation>Maskierungsgeräusch an oder aus</translation>
     </message>
     <message>
         <source>Experimenter (F2)</source>
@@ -11572,14 +11806,14 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Here a participant explores objects and answers.
 
-The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+Move the tool with the mouse; raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the keys shown on them.
 
-Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. F2 shows the experimenter&apos;s view: progress, estimate, fidelity of the last trial, and the button that discards a trial. All answered trials are kept; a stopped run continues later at the same trial.</source>
         <translation>Hier erkundet eine Person Objekte und antwortet.
 
-Die Maus bewegt das Instrument; Rad oder Bild auf und Bild ab heben und senken es. T gibt den Zeiger frei, ein Klick in die Szene nimmt ihn wieder. Geantwortet wird mit den Knöpfen oder den Tasten, die darauf stehen.
+Bewegen Sie das Instrument mit der Maus; heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein. Antworten Sie mit den Knöpfen oder den Tasten, die darauf stehen.
 
-Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zurück; noch einmal Esc fragt, ob die Sitzung angehalten werden soll. F2 zeigt die Seite der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Jeder beantwortete Durchgang wird behalten; Angehaltenes geht später bei demselben Durchgang weiter.</translation>
+Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zurück; noch einmal Esc fragt, ob die Sitzung angehalten werden soll. F2 zeigt die Ansicht der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Alle beantworteten Durchgänge bleiben erhalten; ein angehaltener Lauf geht später beim selben Durchgang weiter.</translation>
     </message>
     <message>
         <source>Stop force</source>
@@ -11590,20 +11824,20 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Kraft freigeben</translation>
     </message>
     <message>
-        <source>The next one is coming. Lift the tool off.</source>
-        <translation>Die nächste kommt. Heben Sie das Instrument ab.</translation>
+        <source>The next sphere is coming. Lift the tool off.</source>
+        <translation>Die nächste Kugel kommt. Heben Sie das Instrument ab.</translation>
     </message>
     <message>
-        <source>%1 mm beside the highest point.</source>
-        <translation>%1 mm neben dem höchsten Punkt.</translation>
+        <source>%1 mm from the highest point.</source>
+        <translation>%1 mm vom höchsten Punkt entfernt.</translation>
     </message>
     <message>
-        <source>Click or press Enter where it is highest.</source>
-        <translation>Klicken Sie oder drücken Sie Enter, wo die Kugel am höchsten ist.</translation>
+        <source>Click or press Enter at the highest point.</source>
+        <translation>Klicken Sie am höchsten Punkt oder drücken Sie dort Enter.</translation>
     </message>
     <message>
-        <source>Feel for it first.</source>
-        <translation>Tasten Sie erst danach.</translation>
+        <source>Feel for the sphere first.</source>
+        <translation>Ertasten Sie zuerst die Kugel.</translation>
     </message>
     <message>
         <source>The clock stands still and everything so far is kept.</source>
@@ -11618,28 +11852,28 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Freigeben (R)</translation>
     </message>
     <message>
-        <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
-        <translation>Die Kugel ist zu steif für dieses Gerät: Verlangt sind %1 N/m, und bei seiner Verzögerung gibt es ohne Zittern höchstens %2 N/m wieder. Nehmen Sie ein schnelleres Gerät, oder planen Sie in einer anderen Studie eine weichere Kugel.</translation>
+        <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
+        <translation>Die Kugel ist zu steif für dieses Gerät: Verlangt sind %1 N/m, bei seiner Verzögerung kann es aber höchstens %2 N/m stabil darstellen. Nehmen Sie ein schnelleres Gerät, oder planen Sie in einer anderen Studie eine weichere Kugel.</translation>
     </message>
     <message>
-        <source>Not with this device</source>
-        <translation>Nicht mit diesem Gerät</translation>
+        <source>Not possible with this device</source>
+        <translation>Mit diesem Gerät nicht möglich</translation>
     </message>
     <message>
         <source>Back to the participant</source>
         <translation>Zurück zur Person</translation>
     </message>
     <message>
-        <source>This device renders none of the condition&apos;s differences at its delay. Use a faster or stronger device, or plan another reference in another study.</source>
-        <translation>Dieses Gerät kann bei seiner Verzögerung keinen der Unterschiede dieser Bedingung darstellen. Verwenden Sie ein schnelleres oder stärkeres Gerät, oder planen Sie in einer anderen Studie eine andere Referenz.</translation>
+        <source>Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger device, or plan another reference in another study.</source>
+        <translation>Wegen seiner Verzögerung kann dieses Gerät keinen der Unterschiede dieser Bedingung darstellen. Verwenden Sie ein schnelleres oder stärkeres Gerät, oder planen Sie in einer anderen Studie eine andere Referenz.</translation>
     </message>
     <message>
-        <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
-        <translation>Dieser Lauf wurde mit einem Gerät begonnen, das größere Unterschiede darstellt als dieses. Er geht nur mit einem solchen Gerät weiter, damit alle seine Durchgänge vergleichbar sind.</translation>
+        <source>This run was started on a device that renders larger differences than this one. It can be continued only with such a device, so that all of its trials can be compared.</source>
+        <translation>Dieser Lauf wurde mit einem Gerät begonnen, das größere Unterschiede darstellt als dieses. Er kann nur mit einem solchen Gerät fortgesetzt werden, damit alle seine Durchgänge vergleichbar sind.</translation>
     </message>
     <message>
-        <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
-        <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen, als dieses Programm hat. Keine Fassung setzt den Lauf einer anderen fort, damit alle Durchgänge vergleichbar bleiben. Was beantwortet wurde, bleibt erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
+        <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
+        <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen. Ein Lauf wird nie mit einer anderen Fassung fortgesetzt, damit alle Durchgänge vergleichbar bleiben. Die bisherigen Antworten bleiben erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
     </message>
 </context>
 <context>
@@ -11651,8 +11885,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message numerus="yes">
         <source>%n participant(s) are still to come. Whoever conducts their runs will no longer be blind.</source>
         <translation>
-            <numerusform>%n teilnehmende Person kommt noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
-            <numerusform>%n Teilnehmende kommen noch. Wer deren Läufe leitet, ist dann nicht mehr blind.</numerusform>
+            <numerusform>%n Person steht noch aus. Wer deren Läufe leitet, ist dann nicht mehr verblindet.</numerusform>
+            <numerusform>%n Personen stehen noch aus. Wer deren Läufe leitet, ist dann nicht mehr verblindet.</numerusform>
         </translation>
     </message>
     <message>
@@ -11660,8 +11894,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Grund für das Entblinden</translation>
     </message>
     <message>
-        <source>Please name nobody: the reason is kept for ever.</source>
-        <translation>Bitte nennen Sie niemanden: Der Grund bleibt für immer gespeichert.</translation>
+        <source>Do not name anyone: the reason is stored permanently.</source>
+        <translation>Bitte nennen Sie keine Namen: Der Grund bleibt dauerhaft gespeichert.</translation>
     </message>
     <message>
         <source>Unblind</source>
@@ -11674,8 +11908,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
 %1</translation>
     </message>
     <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
-        <translation>Von jetzt an heißen die Bedingungen bei ihren Namen, für alle. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
+        <source>Everybody will then see the names of the conditions. It is recorded who unblinded the study, when and why. This cannot be undone.</source>
+        <translation>Alle sehen dann die Namen der Bedingungen. Festgehalten wird, wer wann und warum entblindet hat. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -11689,8 +11923,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Diese Sitzung für ungültig erklären?</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be looked at. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are kept with it, and it cannot be taken back.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung bleiben dabei gespeichert, und es lässt sich nicht zurücknehmen.</translation>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>Reason (the trainee can read it)</source>
@@ -11716,8 +11950,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Sitzung %1 von %2 für ungültig erklären?</translation>
     </message>
     <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. That it was voided, by whom and why is kept and cannot be taken back.</source>
-        <translation>Sie bleibt mit Aufzeichnung und Wertungen in der Liste, zählt aber für nichts mehr. Dass sie für ungültig erklärt wurde, von wem und warum, bleibt gespeichert und lässt sich nicht zurücknehmen.</translation>
+        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
+        <translation>Sie bleibt mit Aufzeichnung und Wertungen in der Liste, zählt aber für nichts mehr. Wer sie warum für ungültig erklärt hat, wird festgehalten. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -11740,19 +11974,19 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <name>chiron::desktop::WithdrawDialog</name>
     <message>
         <source>Withdraw %1</source>
-        <translation>%1 zurückziehen</translation>
+        <translation>Teilnahme von %1 zurückziehen</translation>
     </message>
     <message>
-        <source>The participant takes no further part; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
+        <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
         <translation>Die Person nimmt nicht weiter teil; offene Läufe werden angehalten. Aufgezeichnetes bleibt unter dem Code, und der Platz in der Reihenfolge wird wieder frei.</translation>
     </message>
     <message>
         <source>The participant wants the recordings erased</source>
-        <translation>Die Person möchte, dass Aufzeichnungen gelöscht werden</translation>
+        <translation>Die Person möchte, dass die Aufzeichnungen gelöscht werden</translation>
     </message>
     <message>
-        <source>The wish is kept; an administrator erases.</source>
-        <translation>Der Wunsch wird festgehalten; ein Administrator löscht.</translation>
+        <source>The request is recorded; an administrator then erases the recordings.</source>
+        <translation>Der Wunsch wird festgehalten; die Administration löscht dann die Aufzeichnungen.</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -11765,12 +11999,12 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>The participant was not withdrawn.
 %1</source>
-        <translation>Die Person wurde nicht zurückgezogen.
+        <translation>Die Teilnahme wurde nicht zurückgezogen.
 %1</translation>
     </message>
     <message>
-        <source>%1 takes no further part.</source>
-        <translation>%1 nimmt nicht weiter teil.</translation>
+        <source>%1 no longer takes part.</source>
+        <translation>%1 nimmt nicht mehr teil.</translation>
     </message>
 </context>
 <context>
@@ -11780,7 +12014,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Hand und Arbeitsraum</translation>
     </message>
     <message>
-        <source>Movement of the tool for that of the hand</source>
+        <source>Tool movement per hand movement</source>
         <translation>Bewegung des Instruments je Handbewegung</translation>
     </message>
     <message>
@@ -11808,7 +12042,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Linke Hand</translation>
     </message>
     <message>
-        <source>Turn of the device&apos;s base to the left</source>
+        <source>Rotation of the device base to the left</source>
         <translation>Drehung der Gerätebasis nach links</translation>
     </message>
     <message>
@@ -11879,7 +12113,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
 <context>
     <name>chiron::scene3d::FlatPalpation</name>
     <message>
-        <source>Height lines every %1 mm</source>
+        <source>Contour lines every %1 mm</source>
         <translation>Höhenlinien alle %1 mm</translation>
     </message>
     <message>
@@ -11968,27 +12202,27 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
 <context>
     <name>chiron::scene3d::SceneLoader</name>
     <message>
-        <source>Drawn in two dimensions: 3D is switched off on this station.</source>
+        <source>Shown in 2D: 3D is switched off on this station.</source>
         <translation>2D-Darstellung: 3D ist an diesem Arbeitsplatz ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: OpenGL is not available here.</source>
+        <source>Shown in 2D: OpenGL is not available here.</source>
         <translation>2D-Darstellung: OpenGL ist hier nicht verfügbar.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part of Chiron is not installed.</source>
+        <source>Shown in 2D: the 3D part of Chiron is not installed.</source>
         <translation>2D-Darstellung: Der 3D-Teil von Chiron ist nicht installiert.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1).</source>
+        <source>Shown in 2D: the 3D part of Chiron could not be loaded (%1).</source>
         <translation>2D-Darstellung: Der 3D-Teil von Chiron konnte nicht geladen werden (%1).</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part belongs to another version of Chiron. Installing Chiron again repairs this.</source>
+        <source>Shown in 2D: the 3D part belongs to another version of Chiron. Reinstall Chiron to fix this.</source>
         <translation>2D-Darstellung: Der 3D-Teil gehört zu einer anderen Version von Chiron. Installieren Sie Chiron neu, um das zu beheben.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: this exercise has no 3D scene.</source>
+        <source>Shown in 2D: this exercise has no 3D scene.</source>
         <translation>2D-Darstellung: Diese Übung hat keine 3D-Szene.</translation>
     </message>
 </context>
@@ -12143,11 +12377,11 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Woher diese Zahlen stammen</translation>
     </message>
     <message>
-        <source>Recorded frames</source>
+        <source>Recorded samples</source>
         <translation>Aufgezeichnete Messpunkte</translation>
     </message>
     <message>
-        <source>Dropped frames</source>
+        <source>Lost samples</source>
         <translation>Verlorene Messpunkte</translation>
     </message>
     <message>
@@ -12159,11 +12393,11 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Verspätung: Median, 99 %</translation>
     </message>
     <message>
-        <source>ran as fast as the machine can</source>
+        <source>ran as fast as the computer could</source>
         <translation>lief so schnell wie möglich</translation>
     </message>
     <message>
-        <source>Latest tick</source>
+        <source>Maximum lateness</source>
         <translation>Größte Verspätung</translation>
     </message>
     <message>
@@ -12204,7 +12438,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>voided by a trainer</source>
-        <translation>von einer ausbildenden Person für ungültig erklärt</translation>
+        <translation>durch Ausbilder/in für ungültig erklärt</translation>
     </message>
     <message>
         <source>Session report</source>
@@ -12311,8 +12545,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Kein Durchgang wurde markiert</translation>
     </message>
     <message>
-        <source>% error in locating virtual spheres</source>
-        <translation>% Fehler beim Orten virtueller Kugeln</translation>
+        <source>Error in locating virtual spheres (%)</source>
+        <translation>Fehler beim Lokalisieren virtueller Kugeln (%)</translation>
     </message>
     <message>
         <source>Trial</source>
@@ -12376,11 +12610,11 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>in</source>
-        <translation>hinein</translation>
+        <translation>Einführen</translation>
     </message>
     <message>
         <source>out</source>
-        <translation>hinaus</translation>
+        <translation>Rückzug</translation>
     </message>
     <message>
         <source>bend</source>
@@ -12403,7 +12637,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Ausrichtung, größter Winkel je Millimeter</translation>
     </message>
     <message>
-        <source>Largest force on each place</source>
+        <source>Largest force at each place</source>
         <translation>Größte Kraft an jeder Stelle</translation>
     </message>
     <message>
@@ -12420,7 +12654,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>False alarms: %1</source>
-        <translation>Falsche Alarme: %1</translation>
+        <translation>Fehlalarme: %1</translation>
     </message>
     <message>
         <source>not touched</source>
@@ -12468,7 +12702,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>finding: false alarm</source>
-        <translation>Fund: falscher Alarm</translation>
+        <translation>Fund: Fehlalarm</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -12484,7 +12718,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>✗ false alarm</source>
-        <translation>✗ falscher Alarm</translation>
+        <translation>✗ Fehlalarm</translation>
     </message>
     <message>
         <source>✗ missed lump</source>
@@ -12508,11 +12742,11 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>False alarms</source>
-        <translation>Falsche Alarme</translation>
+        <translation>Fehlalarme</translation>
     </message>
     <message>
         <source>Regions: hits, false alarms</source>
-        <translation>Felder: Treffer, falsche Alarme</translation>
+        <translation>Felder: Treffer, Fehlalarme</translation>
     </message>
     <message>
         <source>%1 of %2, %3 of %4</source>
@@ -12520,7 +12754,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
     <message>
         <source>Sensitivity d′</source>
-        <translation>Empfindlichkeit d′</translation>
+        <translation>Trennschärfe d′</translation>
     </message>
     <message>
         <source>Criterion c</source>
@@ -12559,7 +12793,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Fehler (mm)</translation>
     </message>
     <message>
-        <source>Trial %1, ended by time</source>
+        <source>Trial %1, time ran out</source>
         <translation>Durchgang %1, Zeit abgelaufen</translation>
     </message>
     <message>
@@ -12567,8 +12801,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Durchgang %1</translation>
     </message>
     <message>
-        <source>No trial was begun</source>
-        <translation>Kein Durchgang wurde begonnen</translation>
+        <source>No trial was started</source>
+        <translation>Es wurde kein Durchgang begonnen</translation>
     </message>
     <message>
         <source>✓ done</source>
@@ -12583,7 +12817,7 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>✗ gerissen</translation>
     </message>
     <message>
-        <source>✗ could not be done any more</source>
+        <source>✗ no longer possible</source>
         <translation>✗ nicht mehr möglich</translation>
     </message>
     <message>
@@ -12675,12 +12909,12 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Wo die Objekte am Ende lagen</translation>
     </message>
     <message>
-        <source>From the target in x (mm)</source>
-        <translation>Vom Ziel in x (mm)</translation>
+        <source>Offset from target, x (mm)</source>
+        <translation>Zielabstand in x (mm)</translation>
     </message>
     <message>
-        <source>From the target in y (mm)</source>
-        <translation>Vom Ziel in y (mm)</translation>
+        <source>Offset from target, y (mm)</source>
+        <translation>Zielabstand in y (mm)</translation>
     </message>
     <message>
         <source>target</source>
@@ -12703,8 +12937,8 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>Zu fest gequetscht</translation>
     </message>
     <message>
-        <source>From the target</source>
-        <translation>Vom Ziel</translation>
+        <source>Target distance</source>
+        <translation>Zielabstand</translation>
     </message>
     <message>
         <source>Chosen</source>
@@ -12727,12 +12961,12 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>an eine programmierte Hand ausgegeben</translation>
     </message>
     <message>
-        <source>The session did not come to its end: these values are judged by no pass mark.</source>
-        <translation>Die Sitzung kam nicht zu ihrem Ende: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
+        <source>The session was not completed: these values are not compared with pass marks.</source>
+        <translation>Die Sitzung wurde nicht abgeschlossen: Diese Werte werden an keiner Bestehensgrenze gemessen.</translation>
     </message>
     <message>
-        <source>No trial came to its end: there is no score.</source>
-        <translation>Kein Durchgang kam zu seinem Ende: Es gibt keine Wertung.</translation>
+        <source>No trial was completed: there is no score.</source>
+        <translation>Kein Durchgang wurde abgeschlossen: Es gibt keine Wertung.</translation>
     </message>
     <message>
         <source>Benchmark, chance</source>
@@ -12759,20 +12993,20 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
         <translation>durch Zufall %1</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1. Nothing of it was felt: the force was shown.</source>
-        <translation>Das Gewebe antwortete mit bis zu %1. Gefühlt wurde davon nichts: Die Kraft wurde gezeigt.</translation>
+        <source>The tissue force reached %1. None of it was felt: the force was only shown.</source>
+        <translation>Die Gewebekraft erreichte %1. Gefühlt wurde davon nichts: Die Kraft wurde nur gezeigt.</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1, and all of it was felt.</source>
-        <translation>Das Gewebe antwortete mit bis zu %1, und alles davon wurde gefühlt.</translation>
+        <source>The tissue force reached %1, and all of it was felt.</source>
+        <translation>Die Gewebekraft erreichte %1 und wurde vollständig gefühlt.</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.</source>
-        <translation>Das Gewebe antwortete mit bis zu %1, davon wurden höchstens %2 gefühlt: Die Kraft war %3 lang begrenzt, zum ersten Mal nach %4.</translation>
+        <source>The tissue force reached %1, but at most %2 of it was felt: the force was limited for %3, first after %4.</source>
+        <translation>Die Gewebekraft erreichte %1, davon wurden höchstens %2 gefühlt: Die Kraft war %3 lang begrenzt, zum ersten Mal nach %4.</translation>
     </message>
     <message>
-        <source>%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it is less certain than the rest.</source>
-        <translation>%1 der Messwerte liegen tiefer oder weiter, als das Kraftgesetz geprüft ist. Ihre Kraft ist begrenzt und zählt, ist aber weniger sicher als die übrigen.</translation>
+        <source>%1 of the samples lie deeper or farther out than the range in which the force law was checked. Their force is bounded and counts, but it is less certain than the rest.</source>
+        <translation>%1 der Messpunkte liegen tiefer oder weiter außen als der Bereich, in dem das Kraftgesetz geprüft ist. Ihre Kraft ist begrenzt und zählt, ist aber weniger sicher als die übrige.</translation>
     </message>
     <message>
         <source>felt (commanded)</source>

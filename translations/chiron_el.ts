@@ -11,8 +11,8 @@
 <context>
     <name>AccountWords</name>
     <message>
-        <source>There were several wrong attempts, so this account has to rest for a moment. Nothing is lost.</source>
-        <translation>Έγιναν αρκετές λανθασμένες προσπάθειες και ο λογαριασμός πρέπει να περιμένει λίγο. Δεν χάνεται τίποτα.</translation>
+        <source>Too many wrong attempts. This account is locked for a moment; nothing is lost.</source>
+        <translation>Πάρα πολλές λανθασμένες προσπάθειες. Ο λογαριασμός κλειδώθηκε για λίγο· δεν χάνεται τίποτα.</translation>
     </message>
     <message>
         <source>This account is disabled. What was recorded is kept; an administrator can enable the account again.</source>
@@ -35,12 +35,12 @@
         <translation>Διαχειριστής/-τρια</translation>
     </message>
     <message>
-        <source>Name and password do not belong together. Capital and small letters differ; is Caps Lock on?</source>
-        <translation>Το όνομα και ο κωδικός πρόσβασης δεν ταιριάζουν. Τα κεφαλαία διαφέρουν από τα πεζά· μήπως είναι ενεργό το Caps Lock;</translation>
+        <source>Wrong name or password. Passwords are case-sensitive; check Caps Lock.</source>
+        <translation>Λάθος όνομα ή κωδικός πρόσβασης. Τα κεφαλαία διαφέρουν από τα πεζά· ελέγξτε το Caps Lock.</translation>
     </message>
     <message>
-        <source>Name and recovery code do not belong together. The code has five groups of five letters and digits.</source>
-        <translation>Το όνομα και ο κωδικός ανάκτησης δεν ταιριάζουν. Ο κωδικός έχει πέντε ομάδες των πέντε γραμμάτων και ψηφίων.</translation>
+        <source>Wrong name or recovery code. The code has five groups of five letters and digits.</source>
+        <translation>Λάθος όνομα ή κωδικός ανάκτησης. Ο κωδικός έχει πέντε ομάδες των πέντε γραμμάτων και ψηφίων.</translation>
     </message>
     <message numerus="yes">
         <source>Try again in %n second(s)</source>
@@ -48,6 +48,33 @@
             <numerusform>Νέα προσπάθεια σε %n δευτερόλεπτο</numerusform>
             <numerusform>Νέα προσπάθεια σε %n δευτερόλεπτα</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>AnswerNote</name>
+    <message>
+        <source>Marked</source>
+        <translation>Σημειώθηκε</translation>
+    </message>
+    <message>
+        <source>%1 mm from the top: not on the sphere</source>
+        <translation>%1 mm από την κορυφή: όχι πάνω στη σφαίρα</translation>
+    </message>
+    <message>
+        <source>%1 mm from the top</source>
+        <translation>%1 mm από την κορυφή</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>Ο χρόνος τελείωσε</translation>
+    </message>
+    <message>
+        <source>This trial can no longer be completed</source>
+        <translation>Αυτή η δοκιμή δεν μπορεί πια να ολοκληρωθεί</translation>
+    </message>
+    <message>
+        <source>Trial completed</source>
+        <translation>Η δοκιμή ολοκληρώθηκε</translation>
     </message>
 </context>
 <context>
@@ -109,12 +136,79 @@
         <translation>Κλείσιμο του Chiron</translation>
     </message>
     <message>
-        <source>Places</source>
+        <source>Screens</source>
         <translation>Οθόνες</translation>
     </message>
     <message>
         <source>Program</source>
         <translation>Πρόγραμμα</translation>
+    </message>
+</context>
+<context>
+    <name>ControlGuide</name>
+    <message>
+        <source>Advance</source>
+        <translation>Προώθηση</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold W. Towards you, or S, withdraws.</source>
+        <translation>Κυλήστε τον τροχό μακριά σας ή κρατήστε το W. Προς εσάς ή με S γίνεται απόσυρση.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Στροφή</translation>
+    </message>
+    <message>
+        <source>Move the mouse, or use the arrow keys.</source>
+        <translation>Μετακινήστε το ποντίκι ή χρησιμοποιήστε τα βέλη.</translation>
+    </message>
+    <message>
+        <source>Shift sideways</source>
+        <translation>Πλάγια μετακίνηση</translation>
+    </message>
+    <message>
+        <source>Move the mouse with the right button or Shift held.</source>
+        <translation>Μετακινήστε το ποντίκι με πατημένο το δεξί πλήκτρο ή το Shift.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Μετακίνηση</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
+        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up ανεβαίνει.</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Κατέβασμα</translation>
+    </message>
+    <message>
+        <source>Close the jaw</source>
+        <translation>Κλείσιμο σιαγόνων</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. With Shift, or H, it opens.</source>
+        <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Με Shift ή με H ανοίγουν.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Πίεση</translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation>Σημείωση ευρήματος</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter. When nothing is left to report, press D.</source>
+        <translation>Κάντε κλικ ή πατήστε Enter. Όταν δεν μένει τίποτα για αναφορά, πατήστε D.</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Σημείωση</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, while you touch the place.</source>
+        <translation>Κάντε κλικ ή πατήστε Enter ενώ αγγίζετε το σημείο.</translation>
     </message>
 </context>
 <context>
@@ -130,32 +224,32 @@ Details: %2</source>
         <translation>Ο λογαριασμός σας δεν το επιτρέπει. Αν θα έπρεπε, απευθυνθείτε σε διαχειριστή.</translation>
     </message>
     <message>
-        <source>It is no longer there, or was never made. Nothing was changed.</source>
+        <source>It no longer exists or was never created. Nothing was changed.</source>
         <translation>Δεν υπάρχει πλέον ή δεν δημιουργήθηκε ποτέ. Τίποτα δεν άλλαξε.</translation>
     </message>
     <message>
-        <source>The storage refused it. What was recorded before is kept; check the free space and try again.</source>
-        <translation>Η αποθήκευση δεν έγινε δεκτή. Όσα καταγράφηκαν πριν διατηρούνται· ελέγξτε τον ελεύθερο χώρο και δοκιμάστε ξανά.</translation>
+        <source>It could not be saved. What was recorded before is kept; check the free space and try again.</source>
+        <translation>Η αποθήκευση απέτυχε. Όσα καταγράφηκαν πριν διατηρούνται· ελέγξτε τον ελεύθερο χώρο και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-        <source>Another program is using this database for writing. Close it there, then try again.</source>
+        <source>Another program is writing to this database. Close the database there, then try again.</source>
         <translation>Ένα άλλο πρόγραμμα γράφει σε αυτή τη βάση δεδομένων. Κλείστε την εκεί και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-        <source>The device did not answer as it should. Check its cable and power, then try again.</source>
+        <source>The device did not respond correctly. Check its cable and power, then try again.</source>
         <translation>Η συσκευή δεν ανταποκρίθηκε σωστά. Ελέγξτε το καλώδιο και την τροφοδοσία και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-        <source>It was stopped before the end. Nothing was changed.</source>
-        <translation>Σταμάτησε πριν από το τέλος. Τίποτα δεν άλλαξε.</translation>
+        <source>The operation was stopped before it finished. Nothing was changed.</source>
+        <translation>Η ενέργεια διακόπηκε πριν ολοκληρωθεί. Τίποτα δεν άλλαξε.</translation>
     </message>
     <message>
-        <source>What was checked does not hold.</source>
-        <translation>Ο έλεγχος βρήκε πρόβλημα.</translation>
+        <source>The check found errors.</source>
+        <translation>Ο έλεγχος βρήκε σφάλματα.</translation>
     </message>
     <message>
-        <source>Something in what was given is not as expected. Nothing was changed.</source>
-        <translation>Κάτι από όσα δόθηκαν δεν είναι όπως αναμενόταν. Τίποτα δεν άλλαξε.</translation>
+        <source>The input is not valid. Nothing was changed.</source>
+        <translation>Τα στοιχεία που δόθηκαν δεν είναι έγκυρα. Τίποτα δεν άλλαξε.</translation>
     </message>
 </context>
 <context>
@@ -165,7 +259,7 @@ Details: %2</source>
         <translation>Οι απαντήσεις, από πάνω</translation>
     </message>
     <message>
-        <source>How the endoscope kept to the urethra</source>
+        <source>How the endoscope followed the urethra</source>
         <translation>Πώς ακολούθησε το ενδοσκόπιο την ουρήθρα</translation>
     </message>
     <message>
@@ -186,35 +280,35 @@ Details: %2</source>
     </message>
     <message>
         <source>There is no answer to show. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει απάντηση για προβολή. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+        <translation>Δεν υπάρχει απάντηση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στη λίστα.</translation>
     </message>
     <message>
-        <source>There is nothing to show of the procedure. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει τίποτα για προβολή από τη διαδικασία. Η συνεδρία διατηρείται και υπάρχει στη λίστα.</translation>
+        <source>There is nothing of the procedure to show. The session is kept and listed.</source>
+        <translation>Δεν υπάρχει τίποτα για προβολή από τη διαδικασία. Η συνεδρία διατηρείται και βρίσκεται στη λίστα.</translation>
     </message>
     <message>
         <source>There is no tension to show. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει τάση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+        <translation>Δεν υπάρχει τάση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στη λίστα.</translation>
     </message>
     <message>
         <source>There is no object to show. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει αντικείμενο για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+        <translation>Δεν υπάρχει αντικείμενο για προβολή. Η συνεδρία διατηρείται και βρίσκεται στη λίστα.</translation>
     </message>
     <message>
         <source>There is no search to show. The session is kept and listed.</source>
-        <translation>Δεν υπάρχει αναζήτηση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στον κατάλογο.</translation>
+        <translation>Δεν υπάρχει αναζήτηση για προβολή. Η συνεδρία διατηρείται και βρίσκεται στη λίστα.</translation>
     </message>
     <message>
         <source>What was compared and answered is shown with its study.</source>
         <translation>Τι συγκρίθηκε και τι απαντήθηκε φαίνεται στη μελέτη.</translation>
     </message>
     <message>
-        <source>What each trial came to</source>
+        <source>Result of each trial</source>
         <translation>Το αποτέλεσμα κάθε δοκιμής</translation>
     </message>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
-        <translation>Φάνηκαν %1 από %2 οδηγά σημεία της κύστης.</translation>
+        <translation>Φάνηκαν %1 από τα %2 οδηγά σημεία της κύστης.</translation>
     </message>
 </context>
 <context>
@@ -224,35 +318,35 @@ Details: %2</source>
         <translation>Η δύναμη σταμάτησε</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.</source>
-        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Ενεργοποίηση» (ή R) για να συνεχίσετε, ή «Τέλος».</translation>
+        <source>The clock is stopped and everything so far is kept. Press Re-arm (or R) to go on, or End session.</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε «Ενεργοποίηση» (ή R) για να συνεχίσετε, ή «Τέλος συνεδρίας».</translation>
     </message>
     <message>
-        <source>The safety supervisor took force away.</source>
+        <source>The safety supervisor switched the force off.</source>
         <translation>Ο επόπτης ασφαλείας διέκοψε τη δύναμη.</translation>
     </message>
     <message>
-        <source>The tool moved faster than is safe, so force was taken away.</source>
+        <source>The tool moved faster than is safe, so force was switched off.</source>
         <translation>Το εργαλείο κινήθηκε ταχύτερα από όσο είναι ασφαλές και η δύναμη διακόπηκε.</translation>
     </message>
     <message>
-        <source>The device&apos;s data came too late, so force was taken away.</source>
+        <source>The device&apos;s data came too late, so force was switched off.</source>
         <translation>Τα δεδομένα της συσκευής καθυστέρησαν πολύ και η δύναμη διακόπηκε.</translation>
     </message>
     <message>
-        <source>The device sent positions that cannot be right, so force was taken away.</source>
-        <translation>Η συσκευή έστειλε θέσεις που δεν μπορεί να είναι σωστές και η δύναμη διακόπηκε.</translation>
+        <source>The device sent impossible positions, so force was switched off.</source>
+        <translation>Η συσκευή έστειλε αδύνατες θέσεις και η δύναμη διακόπηκε.</translation>
     </message>
     <message>
-        <source>The device reports a fault, so force was taken away.</source>
+        <source>The device reports a fault, so force was switched off.</source>
         <translation>Η συσκευή αναφέρει βλάβη και η δύναμη διακόπηκε.</translation>
     </message>
     <message>
-        <source>The calculated force was not a number, so force was taken away. Please report this.</source>
-        <translation>Η υπολογισμένη δύναμη δεν ήταν αριθμός και η δύναμη διακόπηκε. Παρακαλούμε αναφέρετέ το.</translation>
+        <source>The calculated force was invalid (not a number), so force was switched off. Please report this.</source>
+        <translation>Η υπολογισμένη δύναμη δεν ήταν έγκυρη (δεν ήταν αριθμός) και η δύναμη διακόπηκε. Παρακαλούμε αναφέρετέ το.</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
+        <source>The clock is stopped and everything so far is kept. Hold the tool safely, then press Re-arm (or R).</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Κρατήστε το εργαλείο με ασφάλεια και πατήστε «Ενεργοποίηση» (ή R).</translation>
     </message>
     <message>
@@ -260,8 +354,8 @@ Details: %2</source>
         <translation>Αναμονή για τη συσκευή</translation>
     </message>
     <message>
-        <source>No usable position has come yet. Check that it is on.</source>
-        <translation>Δεν έχει έρθει ακόμη έγκυρη θέση. Ελέγξτε αν είναι ανοιχτή.</translation>
+        <source>The device has not sent a valid position yet. Check that it is switched on.</source>
+        <translation>Η συσκευή δεν έχει στείλει ακόμη έγκυρη θέση. Ελέγξτε αν είναι ανοιχτή.</translation>
     </message>
     <message>
         <source>Hold still</source>
@@ -272,20 +366,20 @@ Details: %2</source>
         <translation>Κρατήστε το εργαλείο ακίνητο για μισό δευτερόλεπτο· η δύναμη αυξάνεται μετά αργά.</translation>
     </message>
     <message>
-        <source>Force is held</source>
-        <translation>Η δύναμη συγκρατείται</translation>
+        <source>Force is on hold</source>
+        <translation>Η δύναμη έχει ανασταλεί</translation>
     </message>
     <message>
-        <source>The window did not answer for a moment. Force comes back by itself.</source>
+        <source>The window did not respond for a moment. Force comes back by itself.</source>
         <translation>Το παράθυρο δεν ανταποκρίθηκε για λίγο. Η δύναμη επανέρχεται μόνη της.</translation>
     </message>
     <message>
-        <source>Force is waiting</source>
-        <translation>Η δύναμη περιμένει</translation>
+        <source>Force is not on yet</source>
+        <translation>Η δύναμη δεν είναι ακόμη ενεργή</translation>
     </message>
     <message>
-        <source>Move the tool out of contact, or hold it still and press Resume here.</source>
-        <translation>Απομακρύνετε το εργαλείο από την επαφή, ή κρατήστε το ακίνητο και πατήστε «Συνέχεια εδώ».</translation>
+        <source>Move the tool until it touches nothing, or hold it still and press Resume here.</source>
+        <translation>Μετακινήστε το εργαλείο ώστε να μην αγγίζει τίποτα, ή κρατήστε το ακίνητο και πατήστε «Συνέχεια εδώ».</translation>
     </message>
     <message>
         <source>You are watching</source>
@@ -324,16 +418,16 @@ Details: %2</source>
         <translation>Σε παύση</translation>
     </message>
     <message>
-        <source>The clock stands still. Press Resume or Space to go on.</source>
+        <source>The clock is stopped. Press Resume or Space to go on.</source>
         <translation>Ο χρόνος έχει σταματήσει. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
     </message>
     <message>
-        <source>Force is coming</source>
-        <translation>Η δύναμη έρχεται</translation>
+        <source>Force is rising</source>
+        <translation>Η δύναμη αυξάνεται</translation>
     </message>
     <message>
-        <source>It rises slowly; the clock starts at full strength (%1 %).</source>
-        <translation>Αυξάνεται αργά· ο χρόνος ξεκινά στην πλήρη ένταση (%1 %).</translation>
+        <source>It rises slowly (now %1 %); the clock starts at full strength.</source>
+        <translation>Αυξάνεται αργά (τώρα %1 %)· ο χρόνος ξεκινά στην πλήρη ένταση.</translation>
     </message>
     <message>
         <source>Force is on</source>
@@ -344,8 +438,8 @@ Details: %2</source>
         <translation>Το Esc τη σταματά αμέσως.</translation>
     </message>
     <message>
-        <source>The device&apos;s data come late. Force comes back when they are on time.</source>
-        <translation>Τα δεδομένα της συσκευής καθυστερούν. Η δύναμη επανέρχεται όταν έρχονται εγκαίρως.</translation>
+        <source>The device&apos;s data arrive late. Force comes back when they arrive on time again.</source>
+        <translation>Τα δεδομένα της συσκευής καθυστερούν. Η δύναμη επανέρχεται όταν φτάνουν πάλι εγκαίρως.</translation>
     </message>
     <message>
         <source>The operator&apos;s force waits until the tool is free.</source>
@@ -356,8 +450,8 @@ Details: %2</source>
         <translation>Η δύναμη του χειριστή αυξάνεται αργά (%1 %).</translation>
     </message>
     <message>
-        <source>The operator&apos;s force is held for a moment and comes back by itself.</source>
-        <translation>Η δύναμη του χειριστή συγκρατείται για λίγο και επανέρχεται μόνη της.</translation>
+        <source>The operator&apos;s force is on hold for a moment and comes back by itself.</source>
+        <translation>Η δύναμη του χειριστή αναστέλλεται για λίγο και επανέρχεται μόνη της.</translation>
     </message>
     <message>
         <source>This device renders no force. The endoscope moves more slowly the harder you press.</source>
@@ -393,6 +487,10 @@ Details: %2</source>
     <message>
         <source>%1: at most %2</source>
         <translation>%1: το πολύ %2</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1: κανένα</translation>
     </message>
 </context>
 <context>
@@ -462,8 +560,8 @@ Details: %2</source>
         <translation>Σηκώστε το ένα αντικείμενο μετά το άλλο και βρείτε το βαρύτερο</translation>
     </message>
     <message>
-        <source>Take hold of the object, softly</source>
-        <translation>Πιάστε το αντικείμενο, απαλά</translation>
+        <source>Grasp the object gently</source>
+        <translation>Πιάστε απαλά το αντικείμενο</translation>
     </message>
     <message>
         <source>Lift it up</source>
@@ -482,8 +580,8 @@ Details: %2</source>
         <translation>Ακουμπήστε το στο δοχείο και αφήστε το</translation>
     </message>
     <message>
-        <source>In the dish: leave it at rest</source>
-        <translation>Στο δοχείο: αφήστε το σε ηρεμία</translation>
+        <source>In the dish: let it lie still</source>
+        <translation>Στο δοχείο: αφήστε το ακίνητο</translation>
     </message>
     <message>
         <source>Done: the next one follows</source>
@@ -518,8 +616,8 @@ Details: %2</source>
         <translation>Κρατά: το αντικείμενο</translation>
     </message>
     <message>
-        <source>Holding: two places</source>
-        <translation>Κρατά: δύο σημεία</translation>
+        <source>Holding: the tube at two points</source>
+        <translation>Κρατά: τον σωλήνα σε δύο σημεία</translation>
     </message>
     <message>
         <source>Holding: the tube</source>
@@ -530,7 +628,7 @@ Details: %2</source>
         <translation>Κρατά: τίποτα</translation>
     </message>
     <message>
-        <source>Draw the fold of tissue back with the third instrument until its pull is in the band</source>
+        <source>Retract the fold of tissue with the third instrument until the pull is in the band</source>
         <translation>Τραβήξτε πίσω την πτυχή ιστού με το τρίτο εργαλείο μέχρι η έλξη της να βρεθεί μέσα στη ζώνη</translation>
     </message>
     <message>
@@ -607,7 +705,7 @@ Details: %2</source>
         <translation>Ιστός: φυσιολογικός</translation>
     </message>
     <message>
-        <source>Tissue: tight</source>
+        <source>Tissue: tight urethra</source>
         <translation>Ιστός: στενή ουρήθρα</translation>
     </message>
     <message>
@@ -619,11 +717,11 @@ Details: %2</source>
         <translation>Ιστός: %1</translation>
     </message>
     <message>
-        <source>Depth of field: on, kept on</source>
+        <source>Depth of field: on, fixed</source>
         <translation>Βάθος πεδίου: ενεργό, δεν απενεργοποιείται</translation>
     </message>
     <message>
-        <source>Depth of field: off, kept off</source>
+        <source>Depth of field: off, fixed</source>
         <translation>Βάθος πεδίου: ανενεργό, δεν ενεργοποιείται</translation>
     </message>
     <message>
@@ -635,19 +733,19 @@ Details: %2</source>
         <translation>Βάθος πεδίου: ανενεργό, μπορεί να ενεργοποιηθεί</translation>
     </message>
     <message>
-        <source>Way: %1 mm in and out again</source>
-        <translation>Διαδρομή: %1 mm μέσα και πάλι έξω</translation>
+        <source>Distance: %1 mm in, then back out</source>
+        <translation>Διαδρομή: %1 mm προς τα μέσα και πάλι έξω</translation>
     </message>
     <message>
-        <source>Way: %1 mm in</source>
+        <source>Distance: %1 mm in</source>
         <translation>Διαδρομή: %1 mm προς τα μέσα</translation>
     </message>
     <message>
-        <source>Help: the way is marked in the picture, and a second picture shows it from outside</source>
+        <source>Help: the path is marked in the picture, and a second picture shows it from outside</source>
         <translation>Βοήθεια: η πορεία σημειώνεται στην εικόνα και μια δεύτερη εικόνα τη δείχνει εξωτερικά</translation>
     </message>
     <message>
-        <source>Help: the way is marked in the picture</source>
+        <source>Help: the path is marked in the picture</source>
         <translation>Βοήθεια: η πορεία σημειώνεται στην εικόνα</translation>
     </message>
     <message>
@@ -655,7 +753,7 @@ Details: %2</source>
         <translation>Βοήθεια: μια δεύτερη εικόνα δείχνει το ενδοσκόπιο εξωτερικά</translation>
     </message>
     <message>
-        <source>Help: none, the endoscope&apos;s picture alone</source>
+        <source>Help: none, only the endoscope&apos;s picture</source>
         <translation>Βοήθεια: καμία, μόνο η εικόνα του ενδοσκοπίου</translation>
     </message>
     <message>
@@ -667,19 +765,19 @@ Details: %2</source>
         <translation>Χρόνος: το πολύ %1 s</translation>
     </message>
     <message>
-        <source>Trials: %1, of %2 s at most</source>
+        <source>Trials: %1, at most %2 s each</source>
         <translation>Δοκιμές: %1, έως %2 s η καθεμία</translation>
     </message>
     <message>
-        <source>Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s</source>
+        <source>Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s</source>
         <translation>Στόχος: τάση μεταξύ %1 και %2 N, σταθερή εντός ±%3 N για %4 s</translation>
     </message>
     <message>
-        <source>Goal: %1 times its length, kept for %2 s</source>
-        <translation>Στόχος: %1 φορές το μήκος του, σταθερό για %2 s</translation>
+        <source>Goal: stretch the tube to %1 times its length and hold it for %2 s</source>
+        <translation>Στόχος: τέντωμα του σωλήνα σε %1 φορές το μήκος του και κράτημα για %2 s</translation>
     </message>
     <message>
-        <source>Goal: its end handed over and held in the target for %1 s</source>
+        <source>Goal: hand over the end of the tube and hold it in the target for %1 s</source>
         <translation>Στόχος: παράδοση του άκρου και κράτημα στον στόχο για %1 s</translation>
     </message>
     <message>
@@ -691,27 +789,27 @@ Details: %2</source>
         <translation>Εργαλεία: ένα</translation>
     </message>
     <message>
-        <source>Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length</source>
-        <translation>Σωλήνας: μήκος %1 mm, πιο σκληρός όσο τεντώνεται, σχίζεται στις %2 φορές του μήκους του</translation>
+        <source>Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length</source>
+        <translation>Σωλήνας: μήκος %1 mm, γίνεται πιο δύσκαμπτος όσο τεντώνεται, σχίζεται στις %2 φορές του μήκους του</translation>
     </message>
     <message>
-        <source>Tube: %1 mm long, torn at %2 times its length</source>
+        <source>Tube: %1 mm long, tears at %2 times its length</source>
         <translation>Σωλήνας: μήκος %1 mm, σχίζεται στις %2 φορές του μήκους του</translation>
     </message>
     <message>
-        <source>Goal: the heaviest of %1 objects that look alike, in the dish</source>
-        <translation>Στόχος: το βαρύτερο από %1 όμοια αντικείμενα, στο δοχείο</translation>
+        <source>Goal: put the heaviest of %1 identical-looking objects in the dish</source>
+        <translation>Στόχος: τοποθέτηση στο δοχείο του βαρύτερου από %1 όμοια αντικείμενα</translation>
     </message>
     <message>
-        <source>Goal: the object in the dish, lifted by %1 mm on the way</source>
-        <translation>Στόχος: το αντικείμενο στο δοχείο, με ανύψωση %1 mm στη διαδρομή</translation>
+        <source>Goal: lift the object by %1 mm and put it in the dish</source>
+        <translation>Στόχος: ανύψωση του αντικειμένου κατά %1 mm και τοποθέτηση στο δοχείο</translation>
     </message>
     <message>
         <source>Squeeze: %1 N at most</source>
         <translation>Σύσφιξη: έως %1 N</translation>
     </message>
     <message>
-        <source>Bed: a soft organ, which gives way</source>
+        <source>Surface: a soft organ that gives way</source>
         <translation>Βάση: ένα μαλακό όργανο που υποχωρεί</translation>
     </message>
     <message>
@@ -731,19 +829,19 @@ Details: %2</source>
         <translation>Χέρια: ένα, ένα δάκτυλο</translation>
     </message>
     <message>
-        <source>Lumps in a trial: %1</source>
+        <source>Lumps per trial: %1</source>
         <translation>Όζοι ανά δοκιμή: %1</translation>
     </message>
     <message>
-        <source>Lumps in a trial: one or none</source>
+        <source>Lumps per trial: one or none</source>
         <translation>Όζοι ανά δοκιμή: ένας ή κανένας</translation>
     </message>
     <message>
-        <source>Lumps in a trial: none to %1</source>
-        <translation>Όζοι ανά δοκιμή: κανένας έως %1</translation>
+        <source>Lumps per trial: 0 to %1</source>
+        <translation>Όζοι ανά δοκιμή: 0 έως %1</translation>
     </message>
     <message>
-        <source>Lumps in a trial: %1 to %2</source>
+        <source>Lumps per trial: %1 to %2</source>
         <translation>Όζοι ανά δοκιμή: %1 έως %2</translation>
     </message>
     <message>
@@ -763,7 +861,7 @@ Details: %2</source>
         <translation>πόσο βέβαιοι είστε</translation>
     </message>
     <message>
-        <source>To be told of each finding: %1</source>
+        <source>To report for each finding: %1</source>
         <translation>Για κάθε εύρημα δηλώνεται: %1</translation>
     </message>
     <message>
@@ -779,8 +877,8 @@ Details: %2</source>
         <translation>Πάνω από τον σωλήνα: μια πτυχή ιστού που πρέπει να συγκρατείται με %1 έως %2 N</translation>
     </message>
     <message>
-        <source>Devices with a base stand as this level mounts them; what you set below takes its place</source>
-        <translation>Οι συσκευές με βάση στέκονται όπως ορίζει αυτό το επίπεδο· ό,τι ρυθμίσετε παρακάτω υπερισχύει</translation>
+        <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
+        <translation>Οι συσκευές με βάση τοποθετούνται όπως ορίζει αυτό το επίπεδο· ό,τι ρυθμίσετε παρακάτω υπερισχύει</translation>
     </message>
 </context>
 <context>
@@ -810,24 +908,24 @@ Details: %2</source>
         <translation>Πλεονάζουσα διαδρομή</translation>
     </message>
     <message>
-        <source>How much longer the path was than the straight line between its ends or, where the way in and out is bent, than that way; the mean over the trials.</source>
-        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από την ευθεία ανάμεσα στα άκρα της ή, όπου ο δρόμος προς τα μέσα και προς τα έξω είναι καμπύλος, από αυτόν· μέσος όρος των δοκιμών.</translation>
+        <source>How much longer the path was than the shortest one: the straight line or, where the route bends, the route itself; the mean over the trials.</source>
+        <translation>Πόσο μεγαλύτερη ήταν η διαδρομή από τη συντομότερη: την ευθεία ή, όπου η πορεία κάμπτεται, την ίδια την πορεία· μέσος όρος των δοκιμών.</translation>
     </message>
     <message>
         <source>Smoothness (SPARC)</source>
         <translation>Ομαλότητα (SPARC)</translation>
     </message>
     <message>
-        <source>How even the speed of each movement was, from its spectrum. Nearer to zero is smoother.</source>
-        <translation>Πόσο ομοιόμορφη ήταν η ταχύτητα κάθε κίνησης, από το φάσμα της. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
+        <source>How even the speed of each movement was, calculated from its spectrum. Closer to zero is smoother.</source>
+        <translation>Πόσο ομοιόμορφη ήταν η ταχύτητα κάθε κίνησης, υπολογισμένη από το φάσμα της. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
     </message>
     <message>
         <source>Smoothness (LDLJ)</source>
         <translation>Ομαλότητα (LDLJ)</translation>
     </message>
     <message>
-        <source>How little the speed of each movement jerked. Nearer to zero is smoother.</source>
-        <translation>Πόσο λίγο απότομη ήταν η ταχύτητα κάθε κίνησης. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
+        <source>How free of jerks each movement was. Closer to zero is smoother.</source>
+        <translation>Πόσο απαλλαγμένη από τινάγματα ήταν κάθε κίνηση. Πιο κοντά στο μηδέν σημαίνει πιο ομαλή.</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -847,11 +945,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Force, root mean square</source>
-        <translation>Δύναμη, ενεργός τιμή (RMS)</translation>
+        <translation>Δύναμη, τετραγωνικός μέσος</translation>
     </message>
     <message>
-        <source>The root of the mean squared force on the tissue: high forces weigh more than in the mean.</source>
-        <translation>Η ρίζα της μέσης τετραγωνικής δύναμης στον ιστό: οι μεγάλες δυνάμεις βαραίνουν περισσότερο από ό,τι στον μέσο όρο.</translation>
+        <source>The root mean square of the force on the tissue: high forces weigh more than in the mean.</source>
+        <translation>Ο τετραγωνικός μέσος της δύναμης στον ιστό: οι μεγάλες δυνάμεις βαραίνουν περισσότερο από ό,τι στον μέσο όρο.</translation>
     </message>
     <message>
         <source>Force, 95th percentile</source>
@@ -866,8 +964,8 @@ Details: %2</source>
         <translation>Μέγιστη μεταβολή δύναμης</translation>
     </message>
     <message>
-        <source>How fast the force on the tissue rose or fell at most.</source>
-        <translation>Πόσο γρήγορα το πολύ αυξήθηκε ή μειώθηκε η δύναμη στον ιστό.</translation>
+        <source>The fastest rise or fall of the force on the tissue.</source>
+        <translation>Η ταχύτερη αύξηση ή μείωση της δύναμης στον ιστό.</translation>
     </message>
     <message>
         <source>Impulse over the limit</source>
@@ -878,8 +976,8 @@ Details: %2</source>
         <translation>Δύναμη επί χρόνο όσο η δύναμη ήταν πάνω από το όριο αυτού του επιπέδου.</translation>
     </message>
     <message>
-        <source>Time over the limit</source>
-        <translation>Χρόνος πάνω από το όριο</translation>
+        <source>Time over the force limit</source>
+        <translation>Χρόνος πάνω από το όριο δύναμης</translation>
     </message>
     <message>
         <source>How long the force on the tissue was over the limit of this level.</source>
@@ -926,7 +1024,7 @@ Details: %2</source>
         <translation>Δοκιμές που σημειώθηκαν χωρίς επαφή, έξω από τη σφαίρα ή δεν σημειώθηκαν εγκαίρως. Τα σφάλματά τους μετράνε κανονικά.</translation>
     </message>
     <message>
-        <source>the trace has no forces</source>
+        <source>the recording has no forces</source>
         <translation>η καταγραφή δεν έχει δυνάμεις</translation>
     </message>
     <message>
@@ -962,8 +1060,8 @@ Details: %2</source>
         <translation>ούτε κίνηση ούτε επαφή</translation>
     </message>
     <message>
-        <source>no sub-movement of 100 ms</source>
-        <translation>καμία επιμέρους κίνηση 100 ms</translation>
+        <source>no sub-movement of at least 100 ms</source>
+        <translation>καμία επιμέρους κίνηση τουλάχιστον 100 ms</translation>
     </message>
     <message>
         <source>no movement</source>
@@ -983,23 +1081,23 @@ Details: %2</source>
     </message>
     <message>
         <source>Off-centre distance, root mean square</source>
-        <translation>Απόκλιση από τον άξονα, ενεργός τιμή (RMS)</translation>
+        <translation>Απόκλιση από τον άξονα, τετραγωνικός μέσος</translation>
     </message>
     <message>
         <source>How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the mean.</source>
         <translation>Πόσο απείχε η άκρη από τον άξονα της ουρήθρας, κατά την εισαγωγή και την απόσυρση: οι μεγάλες αποστάσεις βαραίνουν περισσότερο από ό,τι στον μέσο όρο.</translation>
     </message>
     <message>
-        <source>Off-centre distance, largest</source>
-        <translation>Απόκλιση από τον άξονα, μέγιστη</translation>
+        <source>Largest off-centre distance</source>
+        <translation>Μέγιστη απόκλιση από τον άξονα</translation>
     </message>
     <message>
-        <source>The farthest that the tip was from the middle of the urethra.</source>
+        <source>The largest distance of the tip from the middle of the urethra.</source>
         <translation>Η μεγαλύτερη απόσταση της άκρης από τον άξονα της ουρήθρας.</translation>
     </message>
     <message>
         <source>Alignment, root mean square</source>
-        <translation>Ευθυγράμμιση, ενεργός τιμή (RMS)</translation>
+        <translation>Ευθυγράμμιση, τετραγωνικός μέσος</translation>
     </message>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.</source>
@@ -1030,15 +1128,15 @@ Details: %2</source>
         <translation>Πόσες φορές το ενδοσκόπιο πίεσε πλάγια το τοίχωμα πάνω από το όριο αυτού του επιπέδου για 20 ms ή περισσότερο.</translation>
     </message>
     <message>
-        <source>Time of trauma</source>
+        <source>Trauma time</source>
         <translation>Διάρκεια τραυματισμού</translation>
     </message>
     <message>
-        <source>How long those events lasted together.</source>
+        <source>How long these events lasted in total.</source>
         <translation>Πόσο διήρκεσαν συνολικά αυτά τα συμβάντα.</translation>
     </message>
     <message>
-        <source>Impulse of trauma</source>
+        <source>Trauma impulse</source>
         <translation>Ώθηση τραυματισμού</translation>
     </message>
     <message>
@@ -1071,11 +1169,11 @@ Details: %2</source>
     </message>
     <message>
         <source>Torque, root mean square</source>
-        <translation>Ροπή, ενεργός τιμή (RMS)</translation>
+        <translation>Ροπή, τετραγωνικός μέσος</translation>
     </message>
     <message>
-        <source>The root of the mean squared torque between endoscope and tissue.</source>
-        <translation>Η ρίζα του μέσου τετραγώνου της ροπής ανάμεσα στο ενδοσκόπιο και τον ιστό.</translation>
+        <source>The root mean square of the torque between endoscope and tissue.</source>
+        <translation>Ο τετραγωνικός μέσος της ροπής ανάμεσα στο ενδοσκόπιο και τον ιστό.</translation>
     </message>
     <message>
         <source>Reversals</source>
@@ -1106,15 +1204,15 @@ Details: %2</source>
         <translation>Βάθος εισαγωγής</translation>
     </message>
     <message>
-        <source>The deepest place that the tip reached, up to the goal of this level.</source>
-        <translation>Το βαθύτερο σημείο που έφτασε η άκρη, ως τον στόχο αυτού του επιπέδου.</translation>
+        <source>How deep the tip went, counted up to the goal of this level.</source>
+        <translation>Πόσο βαθιά έφτασε η άκρη, με ανώτατη τιμή τον στόχο αυτού του επιπέδου.</translation>
     </message>
     <message>
-        <source>the trace has no insertion data</source>
+        <source>the recording has no insertion data</source>
         <translation>η καταγραφή δεν έχει στοιχεία εισαγωγής</translation>
     </message>
     <message>
-        <source>the trace has no torques</source>
+        <source>the recording has no torques</source>
         <translation>η καταγραφή δεν έχει ροπές</translation>
     </message>
     <message>
@@ -1142,7 +1240,7 @@ Details: %2</source>
         <translation>% ακτίνας</translation>
     </message>
     <message>
-        <source>How many of the trials were done to their end in time, with everything that the level asks for, in %.</source>
+        <source>How many of the trials were completed in time, with everything that the level asks for, in %.</source>
         <translation>Πόσες από τις δοκιμές ολοκληρώθηκαν εγκαίρως, με όλα όσα ζητά το επίπεδο, σε %.</translation>
     </message>
     <message>
@@ -1158,7 +1256,7 @@ Details: %2</source>
         <translation>Σφάλμα τάσης, τυπική απόκλιση</translation>
     </message>
     <message>
-        <source>How unsteady the tension of the tube was while it was held, whether on target or beside it.</source>
+        <source>How unsteady the tension of the tube was while it was held, whether on target or not.</source>
         <translation>Πόσο ασταθής ήταν η τάση του σωλήνα κατά το κράτημα, στον στόχο ή έξω από αυτόν.</translation>
     </message>
     <message>
@@ -1166,8 +1264,8 @@ Details: %2</source>
         <translation>Χρόνος στη ζώνη</translation>
     </message>
     <message>
-        <source>How long the tension, or the length at the mark, was where it had to be during the hold; the mean over all trials.</source>
-        <translation>Πόση ώρα κατά το κράτημα η τάση, ή το μήκος στο σημάδι, ήταν εκεί που έπρεπε· μέσος όρος όλων των δοκιμών.</translation>
+        <source>How long the tension, or the length at the mark, stayed in its band during the hold; the mean over all trials.</source>
+        <translation>Πόση ώρα κατά το κράτημα η τάση, ή το μήκος στο σημάδι, ήταν μέσα στη ζώνη· μέσος όρος όλων των δοκιμών.</translation>
     </message>
     <message>
         <source>Critical errors</source>
@@ -1198,11 +1296,11 @@ Details: %2</source>
         <translation>Μέγιστη σύσφιξη</translation>
     </message>
     <message>
-        <source>The largest force with which a jaw squeezed what it held.</source>
-        <translation>Η μεγαλύτερη δύναμη με την οποία μια σιαγόνα έσφιξε αυτό που κρατούσε.</translation>
+        <source>The largest force with which the jaws squeezed what they held.</source>
+        <translation>Η μεγαλύτερη δύναμη με την οποία οι σιαγόνες έσφιξαν αυτό που κρατούσαν.</translation>
     </message>
     <message>
-        <source>Time squeezed too hard</source>
+        <source>Time squeezing too hard</source>
         <translation>Χρόνος υπερβολικής σύσφιξης</translation>
     </message>
     <message>
@@ -1222,31 +1320,31 @@ Details: %2</source>
         <translation>Εύρεση του βαρύτερου</translation>
     </message>
     <message>
-        <source>How often the heaviest object was laid into the target, in % of the trials.</source>
+        <source>How often the heaviest object was put into the target, in % of the trials.</source>
         <translation>Πόσο συχνά το βαρύτερο αντικείμενο τοποθετήθηκε στον στόχο, σε % των δοκιμών.</translation>
     </message>
     <message>
-        <source>the trace has no procedure</source>
+        <source>the recording has no procedure</source>
         <translation>η καταγραφή δεν έχει διαδικασία</translation>
     </message>
     <message>
-        <source>the trace has no squeeze</source>
+        <source>the recording has no squeeze</source>
         <translation>η καταγραφή δεν έχει σύσφιξη</translation>
     </message>
     <message>
-        <source>the trace has no squeeze limit</source>
+        <source>the recording has no squeeze limit</source>
         <translation>η καταγραφή δεν έχει όριο σύσφιξης</translation>
     </message>
     <message>
-        <source>the trace has no objects and target</source>
-        <translation>η καταγραφή δεν έχει αντικείμενα και στόχο</translation>
+        <source>the recording has neither objects nor a target</source>
+        <translation>η καταγραφή δεν έχει ούτε αντικείμενα ούτε στόχο</translation>
     </message>
     <message>
-        <source>no weighing was asked for</source>
-        <translation>δεν ζητήθηκε ζύγισμα</translation>
+        <source>the level asks for no weighing</source>
+        <translation>το επίπεδο δεν ζητά ζύγισμα</translation>
     </message>
     <message>
-        <source>the trace has no data of a tube</source>
+        <source>the recording has no tube data</source>
         <translation>η καταγραφή δεν έχει στοιχεία σωλήνα</translation>
     </message>
     <message>
@@ -1262,7 +1360,7 @@ Details: %2</source>
         <translation>Όζοι που βρέθηκαν</translation>
     </message>
     <message>
-        <source>Lumps that one of the findings was near enough to. A lump that was pressed harder than the limit does not count.</source>
+        <source>Lumps with a finding near enough to them. A lump that was pressed harder than the limit does not count.</source>
         <translation>Όζοι στους οποίους κάποιο εύρημα ήταν αρκετά κοντά. Ένας όζος που πιέστηκε πάνω από το όριο δεν μετρά.</translation>
     </message>
     <message>
@@ -1270,7 +1368,7 @@ Details: %2</source>
         <translation>Όζοι που διέφυγαν</translation>
     </message>
     <message>
-        <source>Lumps that no finding was near enough to.</source>
+        <source>Lumps with no finding near enough to them.</source>
         <translation>Όζοι στους οποίους κανένα εύρημα δεν ήταν αρκετά κοντά.</translation>
     </message>
     <message>
@@ -1278,7 +1376,7 @@ Details: %2</source>
         <translation>Ψευδείς συναγερμοί</translation>
     </message>
     <message>
-        <source>Findings where there was no lump; a second one of the same lump counts too.</source>
+        <source>Findings where there was no lump; a second finding of the same lump counts too.</source>
         <translation>Ευρήματα όπου δεν υπήρχε όζος· μετρά και δεύτερο εύρημα του ίδιου όζου.</translation>
     </message>
     <message>
@@ -1286,31 +1384,31 @@ Details: %2</source>
         <translation>Ευαισθησία (d′)</translation>
     </message>
     <message>
-        <source>How well places with a lump were told from places without, whether one rather says yes or no. 0 is chance.</source>
-        <translation>Πόσο καλά διακρίθηκαν θέσεις με και χωρίς όζο, ανεξάρτητα από την τάση για ναι ή όχι. Το 0 είναι τύχη.</translation>
+        <source>How well places with a lump were told apart from places without, whatever the tendency to say yes or no. 0 is chance.</source>
+        <translation>Πόσο καλά διακρίθηκαν θέσεις με και χωρίς όζο, ανεξάρτητα από την τάση για ναι ή όχι. Το 0 αντιστοιχεί στην τύχη.</translation>
     </message>
     <message>
         <source>Criterion (c)</source>
         <translation>Κριτήριο (c)</translation>
     </message>
     <message>
-        <source>Whether a lump is rather reported (negative) or rather not (positive) when in doubt.</source>
-        <translation>Αν σε αμφιβολία ο όζος μάλλον αναφέρεται (αρνητικό) ή μάλλον όχι (θετικό).</translation>
+        <source>The tendency when in doubt: to report a lump (negative) or not to report one (positive).</source>
+        <translation>Η τάση σε περίπτωση αμφιβολίας: να αναφερθεί όζος (αρνητικό) ή να μην αναφερθεί (θετικό).</translation>
     </message>
     <message>
-        <source>Area under the ROC</source>
-        <translation>Εμβαδόν κάτω από την ROC</translation>
+        <source>Area under the ROC curve</source>
+        <translation>Εμβαδόν κάτω από την καμπύλη ROC</translation>
     </message>
     <message>
-        <source>How well confidence tells places with a lump from places without: 0.5 says nothing, 1 is perfect.</source>
-        <translation>Πόσο καλά η βεβαιότητα διακρίνει θέσεις με και χωρίς όζο: το 0,5 δεν λέει τίποτα, το 1 είναι τέλειο.</translation>
+        <source>How well confidence tells places with a lump from places without: 0.5 is chance, 1 is perfect.</source>
+        <translation>Πόσο καλά η βεβαιότητα διακρίνει θέσεις με και χωρίς όζο: το 0,5 αντιστοιχεί στην τύχη, το 1 είναι τέλειο.</translation>
     </message>
     <message>
         <source>Localisation error</source>
         <translation>Σφάλμα εντοπισμού</translation>
     </message>
     <message>
-        <source>How far the findings lay from the lumps that they found, on the surface; the mean over all found.</source>
+        <source>How far, on the surface, each finding was from the lump that it found; the mean over all lumps found.</source>
         <translation>Πόσο απείχαν τα ευρήματα από τους όζους τους στην επιφάνεια· μέσος όρος όλων όσων βρέθηκαν.</translation>
     </message>
     <message>
@@ -1318,20 +1416,20 @@ Details: %2</source>
         <translation>Σφάλμα μεγέθους</translation>
     </message>
     <message>
-        <source>How far the radius that was said was from the true one; the mean over all lumps found whose size was said.</source>
+        <source>How far the stated radius was from the true one; the mean over all lumps found with a stated size.</source>
         <translation>Πόσο απείχε η δηλωμένη ακτίνα από την πραγματική· μέσος όρος των όζων που βρέθηκαν και δηλώθηκε το μέγεθός τους.</translation>
     </message>
     <message>
-        <source>Sensitivity, at least</source>
-        <translation>Ευαισθησία, τουλάχιστον</translation>
+        <source>Sensitivity, lower bound</source>
+        <translation>Ευαισθησία, κάτω όριο</translation>
     </message>
     <message>
         <source>The lower end of the 95 % interval of the sensitivity. Below 0 the session does not show that anything was felt.</source>
         <translation>Το κάτω άκρο του διαστήματος 95 % της ευαισθησίας. Κάτω από 0 η συνεδρία δεν δείχνει ότι έγινε κάτι αισθητό.</translation>
     </message>
     <message>
-        <source>Sensitivity, at most</source>
-        <translation>Ευαισθησία, το πολύ</translation>
+        <source>Sensitivity, upper bound</source>
+        <translation>Ευαισθησία, άνω όριο</translation>
     </message>
     <message>
         <source>The upper end of the 95 % interval of the sensitivity.</source>
@@ -1342,16 +1440,16 @@ Details: %2</source>
         <translation>Σφάλμα πρόβλεψης στα 30 Hz</translation>
     </message>
     <message>
-        <source>How far the soft surface under the tool was from what the slow model then said; this is about the simulation, not about you.</source>
-        <translation>Πόσο απείχε η μαλακή επιφάνεια κάτω από το εργαλείο από αυτό που έδωσε έπειτα το αργό μοντέλο· αφορά την προσομοίωση, όχι εσάς.</translation>
+        <source>How far the predicted soft surface under the tool was from the result of the slow model; this rates the simulation, not you.</source>
+        <translation>Πόσο απείχε η προβλεπόμενη μαλακή επιφάνεια κάτω από το εργαλείο από το αποτέλεσμα του αργού μοντέλου· αξιολογεί την προσομοίωση, όχι εσάς.</translation>
     </message>
     <message>
         <source>Error without prediction</source>
         <translation>Σφάλμα χωρίς πρόβλεψη</translation>
     </message>
     <message>
-        <source>The same if the last update had been held: what the prediction is worth.</source>
-        <translation>Το ίδιο αν είχε διατηρηθεί η τελευταία ενημέρωση: πόσο αξίζει η πρόβλεψη.</translation>
+        <source>The same error if the last update had been kept instead: the difference shows what the prediction is worth.</source>
+        <translation>Το ίδιο σφάλμα αν είχε διατηρηθεί η τελευταία ενημέρωση: η διαφορά δείχνει πόσο αξίζει η πρόβλεψη.</translation>
     </message>
     <message>
         <source>no trial was finished</source>
@@ -1362,27 +1460,27 @@ Details: %2</source>
         <translation>η δοκιμή δεν ολοκληρώθηκε</translation>
     </message>
     <message>
-        <source>one trial alone has no chance level</source>
+        <source>there is no chance level for a single trial</source>
         <translation>για μία μόνο δοκιμή δεν υπάρχει επίπεδο τύχης</translation>
     </message>
     <message>
         <source>no two lumps of different hardness were found and rated</source>
-        <translation>δεν βρέθηκαν και δεν βαθμολογήθηκαν δύο ογκίδια διαφορετικής σκληρότητας</translation>
+        <translation>δεν βρέθηκαν και δεν βαθμολογήθηκαν δύο όζοι διαφορετικής σκληρότητας</translation>
     </message>
     <message>
-        <source>fewer than two lumps were found and their hardness said</source>
-        <translation>βρέθηκαν και χαρακτηρίστηκαν ως προς τη σκληρότητα λιγότερα από δύο ογκίδια</translation>
+        <source>fewer than two lumps were found and given a hardness</source>
+        <translation>βρέθηκαν λιγότεροι από δύο όζοι με δηλωμένη σκληρότητα</translation>
     </message>
     <message>
-        <source>fewer than two lumps were there</source>
-        <translation>υπήρχαν λιγότερα από δύο ογκίδια</translation>
+        <source>there were fewer than two lumps</source>
+        <translation>υπήρχαν λιγότεροι από δύο όζοι</translation>
     </message>
     <message>
         <source>nothing was touched, so nothing was predicted</source>
         <translation>δεν αγγίχτηκε τίποτα, άρα δεν προβλέφθηκε τίποτα</translation>
     </message>
     <message>
-        <source>the trace has no prediction</source>
+        <source>the recording has no prediction</source>
         <translation>η καταγραφή δεν περιέχει πρόβλεψη</translation>
     </message>
     <message>
@@ -1390,47 +1488,47 @@ Details: %2</source>
         <translation>Εύρεση του βαρύτερου στην τύχη</translation>
     </message>
     <message>
-        <source>How often the heaviest is chosen by somebody who feels nothing. A share that is not larger shows no skill.</source>
-        <translation>Πόσο συχνά επιλέγει το βαρύτερο κάποιος που δεν αισθάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+        <source>How often somebody who feels nothing would choose the heaviest object. A share that is not larger shows no skill.</source>
+        <translation>Πόσο συχνά θα επέλεγε το βαρύτερο αντικείμενο κάποιος που δεν αισθάνεται τίποτα. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Localisation error by chance</source>
         <translation>Σφάλμα εντοπισμού στην τύχη</translation>
     </message>
     <message>
-        <source>How far findings lie from a lump if they hit it without aim. A localisation error that is not smaller shows no skill.</source>
-        <translation>Πόσο απέχουν τα ευρήματα από ένα ογκίδιο όταν το πετυχαίνουν χωρίς στόχευση. Ένα σφάλμα εντοπισμού που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+        <source>How far findings would be from a lump if they hit it at random. A localisation error that is not smaller shows no skill.</source>
+        <translation>Πόσο θα απείχαν τα ευρήματα από έναν όζο αν τον πετύχαιναν τυχαία. Ένα σφάλμα εντοπισμού που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Hardness order by chance</source>
         <translation>Σειρά σκληρότητας στην τύχη</translation>
     </message>
     <message>
-        <source>The hardness order of somebody who says the same words of the lumps in random order. A share that is not larger shows no skill.</source>
-        <translation>Η σειρά σκληρότητας κάποιου που λέει τις ίδιες λέξεις για τα ογκίδια με τυχαία σειρά. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
+        <source>The hardness order of somebody who assigns the same hardness ratings to the lumps at random. A share that is not larger shows no skill.</source>
+        <translation>Η σειρά σκληρότητας κάποιου που αποδίδει στους όζους τις ίδιες σκληρότητες στην τύχη. Ένα ποσοστό που δεν είναι μεγαλύτερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Apex error by chance</source>
         <translation>Σφάλμα κορυφής στην τύχη</translation>
     </message>
     <message>
-        <source>The apex error of somebody who feels nothing and always marks the same place, the best one. An error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα κορυφής κάποιου που δεν αισθάνεται τίποτα και σημειώνει πάντα το ίδιο σημείο, το καλύτερο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+        <source>The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα κορυφής κάποιου που δεν αισθάνεται τίποτα και σημειώνει πάντα το ίδιο, το καλύτερο δυνατό, σημείο. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Size error by chance</source>
         <translation>Σφάλμα μεγέθους στην τύχη</translation>
     </message>
     <message>
-        <source>The size error of somebody who feels nothing and always says the middle size. A size error that is not smaller shows no skill.</source>
-        <translation>Το σφάλμα μεγέθους κάποιου που δεν αισθάνεται τίποτα και λέει πάντα το μεσαίο μέγεθος. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
+        <source>The size error of somebody who feels nothing and always states the middle size. A size error that is not smaller shows no skill.</source>
+        <translation>Το σφάλμα μεγέθους κάποιου που δεν αισθάνεται τίποτα και δηλώνει πάντα το μεσαίο μέγεθος. Ένα σφάλμα που δεν είναι μικρότερο δεν δείχνει δεξιότητα.</translation>
     </message>
     <message>
         <source>Hardness order</source>
         <translation>Σειρά σκληρότητας</translation>
     </message>
     <message>
-        <source>Of the pairs of lumps found in a trial, how many had the harder one called harder, in %. By chance it is 50 % or less.</source>
+        <source>In how many pairs of lumps found in a trial the harder one was rated harder, in %. Guessing gives 50 % or less.</source>
         <translation>Σε πόσα ζεύγη όζων που βρέθηκαν σε μια δοκιμή ο σκληρότερος δηλώθηκε σκληρότερος, σε %. Στην τύχη είναι το πολύ 50 %.</translation>
     </message>
     <message>
@@ -1446,7 +1544,7 @@ Details: %2</source>
         <translation>Χρόνος στη ζώνη δύναμης</translation>
     </message>
     <message>
-        <source>For how much of the time pressing the force was neither too light nor too hard.</source>
+        <source>How much of the pressing time the force was neither too low nor too high.</source>
         <translation>Σε πόσο από τον χρόνο πίεσης η δύναμη δεν ήταν ούτε πολύ μικρή ούτε πολύ μεγάλη.</translation>
     </message>
     <message>
@@ -1462,23 +1560,23 @@ Details: %2</source>
         <translation>Χρόνος αναζήτησης</translation>
     </message>
     <message>
-        <source>How long the trials took until done was said; pauses do not count.</source>
+        <source>How long the trials took until the search was reported as done; pauses do not count.</source>
         <translation>Πόσο διήρκεσαν οι δοκιμές μέχρι να δηλωθεί το τέλος· οι παύσεις δεν μετρούν.</translation>
     </message>
     <message>
-        <source>the trace has no lumps and search area</source>
-        <translation>το ίχνος δεν έχει όζους και περιοχή αναζήτησης</translation>
+        <source>the recording has neither lumps nor a search area</source>
+        <translation>η καταγραφή δεν έχει ούτε όζους ούτε περιοχή αναζήτησης</translation>
     </message>
     <message>
-        <source>the trace has no reports</source>
-        <translation>το ίχνος δεν έχει αναφορές</translation>
+        <source>the recording has no reports</source>
+        <translation>η καταγραφή δεν έχει αναφορές</translation>
     </message>
     <message>
-        <source>the trace lost reports</source>
-        <translation>στο ίχνος λείπουν αναφορές</translation>
+        <source>reports are missing from the recording</source>
+        <translation>στην καταγραφή λείπουν αναφορές</translation>
     </message>
     <message>
-        <source>no lump was there</source>
+        <source>there was no lump</source>
         <translation>δεν υπήρχε όζος</translation>
     </message>
     <message>
@@ -1486,11 +1584,11 @@ Details: %2</source>
         <translation>δεν βρέθηκε όζος</translation>
     </message>
     <message>
-        <source>nobody said how sure a finding is</source>
+        <source>no finding has a confidence rating</source>
         <translation>για κανένα εύρημα δεν δηλώθηκε βεβαιότητα</translation>
     </message>
     <message>
-        <source>of no lump that was found the size was said</source>
+        <source>no lump found was given a size</source>
         <translation>για κανέναν όζο που βρέθηκε δεν δηλώθηκε μέγεθος</translation>
     </message>
     <message>
@@ -1502,7 +1600,7 @@ Details: %2</source>
         <translation>το επίπεδο δεν ζητά σκληρότητα</translation>
     </message>
     <message>
-        <source>fewer than two lumps of a trial were found and their hardness said</source>
+        <source>in no trial were two lumps found and given a hardness</source>
         <translation>σε καμία δοκιμή δεν βρέθηκαν δύο όζοι με δηλωμένη σκληρότητα</translation>
     </message>
     <message>
@@ -1510,12 +1608,12 @@ Details: %2</source>
         <translation>οι όζοι που βρέθηκαν είναι εξίσου σκληροί</translation>
     </message>
     <message>
-        <source>the trace has no coverage</source>
-        <translation>το ίχνος δεν έχει κάλυψη</translation>
+        <source>the recording has no coverage data</source>
+        <translation>η καταγραφή δεν έχει στοιχεία κάλυψης</translation>
     </message>
     <message>
-        <source>the trace has no force band</source>
-        <translation>το ίχνος δεν έχει ζώνη δύναμης</translation>
+        <source>the recording has no force band</source>
+        <translation>η καταγραφή δεν έχει ζώνη δύναμης</translation>
     </message>
     <message>
         <source>nothing was pressed</source>
@@ -1530,8 +1628,8 @@ Details: %2</source>
         <translation>Έλξη της πτυχής μέσα στη ζώνη</translation>
     </message>
     <message>
-        <source>How much of the time, once the fold of tissue was held back, its pull was where it had to be, in %; the mean over all trials.</source>
-        <translation>Για πόσο μέρος του χρόνου, αφότου συγκρατήθηκε η πτυχή ιστού, η έλξη της ήταν εκεί που έπρεπε, σε %· μέσος όρος όλων των δοκιμών.</translation>
+        <source>How much of the time the pull on the fold of tissue was in its band, once the fold was held back, in %; the mean over all trials.</source>
+        <translation>Για πόσο μέρος του χρόνου, αφότου συγκρατήθηκε η πτυχή ιστού, η έλξη της ήταν μέσα στη ζώνη, σε %· μέσος όρος όλων των δοκιμών.</translation>
     </message>
     <message>
         <source>Largest retraction</source>
@@ -1546,18 +1644,18 @@ Details: %2</source>
         <translation>δεν υπάρχει θέση για βαθμολόγηση</translation>
     </message>
     <message>
-        <source>the apex&apos;s true place is not known</source>
+        <source>the true position of the apex is not known</source>
         <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
 </context>
 <context>
     <name>PalpationFindings</name>
     <message>
-        <source>size said %1, was %2</source>
+        <source>stated size %1, true size %2</source>
         <translation>δηλωμένο μέγεθος %1, πραγματικό %2</translation>
     </message>
     <message>
-        <source>hardness said %1, was %2</source>
+        <source>stated hardness %1, true hardness %2</source>
         <translation>δηλωμένη σκληρότητα %1, πραγματική %2</translation>
     </message>
     <message>
@@ -1569,7 +1667,7 @@ Details: %2</source>
         <translation>Όζος %1 (%2, βάθος %3 mm): διέφυγε</translation>
     </message>
     <message>
-        <source>Lump %1: found, finding %2, %3 mm beside its middle</source>
+        <source>Lump %1: found, finding %2, %3 mm from its centre</source>
         <translation>Όζος %1: βρέθηκε, εύρημα %2, %3 mm από το κέντρο του</translation>
     </message>
     <message>
@@ -1589,7 +1687,7 @@ Details: %2</source>
         <translation>Όζοι που βρέθηκαν: %1 από %2.</translation>
     </message>
     <message>
-        <source>Findings where no lump was: %1.</source>
+        <source>Findings where there was no lump: %1.</source>
         <translation>Ευρήματα όπου δεν υπήρχε όζος: %1.</translation>
     </message>
     <message>
@@ -1597,8 +1695,8 @@ Details: %2</source>
         <translation>Ερευνήθηκε: %1 %.</translation>
     </message>
     <message>
-        <source>Time was up before the end was reported.</source>
-        <translation>Ο χρόνος τελείωσε πριν δηλωθεί το τέλος.</translation>
+        <source>Time was up before the search was reported as done.</source>
+        <translation>Ο χρόνος τελείωσε πριν δηλωθεί το τέλος της αναζήτησης.</translation>
     </message>
     <message>
         <source>Finding %1: no lump there; the nearest was %2 mm away</source>
@@ -1637,14 +1735,14 @@ Details: %2</source>
     </message>
     <message>
         <source>firm</source>
-        <translation>συμπαγής</translation>
+        <translation>σκληρός</translation>
     </message>
     <message>
-        <source>stony</source>
-        <translation>σαν πέτρα</translation>
+        <source>stony hard</source>
+        <translation>πετρώδης</translation>
     </message>
     <message>
-        <source>not said</source>
+        <source>not given</source>
         <translation>δεν δηλώθηκε</translation>
     </message>
     <message>
@@ -1672,15 +1770,15 @@ Details: %2</source>
         <translation>διάμετρος %1 mm</translation>
     </message>
     <message>
-        <source>size not said</source>
+        <source>size not given</source>
         <translation>δεν δηλώθηκε μέγεθος</translation>
     </message>
     <message>
-        <source>hardness not said</source>
+        <source>hardness not given</source>
         <translation>δεν δηλώθηκε σκληρότητα</translation>
     </message>
     <message>
-        <source>confidence not said</source>
+        <source>confidence not given</source>
         <translation>δεν δηλώθηκε βεβαιότητα</translation>
     </message>
     <message>
@@ -1735,8 +1833,8 @@ Details: %2</source>
         <translation>Θόρυβος, υστέρηση και ερπυσμός των αισθητήρων δύναμης</translation>
     </message>
     <message>
-        <source>Steps of the converter</source>
-        <translation>Βήματα του μετατροπέα</translation>
+        <source>Resolution of the converter</source>
+        <translation>Ανάλυση του μετατροπέα</translation>
     </message>
     <message>
         <source>Delay of the force sensors</source>
@@ -1755,8 +1853,8 @@ Details: %2</source>
         <translation>16 bit</translation>
     </message>
     <message>
-        <source>× %1 as coarse</source>
-        <translation>× %1 πιο αδρά</translation>
+        <source>%1 times as coarse</source>
+        <translation>%1 φορές πιο αδρή</translation>
     </message>
     <message>
         <source>none</source>
@@ -1767,24 +1865,24 @@ Details: %2</source>
         <translation>× %1</translation>
     </message>
     <message>
-        <source>This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
-        <translation>Αυτή είναι η προσομοιωμένη πλατφόρμα, τόσο ατελής όσο τέτοια εξαρτήματα: θόρυβος δύναμης %1 mN και %2 bit του μετατροπέα, υστέρηση %3 %, καθυστέρηση %4 ms από αισθητήρα σε ελεγκτή, τριβή γραναζιών %5 N ανά κινητήρα, τζόγος %6 µm, αισθητήρας προσανατολισμού με απόκλιση %7° και θόρυβο %8°.</translation>
+        <source>This is the simulated platform, with hardware as imperfect as real parts are: force noise of %1 mN and %2 bits of the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N per drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.</source>
+        <translation>Αυτή είναι η προσομοιωμένη πλατφόρμα, τόσο ατελής όσο τα πραγματικά εξαρτήματα: θόρυβος δύναμης %1 mN και %2 bit του μετατροπέα, υστέρηση %3 %, καθυστέρηση %4 ms από αισθητήρα σε ελεγκτή, τριβή γραναζιών %5 N ανά κινητήρα, τζόγος %6 µm, αισθητήρας προσανατολισμού με απόκλιση %7° και θόρυβο %8°.</translation>
     </message>
     <message>
-        <source>Friction as identified by moving the drives: %1 N, and %2 N·s/m with speed.</source>
-        <translation>Τριβή όπως προσδιορίστηκε κινώντας τους κινητήρες: %1 N και %2 N·s/m με την ταχύτητα.</translation>
+        <source>Friction, identified by moving the drives: %1 N, plus %2 N·s/m with speed.</source>
+        <translation>Τριβή, όπως προσδιορίστηκε κινώντας τους κινητήρες: %1 N, συν %2 N·s/m με την ταχύτητα.</translation>
     </message>
     <message>
-        <source>A step of force is felt after %1 ms. With the damping of drives and pad alone, a wall is stable up to %2 N/mm.</source>
-        <translation>Ένα βήμα δύναμης γίνεται αισθητό μετά από %1 ms. Μόνο με την απόσβεση κινητήρων και δακτύλου, ένας τοίχος είναι ευσταθής έως %2 N/mm.</translation>
+        <source>A step of force is felt after %1 ms. With the damping of drives and fingertip alone, a wall is stable up to %2 N/mm.</source>
+        <translation>Μια βηματική μεταβολή δύναμης γίνεται αισθητή μετά από %1 ms. Μόνο με την απόσβεση κινητήρων και δακτύλου, ένας τοίχος είναι ευσταθής έως %2 N/mm.</translation>
     </message>
     <message>
         <source>Noise and offset of the orientation sensor</source>
         <translation>Θόρυβος και απόκλιση του αισθητήρα προσανατολισμού</translation>
     </message>
     <message>
-        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad&apos;s force is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.</source>
-        <translation>Προσομοίωση: η προσομοιωμένη πλατφόρμα μένει εντός των ορίων της σε %1 από %2 προσομοιωμένα δάκτυλα. Στη χειρότερη περίπτωση η δύναμη στο δάκτυλο αποκλίνει κατά %3 (μέση τετραγωνική τιμή), ο προσανατολισμός κατά %4, ένα βήμα υπερβαίνει κατά %5 % της δύναμης, και το δάκτυλο δέχεται το πολύ %6 (%7). Μια πραγματική πλατφόρμα πρέπει να μετρηθεί χωριστά.</translation>
+        <source>A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the force on the fingertip is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and the fingertip gets at most %6 (%7). A real platform has to be measured separately.</source>
+        <translation>Προσομοίωση: η προσομοιωμένη πλατφόρμα μένει εντός των ορίων της σε %1 από %2 προσομοιωμένα δάκτυλα. Στη χειρότερη περίπτωση η δύναμη στο δάκτυλο αποκλίνει κατά %3 (τετραγωνικός μέσος), ο προσανατολισμός κατά %4, ένα βήμα έχει υπερύψωση %5 % της δύναμης, και το δάκτυλο δέχεται το πολύ %6 (%7). Μια πραγματική πλατφόρμα πρέπει να μετρηθεί χωριστά.</translation>
     </message>
     <message>
         <source>bounds: %1, %2, %3 %, %4</source>
@@ -1819,12 +1917,12 @@ Details: %2</source>
         <translation>Διπλάσια δυσκαμψία, λεπτό, χαλαρώνει</translation>
     </message>
     <message>
-        <source>The finger that is assumed</source>
-        <translation>Το δάκτυλο που θεωρείται δεδομένο</translation>
+        <source>The assumed finger</source>
+        <translation>Το υποτιθέμενο δάκτυλο</translation>
     </message>
     <message>
-        <source>On other fingers: what the pad really got</source>
-        <translation>Σε άλλα δάκτυλα: τι δέχθηκε πραγματικά το δάκτυλο</translation>
+        <source>On other fingers: the true force on the fingertip</source>
+        <translation>Σε άλλα δάκτυλα: η πραγματική δύναμη στο δάκτυλο</translation>
     </message>
     <message>
         <source>Simulated finger</source>
@@ -1836,14 +1934,14 @@ Details: %2</source>
     </message>
     <message>
         <source>Overshoot</source>
-        <translation>Υπέρβαση</translation>
+        <translation>Υπερύψωση</translation>
     </message>
     <message>
-        <source>Most at 1 N</source>
+        <source>Max. at 1 N</source>
         <translation>Μέγ. στο 1 N</translation>
     </message>
     <message>
-        <source>Most at 4 N</source>
+        <source>Max. at 4 N</source>
         <translation>Μέγ. στα 4 N</translation>
     </message>
     <message>
@@ -1859,8 +1957,8 @@ Details: %2</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Beside the published figures</source>
-        <translation>Δίπλα στις δημοσιευμένες τιμές</translation>
+        <source>Compared with the published figures</source>
+        <translation>Σύγκριση με τις δημοσιευμένες τιμές</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -1871,8 +1969,8 @@ Details: %2</source>
         <translation>Με τους δικούς της αισθητήρες</translation>
     </message>
     <message>
-        <source>What was really so</source>
-        <translation>Τι ίσχυε πραγματικά</translation>
+        <source>True value</source>
+        <translation>Πραγματική τιμή</translation>
     </message>
     <message>
         <source>Published (P3)</source>
@@ -1880,7 +1978,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Force, cycle %1: root mean square error</source>
-        <translation>Δύναμη, κύκλος %1: μέσο τετραγωνικό σφάλμα</translation>
+        <translation>Δύναμη, κύκλος %1: τετραγωνικός μέσος του σφάλματος</translation>
     </message>
     <message>
         <source>Force, mean of the cycles</source>
@@ -1907,8 +2005,8 @@ Details: %2</source>
         <translation>όχι</translation>
     </message>
     <message>
-        <source>When one thing gets worse</source>
-        <translation>Όταν κάτι χειροτερεύει</translation>
+        <source>When one part gets worse</source>
+        <translation>Όταν ένα εξάρτημα χειροτερεύει</translation>
     </message>
     <message>
         <source>What</source>
@@ -1938,32 +2036,32 @@ Details: %2</source>
         <translation>Δύναμη (N)</translation>
     </message>
     <message>
-        <source>sensed</source>
+        <source>measured</source>
         <translation>μετρημένη</translation>
     </message>
     <message>
-        <source>on the pad</source>
+        <source>on the fingertip</source>
         <translation>στο δάκτυλο</translation>
     </message>
     <message>
-        <source>wanted</source>
+        <source>target</source>
         <translation>ζητούμενη</translation>
     </message>
     <message>
-        <source>Orientations, sensed over wanted</source>
+        <source>Orientations, measured against target</source>
         <translation>Προσανατολισμοί, μετρημένοι προς ζητούμενους</translation>
     </message>
     <message>
-        <source>Wanted (°)</source>
+        <source>Target (°)</source>
         <translation>Ζητούμενη (°)</translation>
     </message>
     <message>
-        <source>Sensed (°)</source>
+        <source>Measured (°)</source>
         <translation>Μετρημένη (°)</translation>
     </message>
     <message>
-        <source>as wanted</source>
-        <translation>όπως ζητήθηκε</translation>
+        <source>ideal</source>
+        <translation>ιδανική τιμή</translation>
     </message>
     <message>
         <source>pitch</source>
@@ -1974,8 +2072,8 @@ Details: %2</source>
         <translation>κύλιση</translation>
     </message>
     <message>
-        <source>How large the errors of orientation were</source>
-        <translation>Πόσο μεγάλα ήταν τα σφάλματα προσανατολισμού</translation>
+        <source>Distribution of the orientation errors</source>
+        <translation>Κατανομή των σφαλμάτων προσανατολισμού</translation>
     </message>
     <message>
         <source>Error (°)</source>
@@ -1993,35 +2091,35 @@ Details: %2</source>
 <context>
     <name>PlaybackMarks</name>
     <message>
-        <source>Force held: the tool moved too fast</source>
-        <translation>Συγκράτηση δύναμης: το εργαλείο κινήθηκε πολύ γρήγορα</translation>
+        <source>Force on hold: the tool moved too fast</source>
+        <translation>Αναστολή δύναμης: το εργαλείο κινήθηκε πολύ γρήγορα</translation>
     </message>
     <message>
-        <source>A sample of the device was not usable</source>
+        <source>The device sent an invalid sample</source>
         <translation>Ένα δείγμα της συσκευής δεν ήταν έγκυρο</translation>
     </message>
     <message>
-        <source>Fault: too many samples of the device were not usable</source>
+        <source>Fault: the device sent too many invalid samples</source>
         <translation>Βλάβη: πάρα πολλά δείγματα της συσκευής δεν ήταν έγκυρα</translation>
     </message>
     <message>
-        <source>Force held: samples of the device came late</source>
-        <translation>Συγκράτηση δύναμης: τα δείγματα της συσκευής καθυστέρησαν</translation>
+        <source>Force on hold: samples from the device came late</source>
+        <translation>Αναστολή δύναμης: τα δείγματα της συσκευής καθυστέρησαν</translation>
     </message>
     <message>
-        <source>Fault: the device went silent</source>
-        <translation>Βλάβη: η συσκευή σταμάτησε να στέλνει</translation>
+        <source>Fault: the device stopped sending data</source>
+        <translation>Βλάβη: η συσκευή σταμάτησε να στέλνει δεδομένα</translation>
     </message>
     <message>
-        <source>Force held: the window did not answer</source>
-        <translation>Συγκράτηση δύναμης: το παράθυρο δεν ανταποκρίθηκε</translation>
+        <source>Force on hold: the window did not respond</source>
+        <translation>Αναστολή δύναμης: το παράθυρο δεν ανταποκρίθηκε</translation>
     </message>
     <message>
         <source>Force damped to keep it stable</source>
         <translation>Απόσβεση δύναμης για σταθερότητα</translation>
     </message>
     <message>
-        <source>Fault: the device reported one</source>
+        <source>Fault: reported by the device</source>
         <translation>Βλάβη: την ανέφερε η συσκευή</translation>
     </message>
     <message>
@@ -2057,7 +2155,7 @@ Details: %2</source>
         <translation>Σε παύση για %1</translation>
     </message>
     <message>
-        <source>Force armed again</source>
+        <source>Force re-armed</source>
         <translation>Επανενεργοποίηση δύναμης</translation>
     </message>
     <message>
@@ -2121,20 +2219,20 @@ Details: %2</source>
         <translation>Φάνηκε ένα οδηγό σημείο</translation>
     </message>
     <message>
-        <source>Pressed on the wall for %1, up to %2</source>
-        <translation>Πίεση στο τοίχωμα για %1, ως %2</translation>
+        <source>Pressed against the wall for %1, up to %2</source>
+        <translation>Πίεση στο τοίχωμα για %1, έως %2</translation>
     </message>
     <message>
-        <source>Went back by %1</source>
+        <source>Moved back by %1</source>
         <translation>Οπισθοχώρηση κατά %1</translation>
     </message>
     <message>
-        <source>Off the middle for %1, up to %2</source>
-        <translation>Εκτός του μέσου για %1, ως %2</translation>
+        <source>Off-centre for %1, up to %2</source>
+        <translation>Απόκλιση από τον άξονα για %1, έως %2</translation>
     </message>
     <message>
         <source>Torque over its limit for %1, up to %2</source>
-        <translation>Ροπή πάνω από το όριό της για %1, ως %2</translation>
+        <translation>Ροπή πάνω από το όριό της για %1, έως %2</translation>
     </message>
     <message>
         <source>Took hold</source>
@@ -2142,7 +2240,7 @@ Details: %2</source>
     </message>
     <message>
         <source>Let go</source>
-        <translation>Άφεση</translation>
+        <translation>Απελευθέρωση</translation>
     </message>
     <message>
         <source>Slipped out or dropped</source>
@@ -2165,12 +2263,12 @@ Details: %2</source>
         <translation>Αποσύρθηκε το εύρημα %1</translation>
     </message>
     <message>
-        <source>The trial was done</source>
+        <source>The trial was completed</source>
         <translation>Η δοκιμή ολοκληρώθηκε</translation>
     </message>
     <message>
-        <source>The trial could not be done any more</source>
-        <translation>Η δοκιμή δεν μπορούσε πια να γίνει</translation>
+        <source>The trial could no longer be completed</source>
+        <translation>Η δοκιμή δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
     <message>
         <source>The tissue was damaged</source>
@@ -2181,7 +2279,7 @@ Details: %2</source>
         <translation>Τέλος</translation>
     </message>
     <message>
-        <source>The procedure was done to its end</source>
+        <source>The procedure was completed</source>
         <translation>Η διαδικασία ολοκληρώθηκε</translation>
     </message>
     <message>
@@ -2189,8 +2287,8 @@ Details: %2</source>
         <translation>Ο χρόνος έληξε πριν από το τέλος της διαδικασίας</translation>
     </message>
     <message>
-        <source>The procedure could not be done any more</source>
-        <translation>Η διαδικασία δεν μπορούσε πια να γίνει</translation>
+        <source>The procedure could no longer be completed</source>
+        <translation>Η διαδικασία δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
     <message>
         <source>The tube was held as asked</source>
@@ -2201,8 +2299,8 @@ Details: %2</source>
         <translation>Ο χρόνος έληξε πριν κρατηθεί ο σωλήνας όπως ζητήθηκε</translation>
     </message>
     <message>
-        <source>The tube tore: the trial could not be done any more</source>
-        <translation>Ο σωλήνας σχίστηκε: η δοκιμή δεν μπορούσε πια να γίνει</translation>
+        <source>The tube tore: the trial could no longer be completed</source>
+        <translation>Ο σωλήνας σχίστηκε: η δοκιμή δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
     <message>
         <source>The tube was stretched too far</source>
@@ -2218,7 +2316,7 @@ Details: %2</source>
     </message>
     <message>
         <source>The object was squeezed too hard</source>
-        <translation>Το αντικείμενο συσφίχθηκε υπερβολικά</translation>
+        <translation>Το αντικείμενο σφίχτηκε υπερβολικά</translation>
     </message>
     <message>
         <source>The search was reported as done</source>
@@ -2229,15 +2327,15 @@ Details: %2</source>
         <translation>Ο χρόνος έληξε πριν δηλωθεί η αναζήτηση ως ολοκληρωμένη</translation>
     </message>
     <message>
-        <source>The search could not be done any more</source>
-        <translation>Η αναζήτηση δεν μπορούσε πια να γίνει</translation>
+        <source>The search could no longer be completed</source>
+        <translation>Η αναζήτηση δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
     <message>
         <source>Answered</source>
-        <translation>Απαντήθηκε</translation>
+        <translation>Δόθηκε απάντηση</translation>
     </message>
     <message>
-        <source>The comparison was done</source>
+        <source>The comparison was completed</source>
         <translation>Η σύγκριση ολοκληρώθηκε</translation>
     </message>
     <message>
@@ -2245,39 +2343,39 @@ Details: %2</source>
         <translation>Ο χρόνος έληξε χωρίς απάντηση</translation>
     </message>
     <message>
-        <source>The comparison could not be done any more</source>
-        <translation>Η σύγκριση δεν μπορούσε πια να γίνει</translation>
+        <source>The comparison could no longer be completed</source>
+        <translation>Η σύγκριση δεν μπορούσε πια να ολοκληρωθεί</translation>
     </message>
     <message>
         <source>The object was damaged</source>
         <translation>Το αντικείμενο υπέστη ζημιά</translation>
     </message>
     <message>
-        <source>Force stopped by the person, for %1</source>
-        <translation>Διακοπή της δύναμης από το άτομο, για %1</translation>
+        <source>The person stopped the force for %1</source>
+        <translation>Το άτομο διέκοψε τη δύναμη για %1</translation>
     </message>
     <message>
-        <source>Force stopped by the person</source>
-        <translation>Διακοπή της δύναμης από το άτομο</translation>
+        <source>The person stopped the force</source>
+        <translation>Το άτομο διέκοψε τη δύναμη</translation>
     </message>
     <message>
-        <source>Felt less than the tissue answered for %1, which was up to %2</source>
-        <translation>Για %1 έγινε αισθητή λιγότερη δύναμη από την απάντηση του ιστού, που έφτασε τα %2</translation>
+        <source>For %1, less force was felt than the tissue exerted (up to %2)</source>
+        <translation>Για %1 έγινε αισθητή μικρότερη δύναμη από αυτήν του ιστού (έως %2)</translation>
     </message>
     <message>
-        <source>A miss: not on what was to be marked</source>
-        <translation>Αστοχία: όχι πάνω σε αυτό που έπρεπε να σημειωθεί</translation>
+        <source>Miss: the wrong place was marked</source>
+        <translation>Αστοχία: σημειώθηκε λάθος θέση</translation>
     </message>
     <message>
-        <source>Finding %1 marked where no lump was</source>
-        <translation>Εύρημα %1 σημειώθηκε όπου δεν υπήρχε όζος</translation>
+        <source>Finding %1 marked where there was no lump</source>
+        <translation>Το εύρημα %1 σημειώθηκε όπου δεν υπήρχε όζος</translation>
     </message>
     <message>
         <source>A lump was missed</source>
         <translation>Ένας όζος δεν βρέθηκε</translation>
     </message>
     <message>
-        <source>The tissue gave way to a torque of %1</source>
+        <source>The tissue gave way at a torque of %1</source>
         <translation>Ο ιστός υποχώρησε σε ροπή %1</translation>
     </message>
 </context>
@@ -2548,19 +2646,19 @@ Do you want to replace it?</source>
     <name>RocWords</name>
     <message>
         <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
-        <translation>Εμβαδόν κάτω από την καμπύλη: %1· το 0,5 είναι τύχη, το 1 τέλειο. Συνεδρίες: %2 (%3). Θέσεις με όζο: %4, χωρίς: %5.</translation>
+        <translation>Εμβαδόν κάτω από την καμπύλη: %1· το 0,5 σημαίνει τύχη, το 1 τέλεια διάκριση. Συνεδρίες: %2 (%3). Θέσεις με όζο: %4, χωρίς: %5.</translation>
     </message>
     <message>
         <source>force felt</source>
-        <translation>δύναμη αισθητή</translation>
+        <translation>αισθητή δύναμη</translation>
     </message>
     <message>
         <source>force shown</source>
-        <translation>δύναμη προβαλλόμενη</translation>
+        <translation>μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>Hits over false alarms, from certain to a guess</source>
-        <translation>Επιτυχίες προς ψευδείς συναγερμούς, από βεβαιότητα έως εικασία</translation>
+        <source>Hits against false alarms, from certain to a guess</source>
+        <translation>Επιτυχίες ως προς τους ψευδείς συναγερμούς, από βεβαιότητα έως εικασία</translation>
     </message>
     <message>
         <source>False alarm rate</source>
@@ -2590,11 +2688,11 @@ Do you want to replace it?</source>
         <translation>πάρα πολλές γραμμές, το πολύ %1</translation>
     </message>
     <message>
-        <source>a heading line and at least one person are needed</source>
+        <source>a header line and at least one person are needed</source>
         <translation>χρειάζεται μια γραμμή επικεφαλίδων και τουλάχιστον ένα άτομο</translation>
     </message>
     <message>
-        <source>the column &quot;%1&quot; is not known, or is there twice</source>
+        <source>the column &quot;%1&quot; is unknown or appears twice</source>
         <translation>η στήλη «%1» είναι άγνωστη ή υπάρχει δύο φορές</translation>
     </message>
     <message>
@@ -2618,15 +2716,15 @@ Do you want to replace it?</source>
         <translation>το πλήρες όνομα είναι πολύ μεγάλο</translation>
     </message>
     <message>
-        <source>the password needs %1 characters, %2 different ones, and must not be the name</source>
-        <translation>ο κωδικός πρόσβασης χρειάζεται %1 χαρακτήρες, %2 διαφορετικούς, και δεν μπορεί να είναι το όνομα</translation>
+        <source>the password needs at least %1 characters, %2 of them different, and must not be the name</source>
+        <translation>ο κωδικός πρόσβασης χρειάζεται τουλάχιστον %1 χαρακτήρες, από αυτούς %2 διαφορετικούς, και δεν μπορεί να είναι το όνομα</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is in line %2 already</source>
+        <source>&quot;%1&quot; is already in line %2</source>
         <translation>το «%1» υπάρχει ήδη στη γραμμή %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is on this site already</source>
+        <source>&quot;%1&quot; already exists at this site</source>
         <translation>το «%1» υπάρχει ήδη σε αυτό το κέντρο</translation>
     </message>
     <message>
@@ -2911,12 +3009,12 @@ Do you want to replace it?</source>
         <translation>Ο ήχος είναι απενεργοποιημένος σε αυτόν τον σταθμό. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
     </message>
     <message>
-        <source>The sound part of Chiron is not installed. Everything that can be heard is also shown.</source>
-        <translation>Το τμήμα ήχου του Chiron δεν είναι εγκατεστημένο. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+        <source>The sound module of Chiron is not installed. Everything that can be heard is also shown.</source>
+        <translation>Η μονάδα ήχου του Chiron δεν είναι εγκατεστημένη. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
     </message>
     <message>
-        <source>The sound part belongs to another version of Chiron. Everything that can be heard is also shown.</source>
-        <translation>Το τμήμα ήχου ανήκει σε άλλη έκδοση του Chiron. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
+        <source>The sound module belongs to another version of Chiron. Everything that can be heard is also shown.</source>
+        <translation>Η μονάδα ήχου ανήκει σε άλλη έκδοση του Chiron. Ό,τι ακούγεται φαίνεται και στην οθόνη.</translation>
     </message>
     <message>
         <source>This station has no sound output. Everything that can be heard is also shown.</source>
@@ -2927,7 +3025,7 @@ Do you want to replace it?</source>
     <name>StageWords</name>
     <message>
         <source>Inspection: %1 of %2 landmarks seen. Hold still</source>
-        <translation>Επισκόπηση: φάνηκαν %1 από %2 οδηγά σημεία. Μείνετε ακίνητοι</translation>
+        <translation>Επισκόπηση: φάνηκαν %1 από %2 οδηγά σημεία. Μην κινείστε</translation>
     </message>
     <message>
         <source>Inspection: %1 of %2 landmarks seen</source>
@@ -2966,8 +3064,8 @@ Do you want to replace it?</source>
         <translation>Εισαγωγή: καθ’ οδόν προς τον στόχο</translation>
     </message>
     <message>
-        <source>Withdrawal: bring the endoscope out again</source>
-        <translation>Απόσυρση: βγάλτε πάλι έξω το ενδοσκόπιο</translation>
+        <source>Withdrawal: bring the endoscope back out</source>
+        <translation>Απόσυρση: βγάλτε το ενδοσκόπιο έξω</translation>
     </message>
 </context>
 <context>
@@ -3009,62 +3107,62 @@ Do you want to replace it?</source>
         <translation>Ο βρόχος δύναμης έχει προτεραιότητα πραγματικού χρόνου.</translation>
     </message>
     <message>
-        <source>The force loop has no real-time priority: under load, touch may become rough.</source>
-        <translation>Ο βρόχος δύναμης δεν έχει προτεραιότητα πραγματικού χρόνου: με φόρτο η αφή μπορεί να γίνει τραχιά.</translation>
+        <source>The force loop has no real-time priority: under load, touch may feel rough.</source>
+        <translation>Ο βρόχος δύναμης δεν έχει προτεραιότητα πραγματικού χρόνου: υπό φόρτο η αφή μπορεί να γίνει τραχιά.</translation>
     </message>
     <message>
-        <source>To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of the group that trains: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
-        <translation>Για να επιτραπεί, ο διαχειριστής αυτού του υπολογιστή προσθέτει δύο γραμμές σε ένα αρχείο στο /etc/security/limits.d, με το όνομα της ομάδας που εκπαιδεύεται: «@group - rtprio 80» και «@group - memlock unlimited». Ισχύει από την επόμενη σύνδεση στον υπολογιστή.</translation>
+        <source>To permit it, the administrator of this computer adds two lines to a file in /etc/security/limits.d, where &quot;group&quot; is the group of those who train: &quot;@group - rtprio 80&quot; and &quot;@group - memlock unlimited&quot;. It takes effect at the next login to the computer.</source>
+        <translation>Για να επιτραπεί, ο διαχειριστής αυτού του υπολογιστή προσθέτει δύο γραμμές σε ένα αρχείο στο /etc/security/limits.d, όπου «group» είναι η ομάδα όσων εκπαιδεύονται: «@group - rtprio 80» και «@group - memlock unlimited». Ισχύει από την επόμενη σύνδεση στον υπολογιστή.</translation>
     </message>
     <message>
         <source>Memory is locked: nothing the loop needs can be swapped out.</source>
         <translation>Η μνήμη είναι κλειδωμένη: τίποτα από όσα χρειάζεται ο βρόχος δεν μεταφέρεται στον δίσκο.</translation>
     </message>
     <message>
-        <source>Memory is not locked: under pressure the loop may have to wait for the disk.</source>
+        <source>Memory is not locked: when it runs short, the loop may have to wait for the disk.</source>
         <translation>Η μνήμη δεν είναι κλειδωμένη: όταν λείπει μνήμη, ο βρόχος ίσως περιμένει τον δίσκο.</translation>
     </message>
     <message>
-        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were left out.</source>
+        <source>%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, %6 were skipped.</source>
         <translation>%1 κύκλοι του 1 ms. Οι μισοί άρχισαν μέσα σε %2 µs, 99 στους 100 μέσα σε %3 µs, ο πιο αργός μετά από %4 µs. %5 καθυστέρησαν πάνω από 100 µs, %6 παραλείφθηκαν.</translation>
     </message>
     <message numerus="yes">
-        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
         <translation>
-            <numerusform>Ο βρόχος δεν είναι ακριβής: παραλείφθηκε %n βήμα. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
-            <numerusform>Ο βρόχος δεν είναι ακριβής: παραλείφθηκαν %n βήματα. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+            <numerusform>Ο βρόχος δεν είναι συνεπής: παραλείφθηκε %n κύκλος. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
+            <numerusform>Ο βρόχος δεν είναι συνεπής: παραλείφθηκαν %n κύκλοι. Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.</source>
-        <translation>Ο βρόχος είναι ακριβής: το %1 % των βημάτων καθυστέρησε (όριο %2 %) και κανένα δεν παραλείφθηκε.</translation>
+        <source>The loop runs on time: %1 % of the ticks were late (limit %2 %), and none was skipped.</source>
+        <translation>Ο βρόχος είναι συνεπής: το %1 % των κύκλων καθυστέρησε (όριο %2 %) και κανένας δεν παραλείφθηκε.</translation>
     </message>
     <message>
-        <source>The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
-        <translation>Ο βρόχος δεν είναι ακριβής: το %1 % των βημάτων καθυστέρησε (όριο %2 %). Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
+        <source>The loop does not run on time: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.</source>
+        <translation>Ο βρόχος δεν είναι συνεπής: το %1 % των κύκλων καθυστέρησε (όριο %2 %). Κλείστε άλλα προγράμματα ή επιτρέψτε προτεραιότητα πραγματικού χρόνου.</translation>
     </message>
 </context>
 <context>
     <name>StorageWords</name>
     <message>
-        <source>The disk is full: %1 are free. Sessions may not be stored. Make room before anybody trains.</source>
-        <translation>Ο δίσκος είναι γεμάτος: ελεύθερα %1. Οι συνεδρίες ίσως δεν αποθηκευτούν. Ελευθερώστε χώρο πριν από κάθε εκπαίδευση.</translation>
+        <source>The disk is full: only %1 is free. Sessions might not be saved. Free up space before anybody trains.</source>
+        <translation>Ο δίσκος είναι γεμάτος: ελεύθερα %1. Οι συνεδρίες ίσως δεν αποθηκευτούν. Ελευθερώστε χώρο πριν εκπαιδευτεί κάποιος.</translation>
     </message>
     <message>
-        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions will be refused. Close other programs.</source>
+        <source>There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions cannot start. Close other programs.</source>
         <translation>Δεν υπάρχει χώρος για το εφεδρικό αντίγραφο μιας συνεδρίας σε εξέλιξη (χρειάζονται %1, ελεύθερα στη μνήμη %2). Οι συνεδρίες δεν θα ξεκινούν. Κλείστε άλλα προγράμματα.</translation>
     </message>
     <message>
-        <source>The disk is getting full: %1 are free. Sessions can still be recorded. Make room, or move backups to another disk.</source>
+        <source>The disk is getting full: %1 is free. Sessions can still be recorded. Free up space, or move backups to another disk.</source>
         <translation>Ο δίσκος γεμίζει: ελεύθερα %1. Οι συνεδρίες καταγράφονται ακόμη. Ελευθερώστε χώρο ή μεταφέρετε αντίγραφα ασφαλείας σε άλλον δίσκο.</translation>
     </message>
     <message>
-        <source>Memory for the safety copy of running sessions is getting short: %1 are free.</source>
-        <translation>Η μνήμη για το εφεδρικό αντίγραφο των συνεδριών λιγοστεύει: ελεύθερα %1.</translation>
+        <source>Memory for the safety copy of running sessions is running low: %1 is free.</source>
+        <translation>Η μνήμη για το εφεδρικό αντίγραφο των συνεδριών σε εξέλιξη λιγοστεύει: ελεύθερα %1.</translation>
     </message>
     <message>
-        <source>There is room: %1 are free.</source>
-        <translation>Υπάρχει χώρος: ελεύθερα %1.</translation>
+        <source>There is enough room: %1 is free.</source>
+        <translation>Υπάρχει αρκετός χώρος: ελεύθερα %1.</translation>
     </message>
     <message>
         <source>There is no backup yet. What is recorded exists only once.</source>
@@ -3099,35 +3197,35 @@ Do you want to replace it?</source>
         <translation>Δεν διαβάζεται</translation>
     </message>
     <message>
-        <source>A session is not as it ended</source>
-        <translation>Μια συνεδρία δεν είναι όπως έληξε</translation>
+        <source>A session was changed after it ended</source>
+        <translation>Μια συνεδρία άλλαξε μετά τη λήξη της</translation>
     </message>
     <message>
-        <source>The audit trail does not hold</source>
+        <source>The audit trail is not intact</source>
         <translation>Το ημερολόγιο ελέγχου δεν είναι ακέραιο</translation>
     </message>
     <message>
-        <source>A score does not follow from its recording</source>
-        <translation>Μια βαθμολογία δεν προκύπτει από την καταγραφή της</translation>
+        <source>A score does not match its recording</source>
+        <translation>Μια βαθμολογία δεν συμφωνεί με την καταγραφή της</translation>
     </message>
     <message>
-        <source>Something does not hold</source>
-        <translation>Κάτι δεν είναι ακέραιο</translation>
+        <source>Something is wrong</source>
+        <translation>Κάτι δεν είναι σωστό</translation>
     </message>
     <message numerus="yes">
-        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <source>The check found %n error(s). Nothing was changed. Keep this database as it is and restore a backup that passes the check.</source>
         <translation>
             <numerusform>Βρέθηκε %n πρόβλημα. Τίποτα δεν άλλαξε. Κρατήστε αυτή τη βάση δεδομένων όπως είναι και επαναφέρετε ένα αντίγραφο ασφαλείας που περνά τον έλεγχο.</numerusform>
             <numerusform>Βρέθηκαν %n προβλήματα. Τίποτα δεν άλλαξε. Κρατήστε αυτή τη βάση δεδομένων όπως είναι και επαναφέρετε ένα αντίγραφο ασφαλείας που περνά τον έλεγχο.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The check was stopped after %1 records. Nothing wrong was found until then.</source>
+        <source>The check was stopped after %1 records. It had found no errors until then.</source>
         <translation>Ο έλεγχος σταμάτησε μετά από %1 εγγραφές. Ως τότε δεν βρέθηκε πρόβλημα.</translation>
     </message>
     <message>
-        <source>Everything holds: %1 records, every recording, every score, the audit trail.</source>
-        <translation>Όλα είναι ακέραια: %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου.</translation>
+        <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
+        <translation>Δεν βρέθηκε πρόβλημα: ελέγχθηκαν %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία και το ημερολόγιο ελέγχου.</translation>
     </message>
 </context>
 <context>
@@ -3148,14 +3246,14 @@ Do you want to replace it?</source>
         <translation>ΕΠΙΔΕΙΞΗ: επινοημένα πρόσωπα και αποτελέσματα</translation>
     </message>
     <message numerus="yes">
-        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <source>SIMULATED: %n participant(s) are programs, not people</source>
         <translation>
             <numerusform>ΠΡΟΣΟΜΟΙΩΣΗ: %n συμμετέχων είναι πρόγραμμα, όχι πρόσωπο</numerusform>
             <numerusform>ΠΡΟΣΟΜΟΙΩΣΗ: %n συμμετέχοντες είναι προγράμματα, όχι πρόσωπα</numerusform>
         </translation>
     </message>
     <message>
-        <source>BLIND: conditions go by sealed codes until the study is unblinded</source>
+        <source>BLINDED: conditions carry sealed codes until the study is unblinded</source>
         <translation>ΤΥΦΛΗ: οι συνθήκες φέρουν σφραγισμένους κωδικούς έως την άρση της τυφλότητας</translation>
     </message>
     <message>
@@ -3187,8 +3285,8 @@ Do you want to replace it?</source>
         <translation>Σπόρος</translation>
     </message>
     <message>
-        <source>Participants blind</source>
-        <translation>Τυφλοί συμμετέχοντες</translation>
+        <source>Participants blinded</source>
+        <translation>Τυφλότητα συμμετεχόντων</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3199,12 +3297,12 @@ Do you want to replace it?</source>
         <translation>όχι</translation>
     </message>
     <message>
-        <source>Experimenters blind</source>
-        <translation>Τυφλοί πειραματιστές</translation>
+        <source>Experimenters blinded</source>
+        <translation>Τυφλότητα πειραματιστών</translation>
     </message>
     <message>
         <source>unblinded</source>
-        <translation>χωρίς τυφλότητα</translation>
+        <translation>έχει αρθεί</translation>
     </message>
     <message>
         <source>Frozen design (SHA-256)</source>
@@ -3295,16 +3393,16 @@ Do you want to replace it?</source>
         <translation>Λόγος επανάληψης</translation>
     </message>
     <message>
-        <source>Same choices again</source>
-        <translation>Ίδιες επιλογές ξανά</translation>
+        <source>Choices reproduced</source>
+        <translation>Αναπαραγωγή επιλογών</translation>
     </message>
     <message>
-        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit in more than %4 of the contact.</source>
+        <source>A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, or the device is at its limit for more than %4 of the contact.</source>
         <translation>Μια δοκιμή επαναλαμβάνεται όταν η δύναμη αποκλίνει πάνω από %1 N ή η αίσθηση πάνω από %2, όταν καθυστερεί πάνω από %3 των κύκλων ή όταν η συσκευή είναι στο όριό της σε πάνω από %4 της επαφής.</translation>
     </message>
     <message>
-        <source>Same choices again: run again from its log, the procedure chose the same presentations.</source>
-        <translation>Ίδιες επιλογές ξανά: όταν επαναλήφθηκε από το αρχείο της, η διαδικασία επέλεξε τις ίδιες παρουσιάσεις.</translation>
+        <source>Choices reproduced: when run again from its log, the procedure chose the same presentations.</source>
+        <translation>Αναπαραγωγή επιλογών: όταν εκτελέστηκε ξανά από το αρχείο της, η διαδικασία επέλεξε τις ίδιες παρουσιάσεις.</translation>
     </message>
     <message>
         <source>No answers</source>
@@ -3318,8 +3416,8 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>Median %1, middle half %2 to %3, of %4</source>
-        <translation>Διάμεσος %1, μεσαίο μισό %2 έως %3, από %4</translation>
+        <source>Median %1, interquartile range %2 to %3, n = %4</source>
+        <translation>Διάμεσος %1, ενδοτεταρτημοριακό εύρος %2 έως %3, n = %4</translation>
     </message>
     <message>
         <source>Question</source>
@@ -3334,7 +3432,7 @@ Do you want to replace it?</source>
         <translation>Διαφορά από την αναφορά (%)</translation>
     </message>
     <message>
-        <source>Proportion right</source>
+        <source>Proportion correct</source>
         <translation>Ποσοστό σωστών</translation>
     </message>
     <message>
@@ -3362,20 +3460,20 @@ Do you want to replace it?</source>
         <translation>Διάστημα 95 %</translation>
     </message>
     <message>
-        <source>A further participant, 95 %</source>
-        <translation>Ένας ακόμη συμμετέχων, 95 %</translation>
+        <source>95 % prediction interval</source>
+        <translation>Διάστημα πρόβλεψης 95 %</translation>
     </message>
     <message>
-        <source>Participants used, left out</source>
-        <translation>Συμμετέχοντες: λήφθηκαν, εξαιρέθηκαν</translation>
+        <source>Participants included, excluded</source>
+        <translation>Συμμετέχοντες: περιλήφθηκαν, εξαιρέθηκαν</translation>
     </message>
     <message>
         <source>JND at the reference</source>
         <translation>JND στην αναφορά</translation>
     </message>
     <message>
-        <source>Point of equality</source>
-        <translation>Σημείο ισότητας</translation>
+        <source>Point of subjective equality</source>
+        <translation>Σημείο υποκειμενικής ισότητας</translation>
     </message>
     <message>
         <source>Exponent of the power law</source>
@@ -3399,7 +3497,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Run</source>
-        <translation>Διεξαγωγή</translation>
+        <translation>Εκτέλεση</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -3434,12 +3532,12 @@ Do you want to replace it?</source>
         <translation>Κατάταξη τριών</translation>
     </message>
     <message>
-        <source>Two intervals (2AFC)</source>
-        <translation>Επιλογή από δύο (2AFC)</translation>
+        <source>Two alternatives (2AFC)</source>
+        <translation>Δύο εναλλακτικές (2AFC)</translation>
     </message>
     <message>
-        <source>Three intervals (3AFC)</source>
-        <translation>Επιλογή από τρία (3AFC)</translation>
+        <source>Three alternatives (3AFC)</source>
+        <translation>Τρεις εναλλακτικές (3AFC)</translation>
     </message>
     <message>
         <source>Odd one out of three</source>
@@ -3519,7 +3617,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Completed</source>
-        <translation>Ολοκληρωμένο</translation>
+        <translation>Ολοκληρώθηκε</translation>
     </message>
     <message>
         <source>Withdrawn</source>
@@ -3534,12 +3632,12 @@ Do you want to replace it?</source>
         <translation>Σταμάτησε</translation>
     </message>
     <message>
-        <source>Force was not what was asked</source>
-        <translation>Η δύναμη δεν ήταν η ζητούμενη</translation>
+        <source>Force not as commanded</source>
+        <translation>Η δύναμη διέφερε από τη ζητούμενη</translation>
     </message>
     <message>
         <source>Felt value off</source>
-        <translation>Η αίσθηση αποκλίνει</translation>
+        <translation>Απόκλιση αισθητής τιμής</translation>
     </message>
     <message>
         <source>Late ticks</source>
@@ -3562,11 +3660,11 @@ Do you want to replace it?</source>
         <translation>Τέλος χρόνου</translation>
     </message>
     <message>
-        <source>Not all were touched</source>
+        <source>Not all touched</source>
         <translation>Δεν αγγίχτηκαν όλα</translation>
     </message>
     <message>
-        <source>Spoiled by the experimenter</source>
+        <source>Discarded by the experimenter</source>
         <translation>Ακυρώθηκε από τον πειραματιστή</translation>
     </message>
     <message>
@@ -3574,7 +3672,7 @@ Do you want to replace it?</source>
         <translation>Κανένα σημάδι ακόμη</translation>
     </message>
     <message>
-        <source>Marks about the true apex</source>
+        <source>Marks around the true apex</source>
         <translation>Σημάδια γύρω από την πραγματική κορυφή</translation>
     </message>
     <message>
@@ -3594,7 +3692,7 @@ Do you want to replace it?</source>
         <translation>μετατόπιση</translation>
     </message>
     <message>
-        <source>± 1 SD an axis</source>
+        <source>± 1 SD per axis</source>
         <translation>± 1 SD ανά άξονα</translation>
     </message>
     <message>
@@ -3661,7 +3759,7 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <source>With only %n participant(s), differences between people are very uncertain.</source>
         <translation>
             <numerusform>Μόνο %n συμμετέχων: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
             <numerusform>Μόνο %n συμμετέχοντες: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
@@ -3672,11 +3770,11 @@ Do you want to replace it?</source>
         <translation>Ορισμένοι συμμετέχοντες έχουν λιγότερα από 10 σημάδια.</translation>
     </message>
     <message>
-        <source>Errors in x lean to one side: the absolute error is not scatter alone.</source>
+        <source>Errors in x lean to one side: the absolute error is not only scatter.</source>
         <translation>Τα σφάλματα στο x κλίνουν προς μία πλευρά: το απόλυτο σφάλμα δεν είναι μόνο διασπορά.</translation>
     </message>
     <message>
-        <source>Errors in y lean to one side: the absolute error is not scatter alone.</source>
+        <source>Errors in y lean to one side: the absolute error is not only scatter.</source>
         <translation>Τα σφάλματα στο y κλίνουν προς μία πλευρά: το απόλυτο σφάλμα δεν είναι μόνο διασπορά.</translation>
     </message>
     <message numerus="yes">
@@ -3687,7 +3785,7 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
         <translation>
             <numerusform>%n σημάδι προέρχεται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
             <numerusform>%n σημάδια προέρχονται από τον παρατηρητή σχεδιασμού: τίποτα δεν αποδόθηκε.</numerusform>
@@ -3708,14 +3806,14 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <source>%n simulated participant(s) are left out: the group contains only people.</source>
         <translation>
-            <numerusform>%n προσομοιωμένος συμμετέχων παραλείπεται: η ομάδα είναι από ανθρώπους.</numerusform>
-            <numerusform>%n προσομοιωμένοι συμμετέχοντες παραλείπονται: η ομάδα είναι από ανθρώπους.</numerusform>
+            <numerusform>%n προσομοιωμένος συμμετέχων παραλείπεται: η ομάδα περιλαμβάνει μόνο ανθρώπους.</numerusform>
+            <numerusform>%n προσομοιωμένοι συμμετέχοντες παραλείπονται: η ομάδα περιλαμβάνει μόνο ανθρώπους.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The group is of simulated participants alone.</source>
+        <source>The group contains only simulated participants.</source>
         <translation>Η ομάδα αποτελείται μόνο από προσομοιωμένους συμμετέχοντες.</translation>
     </message>
     <message>
@@ -3771,8 +3869,8 @@ Do you want to replace it?</source>
         <translation>L του Page</translation>
     </message>
     <message>
-        <source>No worth of an object is finite: some object was always, or never, ranked above the others.</source>
-        <translation>Καμία αξία αντικειμένου δεν είναι πεπερασμένη: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα.</translation>
+        <source>The worths cannot be estimated: one object was always, or never, ranked above the others.</source>
+        <translation>Οι αξίες δεν εκτιμώνται: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα.</translation>
     </message>
     <message>
         <source>Bradley-Terry</source>
@@ -3791,12 +3889,12 @@ Do you want to replace it?</source>
         <translation>Thurstone</translation>
     </message>
     <message>
-        <source>Scale (sd)</source>
+        <source>Scale (SD)</source>
         <translation>Κλίμακα (τυπική απόκλιση)</translation>
     </message>
     <message>
-        <source>Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell apart. All differences D are taken together.</source>
-        <translation>Αξία κάθε αντικειμένου από όλες τις κατατάξεις της ομάδας: πόσο συχνότερα ήταν πάνω από τα άλλα. Όσο πιο μακριά, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί.</translation>
+        <source>Worth of each object, from all rankings of the group: how much more often it was ranked above the others. The farther apart two objects are, the easier they are to tell apart. All differences D are pooled.</source>
+        <translation>Αξία κάθε αντικειμένου από όλες τις κατατάξεις της ομάδας: πόσο συχνότερα ήταν πάνω από τα άλλα. Όσο πιο μακριά βρίσκονται δύο αντικείμενα, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί.</translation>
     </message>
     <message>
         <source>Sealed reason</source>
@@ -3810,39 +3908,39 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>There is no scored trial yet, so nothing can be said.</source>
-        <translation>Δεν υπάρχει ακόμη δοκιμή που να μετρά, οπότε δεν προκύπτει τίποτα.</translation>
+        <source>There is no scored trial yet, so there is no result.</source>
+        <translation>Δεν υπάρχει ακόμη βαθμολογημένη δοκιμή, οπότε δεν υπάρχει αποτέλεσμα.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <source>Only %n trial(s): the interval is wide and depends partly on prior assumptions.</source>
         <translation>
-            <numerusform>Μόνο %n δοκιμή: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε όσα είχαν υποτεθεί από πριν.</numerusform>
-            <numerusform>Μόνο %n δοκιμές: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε όσα είχαν υποτεθεί από πριν.</numerusform>
+            <numerusform>Μόνο %n δοκιμή: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε αρχικές παραδοχές.</numerusform>
+            <numerusform>Μόνο %n δοκιμές: το διάστημα είναι ευρύ και στηρίζεται εν μέρει σε αρχικές παραδοχές.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The objects never differed, so nothing can be said about telling them apart.</source>
-        <translation>Τα αντικείμενα δεν διέφεραν ποτέ, οπότε δεν προκύπτει τίποτα για τη διάκρισή τους.</translation>
+        <source>The objects never differed, so it is not known how well they are told apart.</source>
+        <translation>Τα αντικείμενα δεν διέφεραν ποτέ, οπότε δεν είναι γνωστό πόσο καλά ξεχωρίζουν.</translation>
     </message>
     <message>
-        <source>Only one difference was presented: slips of attention cannot be told from a high threshold.</source>
+        <source>Only one difference was presented: lapses of attention cannot be distinguished from a high threshold.</source>
         <translation>Παρουσιάστηκε μόνο μία διαφορά: η απροσεξία δεν ξεχωρίζει από ένα υψηλό κατώφλι.</translation>
     </message>
     <message>
-        <source>Very many different differences were presented; neighbouring ones were put together.</source>
-        <translation>Παρουσιάστηκαν πάρα πολλές διαφορετικές διαφορές· οι γειτονικές ενώθηκαν.</translation>
+        <source>A great many differences were presented; neighbouring ones were grouped.</source>
+        <translation>Παρουσιάστηκαν πάρα πολλές διαφορές· οι γειτονικές ομαδοποιήθηκαν.</translation>
     </message>
     <message>
         <source>The same answer was given every time: it says nothing about what was felt.</source>
         <translation>Δόθηκε κάθε φορά η ίδια απάντηση: δεν λέει τίποτα για το τι έγινε αισθητό.</translation>
     </message>
     <message>
-        <source>Every answer was right: the threshold is below the smallest difference, how far is not known.</source>
-        <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι είναι κάτω από τη μικρότερη διαφορά, πόσο κάτω δεν είναι γνωστό.</translation>
+        <source>Every answer was right: the threshold is below the smallest difference, but how far below is not known.</source>
+        <translation>Όλες οι απαντήσεις ήταν σωστές: το κατώφλι είναι κάτω από τη μικρότερη διαφορά, αλλά δεν είναι γνωστό πόσο.</translation>
     </message>
     <message>
-        <source>No better than guessing: the threshold may be above the largest difference presented.</source>
-        <translation>Όχι καλύτερα από την τύχη: το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
+        <source>The answers are no better than guessing: the threshold may be above the largest difference presented.</source>
+        <translation>Οι απαντήσεις δεν είναι καλύτερες από την τύχη: το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε.</translation>
     </message>
     <message>
         <source>More than a tenth of the answers look like guesses even where the difference was easy.</source>
@@ -3853,52 +3951,52 @@ Do you want to replace it?</source>
         <translation>Ανάμεσα σε δύο γειτονικές διαφορές οι απαντήσεις περνούν από τυχαίες σε πάντα σωστές: το ενδιάμεσο δεν είναι γνωστό.</translation>
     </message>
     <message>
-        <source>Wrong answers fall on one place much more often than chance allows.</source>
-        <translation>Οι λανθασμένες απαντήσεις πέφτουν σε μία θέση πολύ συχνότερα από όσο επιτρέπει η τύχη.</translation>
+        <source>Wrong answers name one position much more often than chance would explain.</source>
+        <translation>Οι λανθασμένες απαντήσεις δείχνουν μία θέση πολύ συχνότερα από όσο εξηγεί η τύχη.</translation>
     </message>
     <message>
-        <source>Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.</source>
-        <translation>Οι συνθήκες διαφέρουν σε όσα χρειάζεται μια ανάλυση: εκτίμηση υπάρχει μετά την άρση της τύφλωσης.</translation>
+        <source>The conditions differ in values that the analysis needs: there will be an estimate once the study is unblinded.</source>
+        <translation>Οι συνθήκες διαφέρουν σε τιμές που χρειάζεται η ανάλυση: εκτίμηση υπάρχει μετά την άρση της τυφλότητας.</translation>
     </message>
     <message>
-        <source>A quick simulation without rendering: the observer was told the values.</source>
+        <source>A quick simulation without rendering: the observer knew the values.</source>
         <translation>Γρήγορη προσομοίωση χωρίς απόδοση: ο παρατηρητής γνώριζε τις τιμές.</translation>
     </message>
     <message>
-        <source>The answers do not tell how small the threshold is: the value shown is what was assumed beforehand.</source>
-        <translation>Οι απαντήσεις δεν δείχνουν πόσο μικρό είναι το κατώφλι: η τιμή είναι ό,τι είχε υποτεθεί από πριν.</translation>
+        <source>The answers do not tell how small the threshold is: the value shown comes from prior assumptions.</source>
+        <translation>Οι απαντήσεις δεν δείχνουν πόσο μικρό είναι το κατώφλι: η τιμή προέρχεται από αρχικές παραδοχές.</translation>
     </message>
     <message>
-        <source>The answers do not tell how large the threshold is: the value shown is what was assumed beforehand.</source>
-        <translation>Οι απαντήσεις δεν δείχνουν πόσο μεγάλο είναι το κατώφλι: η τιμή είναι ό,τι είχε υποτεθεί από πριν.</translation>
+        <source>The answers do not tell how large the threshold is: the value shown comes from prior assumptions.</source>
+        <translation>Οι απαντήσεις δεν δείχνουν πόσο μεγάλο είναι το κατώφλι: η τιμή προέρχεται από αρχικές παραδοχές.</translation>
     </message>
     <message>
-        <source>The lower end of the interval comes from what was assumed beforehand, not from the answers.</source>
-        <translation>Το κάτω άκρο του διαστήματος προέρχεται από όσα είχαν υποτεθεί από πριν, όχι από τις απαντήσεις.</translation>
+        <source>The lower end of the interval comes from prior assumptions, not from the answers.</source>
+        <translation>Το κάτω άκρο του διαστήματος προέρχεται από αρχικές παραδοχές, όχι από τις απαντήσεις.</translation>
     </message>
     <message>
-        <source>The upper end of the interval comes from what was assumed beforehand, not from the answers.</source>
-        <translation>Το πάνω άκρο του διαστήματος προέρχεται από όσα είχαν υποτεθεί από πριν, όχι από τις απαντήσεις.</translation>
+        <source>The upper end of the interval comes from prior assumptions, not from the answers.</source>
+        <translation>Το πάνω άκρο του διαστήματος προέρχεται από αρχικές παραδοχές, όχι από τις απαντήσεις.</translation>
     </message>
     <message>
         <source>The curve does not describe the answers well: attention or strategy may have changed.</source>
         <translation>Η καμπύλη δεν περιγράφει καλά τις απαντήσεις: ίσως άλλαξε η προσοχή ή η στρατηγική.</translation>
     </message>
     <message>
-        <source>Another curve through the same answers puts the threshold elsewhere: take the value with care.</source>
-        <translation>Μια άλλη καμπύλη στις ίδιες απαντήσεις τοποθετεί αλλού το κατώφλι: δείτε την τιμή με επιφύλαξη.</translation>
+        <source>Another curve through the same answers puts the threshold elsewhere: treat the value with caution.</source>
+        <translation>Μια άλλη καμπύλη στις ίδιες απαντήσεις δίνει άλλο κατώφλι: δείτε την τιμή με επιφύλαξη.</translation>
     </message>
     <message>
         <source>Answers do not get better as the difference grows, so there is no threshold to find.</source>
         <translation>Οι απαντήσεις δεν βελτιώνονται όσο μεγαλώνει η διαφορά, οπότε δεν υπάρχει κατώφλι να βρεθεί.</translation>
     </message>
     <message>
-        <source>Answers get worse as the difference grows: do differences and answers belong together?</source>
-        <translation>Οι απαντήσεις χειροτερεύουν όσο μεγαλώνει η διαφορά: αντιστοιχούν οι διαφορές στις απαντήσεις;</translation>
+        <source>Answers get worse as the difference grows: check that answers and differences match.</source>
+        <translation>Οι απαντήσεις χειροτερεύουν όσο μεγαλώνει η διαφορά: ελέγξτε αν οι απαντήσεις αντιστοιχούν στις διαφορές.</translation>
     </message>
     <message>
-        <source>The condition has no reference above zero, so nothing can be given in its unit.</source>
-        <translation>Η συνθήκη δεν έχει τιμή αναφοράς πάνω από το μηδέν, οπότε τίποτα δεν δίνεται στη μονάδα της.</translation>
+        <source>The condition has no reference above zero, so no value can be given in its unit.</source>
+        <translation>Η συνθήκη δεν έχει τιμή αναφοράς πάνω από το μηδέν, οπότε δεν δίνεται τιμή στη μονάδα της.</translation>
     </message>
     <message numerus="yes">
         <source>%n setting(s) are not above zero and are left out.</source>
@@ -3908,11 +4006,11 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>Nothing has been set yet, so nothing can be said.</source>
-        <translation>Δεν έχει ρυθμιστεί ακόμη τίποτα, οπότε δεν προκύπτει τίποτα.</translation>
+        <source>Nothing has been set yet, so there is no result.</source>
+        <translation>Δεν έχει ρυθμιστεί ακόμη τίποτα, οπότε δεν υπάρχει αποτέλεσμα.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <source>With only %n setting(s), the scatter is very uncertain.</source>
         <translation>
             <numerusform>Μόνο %n ρύθμιση: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
             <numerusform>Μόνο %n ρυθμίσεις: η διασπορά τους είναι σχεδόν άγνωστη.</numerusform>
@@ -3930,22 +4028,22 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>No number has been said yet, so nothing can be said.</source>
-        <translation>Δεν έχει ειπωθεί ακόμη αριθμός, οπότε δεν προκύπτει τίποτα.</translation>
+        <source>No number has been given yet, so there is no result.</source>
+        <translation>Δεν έχει δοθεί ακόμη αριθμός, οπότε δεν υπάρχει αποτέλεσμα.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n answer(s): the result is hardly known.</source>
+        <source>With only %n answer(s), the result is very uncertain.</source>
         <translation>
-            <numerusform>Μόνο %n απάντηση: το αποτέλεσμα είναι σχεδόν άγνωστο.</numerusform>
-            <numerusform>Μόνο %n απαντήσεις: το αποτέλεσμα είναι σχεδόν άγνωστο.</numerusform>
+            <numerusform>Μόνο %n απάντηση: το αποτέλεσμα είναι πολύ αβέβαιο.</numerusform>
+            <numerusform>Μόνο %n απαντήσεις: το αποτέλεσμα είναι πολύ αβέβαιο.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Only one strength was presented, so there is no exponent.</source>
+        <source>Only one stimulus intensity was presented, so there is no exponent.</source>
         <translation>Παρουσιάστηκε μόνο μία ένταση, οπότε δεν υπάρχει εκθέτης.</translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <source>With only %n participant(s) with an exponent, differences between people are very uncertain.</source>
         <translation>
             <numerusform>Μόνο %n συμμετέχων με εκθέτη: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
             <numerusform>Μόνο %n συμμετέχοντες με εκθέτη: οι διαφορές μεταξύ ατόμων είναι σχεδόν άγνωστες.</numerusform>
@@ -3959,18 +4057,18 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>Nobody&apos;s answers give a value.</source>
-        <translation>Οι απαντήσεις κανενός δεν δίνουν τιμή.</translation>
+        <source>No participant&apos;s answers give a value.</source>
+        <translation>Από κανέναν συμμετέχοντα δεν προκύπτει τιμή.</translation>
     </message>
     <message>
         <source>One participant is not a group: there is no interval.</source>
         <translation>Ένας συμμετέχων δεν είναι ομάδα: δεν υπάρχει διάστημα.</translation>
     </message>
     <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
         <translation>
-            <numerusform>%n συμμετέχων της ομάδας προσομοιώθηκε χωρίς απόδοση: γνώριζε τις τιμές, τίποτα δεν έγινε αισθητό.</numerusform>
-            <numerusform>%n συμμετέχοντες της ομάδας προσομοιώθηκαν χωρίς απόδοση: γνώριζαν τις τιμές, τίποτα δεν έγινε αισθητό.</numerusform>
+            <numerusform>%n συμμετέχων της ομάδας προσομοιώθηκε χωρίς απόδοση: γνώριζε τις τιμές και δεν αισθάνθηκε τίποτα.</numerusform>
+            <numerusform>%n συμμετέχοντες της ομάδας προσομοιώθηκαν χωρίς απόδοση: γνώριζαν τις τιμές και δεν αισθάνθηκαν τίποτα.</numerusform>
         </translation>
     </message>
     <message>
@@ -3982,8 +4080,8 @@ Do you want to replace it?</source>
         <translation>Η συνθήκη δεν μπορεί να προσομοιωθεί: χρειάζεται διαδικασία και διαφορές.</translation>
     </message>
     <message>
-        <source>The largest difference is below what this observer needs.</source>
-        <translation>Η μεγαλύτερη διαφορά είναι μικρότερη από όση χρειάζεται αυτός ο παρατηρητής.</translation>
+        <source>The largest difference is too small for this observer.</source>
+        <translation>Η μεγαλύτερη διαφορά είναι πολύ μικρή για αυτόν τον παρατηρητή.</translation>
     </message>
     <message numerus="yes">
         <source>%n of %1 simulated run(s) gave no value.</source>
@@ -3997,24 +4095,24 @@ Do you want to replace it?</source>
         <translation>Εκτίμηση από όλες μαζί τις απαντήσεις, σωστές και λανθασμένες</translation>
     </message>
     <message>
-        <source>Estimated from all orders said together</source>
-        <translation>Εκτίμηση από όλες μαζί τις σειρές που ειπώθηκαν</translation>
+        <source>Estimated from all orders given, taken together</source>
+        <translation>Εκτίμηση από όλες μαζί τις σειρές που δόθηκαν</translation>
     </message>
     <message>
-        <source>Mean and spread of what was set</source>
-        <translation>Μέση τιμή και διασπορά όσων ρυθμίστηκαν</translation>
+        <source>Mean and spread of the settings</source>
+        <translation>Μέση τιμή και διασπορά των ρυθμίσεων</translation>
     </message>
     <message>
-        <source>A power law through the numbers said</source>
-        <translation>Νόμος δύναμης από τους αριθμούς που ειπώθηκαν</translation>
+        <source>Power law fitted to the numbers given</source>
+        <translation>Νόμος δύναμης, προσαρμοσμένος στους αριθμούς που δόθηκαν</translation>
     </message>
     <message>
         <source>Errors of the marks</source>
         <translation>Σφάλματα των σημαδιών</translation>
     </message>
     <message>
-        <source>Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. L: trend towards the true order. Of a person each ranking is one judgement, of the group each person&apos;s mean ranks.</source>
-        <translation>Σωστές: ολόκληρες κατατάξεις (στην τύχη 1 στις 6, με ισοβαθμίες λιγότερες). τ: ομοιότητα με την πραγματική σειρά, 1 ίδια, 0 καμία σχέση. W: συμφωνία, 0 καμία, 1 πλήρης. L: τάση προς την πραγματική σειρά. Για ένα άτομο κάθε κατάταξη είναι μία κρίση, για την ομάδα οι μέσες θέσεις κάθε ατόμου.</translation>
+        <source>Right: rankings with the whole order right (guessing gives 1 in 6, fewer with ties). τ: agreement with the true order (1 identical, 0 none). W: agreement among rankings (0 none, 1 complete). L: trend towards the true order. For a person, each ranking is one judgement; for the group, each person&apos;s mean ranks are one.</source>
+        <translation>Σωστές: κατατάξεις με ολόκληρη τη σειρά σωστή (στην τύχη 1 στις 6, με ισοβαθμίες λιγότερες). τ: συμφωνία με την πραγματική σειρά (1 ίδια, 0 καμία). W: συμφωνία των κατατάξεων μεταξύ τους (0 καμία, 1 πλήρης). L: τάση προς την πραγματική σειρά. Για ένα άτομο κάθε κατάταξη είναι μία κρίση, για την ομάδα οι μέσες θέσεις κάθε ατόμου.</translation>
     </message>
     <message>
         <source>Bradley-Terry, ties by Davidson</source>
@@ -4037,12 +4135,12 @@ Do you want to replace it?</source>
         <translation>προσαρμογή: όλη η σειρά σωστή</translation>
     </message>
     <message>
-        <source>the same observer, right of two</source>
-        <translation>το ίδιο άτομο, σωστά από δύο</translation>
+        <source>same observer: pair in right order</source>
+        <translation>το ίδιο άτομο: σωστή σειρά ζεύγους</translation>
     </message>
     <message>
-        <source>criterion of two compared</source>
-        <translation>κριτήριο σύγκρισης δύο</translation>
+        <source>criterion for a pair</source>
+        <translation>κριτήριο για ζεύγος</translation>
     </message>
     <message>
         <source>felt</source>
@@ -4057,11 +4155,11 @@ Do you want to replace it?</source>
         <translation>Δύναμη</translation>
     </message>
     <message>
-        <source>Of all conditions together. How many trials there were is told of those who have done every condition.</source>
-        <translation>Για όλες τις συνθήκες μαζί. Πόσες δοκιμές έγιναν αναφέρεται για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
+        <source>Over all conditions together. The number of trials is shown only for those who have done every condition.</source>
+        <translation>Για όλες τις συνθήκες μαζί. Ο αριθμός των δοκιμών αναφέρεται μόνο για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
     </message>
     <message>
-        <source>What came of it, how long it took and how many trials it took stay sealed until the study is unblinded.</source>
+        <source>The result, the time and the number of trials stay sealed until the study is unblinded.</source>
         <translation>Το αποτέλεσμα, η διάρκεια και ο αριθμός των δοκιμών μένουν σφραγισμένα έως την άρση της τυφλότητας.</translation>
     </message>
     <message numerus="yes">
@@ -4074,15 +4172,15 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>%n participant(s) are left out of the group: objects were shown to them, not felt.</source>
         <translation>
-            <numerusform>%n συμμετέχων παραλείπεται από την ομάδα: τα αντικείμενα του προβλήθηκαν, δεν τα αισθάνθηκε.</numerusform>
-            <numerusform>%n συμμετέχοντες παραλείπονται από την ομάδα: τα αντικείμενα τους προβλήθηκαν, δεν τα αισθάνθηκαν.</numerusform>
+            <numerusform>%n συμμετέχων παραλείπεται από την ομάδα: είδε μόνο τα αντικείμενα, δεν τα αισθάνθηκε.</numerusform>
+            <numerusform>%n συμμετέχοντες παραλείπονται από την ομάδα: είδαν μόνο τα αντικείμενα, δεν τα αισθάνθηκαν.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
         <translation>
-            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντα στον οποίο τα αντικείμενα μόνο προβλήθηκαν.</numerusform>
-            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντες στους οποίους τα αντικείμενα μόνο προβλήθηκαν.</numerusform>
+            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντα που είδε μόνο τα αντικείμενα, δεν τα αισθάνθηκε.</numerusform>
+            <numerusform>Η ομάδα περιλαμβάνει %n συμμετέχοντες που είδαν μόνο τα αντικείμενα, δεν τα αισθάνθηκαν.</numerusform>
         </translation>
     </message>
     <message>
@@ -4098,7 +4196,7 @@ Do you want to replace it?</source>
         <translation>p, προσαρμοσμένο</translation>
     </message>
     <message>
-        <source>p, own thresholds</source>
+        <source>p, separate thresholds</source>
         <translation>p, χωριστά κατώφλια</translation>
     </message>
     <message>
@@ -4118,12 +4216,12 @@ Do you want to replace it?</source>
         <translation>Σύγκριση συνθηκών</translation>
     </message>
     <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people&apos;s answers better than one for both; not told of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.</source>
-        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· των ατόμων που έκαναν και τις δύο, όπου είναι τουλάχιστον δύο, αλλιώς δύο ομάδων. Προσαρμοσμένο: για τόσες συγκρίσεις (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό· δεν δηλώνεται για προσαρμοστικές εκτελέσεις, όπου οι απαντήσεις επέλεξαν τις διαφορές: εκεί η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
+        <source>Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is not given for adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.</source>
+        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· από τα άτομα που έκαναν και τις δύο συνθήκες αν είναι τουλάχιστον δύο, αλλιώς από δύο ομάδες. Προσαρμοσμένο: για αυτόν τον αριθμό συγκρίσεων (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δεν δίνεται για προσαρμοστικές εκτελέσεις: εκεί οι απαντήσεις επέλεξαν τις διαφορές, οπότε η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
     <message>
-        <source>Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.</source>
-        <translation>Οι συνθήκες συγκρίνονται μετά την άρση της τύφλωσης: μια διαφορά που την παρακολουθεί κανείς να μεγαλώνει δεν είναι πια έλεγχος.</translation>
+        <source>Conditions are compared once the study is unblinded: looking at the difference while data come in would invalidate the test.</source>
+        <translation>Οι συνθήκες συγκρίνονται μετά την άρση της τυφλότητας: αν κανείς βλέπει τη διαφορά ενώ συλλέγονται τα δεδομένα, ο έλεγχος δεν ισχύει.</translation>
     </message>
     <message>
         <source>The answers narrowed the prior to %1 of its width. Near 0 % the answers decide the result; near 100 % the prior does.</source>
@@ -4138,15 +4236,15 @@ Do you want to replace it?</source>
         <translation>W της ομάδας, 95 % στους συμμετέχοντες: %1</translation>
     </message>
     <message>
-        <source>How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.</source>
-        <translation>Πόσο από το αποτέλεσμα ήταν παραδοχή εκ των προτέρων: κοντά στο 0 % αποφασίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
+        <source>How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.</source>
+        <translation>Πόσο από το αποτέλεσμα προέρχεται από την εκ των προτέρων κατανομή: κοντά στο 0 % το καθορίζουν οι απαντήσεις, κοντά στο 100 % η εκ των προτέρων κατανομή.</translation>
     </message>
     <message>
-        <source>Prior&apos;s part</source>
+        <source>Prior influence</source>
         <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
     </message>
     <message>
-        <source>Prior&apos;s part: %1</source>
+        <source>Share of the prior: %1</source>
         <translation>Μερίδιο της εκ των προτέρων κατανομής: %1</translation>
     </message>
 </context>
@@ -4166,19 +4264,19 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Μέσος</translation>
+        <translation>Μέση τιμή</translation>
     </message>
     <message>
         <source>Standard deviation</source>
         <translation>Τυπική απόκλιση</translation>
     </message>
     <message>
-        <source>Lapses</source>
-        <translation>Αβλεψίες</translation>
+        <source>Lapse rate</source>
+        <translation>Ποσοστό αβλεψιών</translation>
     </message>
     <message>
-        <source>Guesses</source>
-        <translation>Τυχαίες απαντήσεις</translation>
+        <source>Guess rate</source>
+        <translation>Ποσοστό τυχαίων απαντήσεων</translation>
     </message>
     <message>
         <source>Staircase (up–down)</source>
@@ -4245,12 +4343,12 @@ Do you want to replace it?</source>
         <translation>Κατάταξη τριών</translation>
     </message>
     <message>
-        <source>Two intervals (2AFC)</source>
-        <translation>Επιλογή από δύο (2AFC)</translation>
+        <source>Two alternatives (2AFC)</source>
+        <translation>Δύο εναλλακτικές (2AFC)</translation>
     </message>
     <message>
-        <source>Three intervals (3AFC)</source>
-        <translation>Επιλογή από τρία (3AFC)</translation>
+        <source>Three alternatives (3AFC)</source>
+        <translation>Τρεις εναλλακτικές (3AFC)</translation>
     </message>
     <message>
         <source>Odd one out of three</source>
@@ -4277,12 +4375,12 @@ Do you want to replace it?</source>
         <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά.</translation>
     </message>
     <message>
-        <source>Which of two objects is more?</source>
-        <translation>Ποιο από δύο αντικείμενα είναι περισσότερο;</translation>
+        <source>Which of two objects has more of the attribute?</source>
+        <translation>Σε ποιο από δύο αντικείμενα είναι η ιδιότητα εντονότερη;</translation>
     </message>
     <message>
-        <source>Which of three objects is more? Two are the reference.</source>
-        <translation>Ποιο από τρία αντικείμενα είναι περισσότερο; Τα δύο είναι η αναφορά.</translation>
+        <source>Which of three objects has more of the attribute? Two are the reference.</source>
+        <translation>Σε ποιο από τρία αντικείμενα είναι η ιδιότητα εντονότερη; Τα δύο είναι η αναφορά.</translation>
     </message>
     <message>
         <source>Which of three objects is unlike the other two?</source>
@@ -4293,12 +4391,12 @@ Do you want to replace it?</source>
         <translation>Είναι δύο αντικείμενα ίδια ή διαφορετικά;</translation>
     </message>
     <message>
-        <source>Is one object more than the reference that was explored before?</source>
-        <translation>Είναι ένα αντικείμενο περισσότερο από την αναφορά που εξερευνήθηκε πριν;</translation>
+        <source>Does an object have more of the attribute than the reference explored before it?</source>
+        <translation>Είναι η ιδιότητα ενός αντικειμένου εντονότερη από της αναφοράς που εξερευνήθηκε πριν;</translation>
     </message>
     <message>
-        <source>One object is changed until it equals the other.</source>
-        <translation>Ένα αντικείμενο αλλάζει ώσπου να γίνει ίσο με το άλλο.</translation>
+        <source>One object is adjusted until it feels like the other.</source>
+        <translation>Ένα αντικείμενο ρυθμίζεται ώσπου να μοιάζει στην αφή με το άλλο.</translation>
     </message>
     <message>
         <source>Each object is given a number.</source>
@@ -4313,7 +4411,7 @@ Do you want to replace it?</source>
         <translation>βαρύτερο</translation>
     </message>
     <message>
-        <source>slower to come back</source>
+        <source>slower to spring back</source>
         <translation>πιο αργό στην επαναφορά</translation>
     </message>
     <message>
@@ -4333,8 +4431,8 @@ Do you want to replace it?</source>
         <translation>ψηλότερο</translation>
     </message>
     <message>
-        <source>Put the three in order; the one that is %1 comes last.</source>
-        <translation>Βάλτε τα τρία σε σειρά· το %1 τελευταίο.</translation>
+        <source>Put the three in order: each one %1 than the one before.</source>
+        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο.</translation>
     </message>
     <message>
         <source>Which one is %1?</source>
@@ -4361,36 +4459,36 @@ Do you want to replace it?</source>
         <translation>Αλλάξτε το δεξί ώσπου τα δύο να μοιάζουν ίδια στην αφή.</translation>
     </message>
     <message>
-        <source>Give what you feel a number. Any positive number is right.</source>
-        <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Κάθε θετικός αριθμός είναι σωστός.</translation>
+        <source>Give a number to what you feel. Any positive number is allowed.</source>
+        <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
     </message>
     <message>
-        <source>Harder after right answers, easier after wrong ones. Robust and easy to explain.</source>
-        <translation>Δυσκολότερο μετά από σωστές, ευκολότερο μετά από λάθος απαντήσεις. Ανθεκτικό και εύκολο να εξηγηθεί.</translation>
+        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Γίνεται δυσκολότερη μετά από σωστές και ευκολότερη μετά από λάθος απαντήσεις. Ανθεκτική και εύκολη στην εξήγηση.</translation>
     </message>
     <message>
-        <source>Steps halve and double by a running test. For replications only.</source>
-        <translation>Τα βήματα μισούνται και διπλασιάζονται με έναν τρέχοντα έλεγχο. Μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+        <source>A sequential test halves and doubles the steps. For replications only.</source>
+        <translation>Ένας διαδοχικός έλεγχος υποδιπλασιάζει και διπλασιάζει τα βήματα. Μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
     </message>
     <message>
-        <source>Every difference equally often, in random order. The whole curve, with many trials.</source>
-        <translation>Κάθε διαφορά εξίσου συχνά, με τυχαία σειρά. Όλη η καμπύλη, με πολλές δοκιμές.</translation>
+        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
+        <translation>Παρουσιάζει κάθε διαφορά εξίσου συχνά, με τυχαία σειρά. Μετρά όλη την καμπύλη, αλλά χρειάζεται πολλές δοκιμές.</translation>
     </message>
     <message>
-        <source>The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.</source>
-        <translation>Η διαφορά μικραίνει ώσπου μια απάντηση να είναι λάθος. Υπερεκτιμά το JND από το μισό έως τρεις φορές· μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
+        <translation>Η διαφορά μικραίνει ώσπου μια απάντηση να είναι λάθος. Η JND που προκύπτει είναι 1,5 έως 3 φορές μεγαλύτερη από την πραγματική· μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
     </message>
     <message>
         <source>Bayesian; places each trial where the threshold probably is.</source>
         <translation>Μπεϋζιανή· τοποθετεί κάθε δοκιμή εκεί όπου πιθανώς βρίσκεται το κατώφλι.</translation>
     </message>
     <message>
-        <source>Bayesian; chooses the trial that teaches most about threshold, slope and lapses.</source>
-        <translation>Μπεϋζιανή· επιλέγει τη δοκιμή που διδάσκει τα περισσότερα για κατώφλι, κλίση και αβλεψίες.</translation>
+        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
+        <translation>Μπεϋζιανή· επιλέγει τη δοκιμή που δίνει τις περισσότερες πληροφορίες για κατώφλι, κλίση και ποσοστό αβλεψιών.</translation>
     </message>
     <message>
-        <source>QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.</source>
-        <translation>QUEST+ με παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
+        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ με μοντέλο παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
     </message>
     <message>
         <source>Difference D</source>
@@ -4442,7 +4540,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Completed</source>
-        <translation>Ολοκληρωμένο</translation>
+        <translation>Ολοκληρώθηκε</translation>
     </message>
     <message>
         <source>Withdrawn</source>
@@ -4457,12 +4555,12 @@ Do you want to replace it?</source>
         <translation>Σταμάτησε</translation>
     </message>
     <message>
-        <source>Force was not what was asked</source>
-        <translation>Η δύναμη δεν ήταν η ζητούμενη</translation>
+        <source>Force not as commanded</source>
+        <translation>Η δύναμη διέφερε από τη ζητούμενη</translation>
     </message>
     <message>
         <source>Felt value off</source>
-        <translation>Η αίσθηση αποκλίνει</translation>
+        <translation>Απόκλιση αισθητής τιμής</translation>
     </message>
     <message>
         <source>Late ticks</source>
@@ -4485,15 +4583,15 @@ Do you want to replace it?</source>
         <translation>Τέλος χρόνου</translation>
     </message>
     <message>
-        <source>Not all were touched</source>
+        <source>Not all touched</source>
         <translation>Δεν αγγίχτηκαν όλα</translation>
     </message>
     <message>
-        <source>Spoiled by the experimenter</source>
+        <source>Discarded by the experimenter</source>
         <translation>Ακυρώθηκε από τον πειραματιστή</translation>
     </message>
     <message>
-        <source>Change of a text</source>
+        <source>Text change</source>
         <translation>Αλλαγή κειμένου</translation>
     </message>
     <message>
@@ -4505,12 +4603,12 @@ Do you want to replace it?</source>
         <translation>Κατάταξη τριών, με ισοβαθμίες</translation>
     </message>
     <message>
-        <source>Three objects that differ in equal steps are put in order; those that feel the same may be called equal.</source>
+        <source>Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.</source>
         <translation>Τρία αντικείμενα που διαφέρουν κατά ίσα βήματα μπαίνουν σε σειρά· όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
     <message>
-        <source>Put the three in order; the one that is %1 comes last. What feels the same may be called equal.</source>
-        <translation>Βάλτε τα τρία σε σειρά· το %1 τελευταίο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+        <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
+        <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
     </message>
 </context>
 <context>
@@ -4536,23 +4634,23 @@ Do you want to replace it?</source>
         <translation>Μη ασφαλής (πιέζει υπερβολικά)</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated gimbal (%1): shown, not felt</source>
+        <source>Demonstration on the simulated gimbal (%1): force shown, not felt</source>
         <translation>Επίδειξη, προσομοιωμένη συσκευή (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>Replayed file %1: shown, not felt</source>
+        <source>Replayed file %1: force shown, not felt</source>
         <translation>Αναπαραγωγή αρχείου %1: μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>Mouse and keyboard: shown, not felt</source>
+        <source>Mouse and keyboard: force shown, not felt</source>
         <translation>Ποντίκι και πληκτρολόγιο: μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>You are watching. Space: pause or go on. Esc: stop.</source>
+        <source>You are watching. Space: pause or continue. Esc: stop.</source>
         <translation>Παρακολουθείτε. Διάστημα: παύση ή συνέχεια. Esc: διακοπή.</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated five-bar mechanism (%1): shown, not felt</source>
+        <source>Demonstration on the simulated five-bar mechanism (%1): force shown, not felt</source>
         <translation>Επίδειξη, προσομοιωμένος μηχανισμός πέντε ράβδων (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
@@ -4561,7 +4659,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Mark: click or Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σημείωση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Κάτω και πάνω: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση: κλικ ή Enter. Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Lower and raise: wheel, right button and drag, or Page Down and Page Up. Close the jaw: hold the left button or G. Open it: the same with Shift, or H. Instrument: 1 is the right one, 2 the left one. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -4588,16 +4686,16 @@ Do you want to replace it?</source>
         <translation>Κινείτε το εργαλείο %1 από %2</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated arm with fingertip platform (%1): shown, not felt</source>
-        <translation>Επίδειξη στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου (%1): προβάλλεται, δεν γίνεται αισθητή</translation>
+        <source>Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt</source>
+        <translation>Επίδειξη, προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
-        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: ροδέλα, δεξί κουμπί και σύρσιμο ή Page Down και Page Up. Σήμανση ευρήματος: κλικ ή Enter.</translation>
+        <translation>Κίνηση: ποντίκι ή βέλη. Πίεση και ανύψωση: τροχός, δεξί κουμπί με σύρσιμο, ή Page Down και Page Up. Σήμανση ευρήματος: κλικ ή Enter.</translation>
     </message>
     <message>
-        <source>Rate it: 1 to 5, V for the other rating, + and − for its size.</source>
-        <translation>Βαθμολόγηση: 1 έως 5, V για την άλλη βαθμολογία, + και − για το μέγεθος.</translation>
+        <source>Rate the finding: 1 to 5, V for the other rating, + and − for the size.</source>
+        <translation>Βαθμολόγηση ευρήματος: 1 έως 5, V για την άλλη βαθμολογία, + και − για το μέγεθος.</translation>
     </message>
     <message>
         <source>Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.</source>
@@ -4605,11 +4703,11 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Next finding: N. Take it back: Delete. Nothing more to report: D.</source>
-        <translation>Επόμενο εύρημα: N. Απόσυρση: Delete. Τίποτε άλλο για αναφορά: D.</translation>
+        <translation>Επόμενο εύρημα: N. Αφαίρεση: Delete. Τίποτε άλλο για αναφορά: D.</translation>
     </message>
     <message>
-        <source>Use the mouse there: T; a click in the scene takes it back.</source>
-        <translation>Χρήση του ποντικιού εκεί: T· ένα κλικ στη σκηνή το επαναφέρει.</translation>
+        <source>Use the mouse in the panel: T. A click in the scene brings it back.</source>
+        <translation>Χρήση του ποντικιού στον διπλανό πίνακα: T. Με κλικ στη σκηνή επανέρχεται.</translation>
     </message>
     <message>
         <source>Other hand: H.</source>
@@ -4617,7 +4715,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
-        <translation>Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: ξανά από την αρχή.</translation>
+        <translation>Διάστημα: παύση, ελευθερώνει τον δείκτη. Esc: διακοπή δύναμης. F5: επανέναρξη.</translation>
     </message>
     <message>
         <source>You move the right hand (H for the left)</source>
@@ -4658,34 +4756,34 @@ Do you want to replace it?</source>
         </translation>
     </message>
     <message>
-        <source>%1 of %2 trials were done.</source>
-        <translation>Έγιναν %1 από %2 δοκιμές.</translation>
+        <source>%1 of %2 trials were completed.</source>
+        <translation>Ολοκληρώθηκαν %1 από %2 δοκιμές.</translation>
     </message>
     <message>
         <source>Stopped before the end</source>
         <translation>Σταμάτησε πριν από το τέλος</translation>
     </message>
     <message>
-        <source>%1 What was recorded is kept and can be played back. It does not count towards passing; try again when you are ready.</source>
-        <translation>%1 Όσα καταγράφηκαν διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· δοκιμάστε ξανά όταν είστε έτοιμοι.</translation>
+        <source>%1 What was recorded is kept and can be played back. The session does not count towards passing; try again when you are ready.</source>
+        <translation>%1 Όσα καταγράφηκαν διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει για την επιτυχία· δοκιμάστε ξανά όταν είστε έτοιμοι.</translation>
     </message>
     <message>
         <source>Interrupted</source>
         <translation>Διακόπηκε</translation>
     </message>
     <message>
-        <source>The program ended during this session. %1 Everything recorded until then was saved and can be played back. It does not count towards passing.</source>
-        <translation>Το πρόγραμμα τερματίστηκε κατά τη συνεδρία. %1 Όσα καταγράφηκαν ως τότε αποθηκεύτηκαν και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία.</translation>
+        <source>The program ended during this session. %1 Everything recorded up to then was saved and can be played back. The session does not count towards passing.</source>
+        <translation>Το πρόγραμμα τερματίστηκε κατά τη συνεδρία. %1 Όσα καταγράφηκαν ως τότε αποθηκεύτηκαν και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει για την επιτυχία.</translation>
     </message>
     <message>
         <source>Incomplete recording</source>
         <translation>Ελλιπής καταγραφή</translation>
     </message>
     <message numerus="yes">
-        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</source>
+        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</source>
         <translation>
-            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκε %n δείγμα. Τα υπόλοιπα διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
-            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκαν %n δείγματα. Τα υπόλοιπα διατηρούνται και αναπαράγονται. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
+            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκε %n δείγμα. Τα υπόλοιπα διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
+            <numerusform>Ο υπολογιστής δεν πρόλαβε και χάθηκαν %n δείγματα. Τα υπόλοιπα διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει για την επιτυχία· κλείστε άλλα προγράμματα πριν από την επόμενη προσπάθεια.</numerusform>
         </translation>
     </message>
     <message>
@@ -4693,7 +4791,7 @@ Do you want to replace it?</source>
         <translation>Τερματίστηκε λόγω βλάβης</translation>
     </message>
     <message>
-        <source>The device or the force supervisor stopped this session to keep it safe. %1 What was recorded is kept. It does not count towards passing; check the device before the next attempt.</source>
+        <source>The device or the force supervisor stopped this session for safety. %1 What was recorded is kept. The session does not count towards passing; check the device before the next attempt.</source>
         <translation>Η συσκευή ή ο επόπτης δύναμης σταμάτησε τη συνεδρία για λόγους ασφαλείας. %1 Όσα καταγράφηκαν διατηρούνται. Η συνεδρία δεν μετράει για την επιτυχία· ελέγξτε τη συσκευή πριν από την επόμενη προσπάθεια.</translation>
     </message>
     <message>
@@ -4701,7 +4799,7 @@ Do you want to replace it?</source>
         <translation>Ακόμη σε εξέλιξη</translation>
     </message>
     <message>
-        <source>This session has not ended yet. Its result is here as soon as it has.</source>
+        <source>This session has not ended yet. Its result will appear here when it ends.</source>
         <translation>Αυτή η συνεδρία δεν έχει τελειώσει. Το αποτέλεσμα θα εμφανιστεί εδώ μόλις τελειώσει.</translation>
     </message>
     <message>
@@ -4709,14 +4807,14 @@ Do you want to replace it?</source>
         <translation>Ακυρώθηκε</translation>
     </message>
     <message>
-        <source>A trainer declared this session void. Recording and scores are kept; they count for nothing.</source>
-        <translation>Η συνεδρία ακυρώθηκε από εκπαιδευτή/-τρια. Καταγραφή και βαθμολογίες διατηρούνται· δεν μετράνε πουθενά.</translation>
+        <source>A trainer declared this session void. Recording and scores are kept but do not count.</source>
+        <translation>Η συνεδρία ακυρώθηκε από εκπαιδευτή/-τρια. Καταγραφή και βαθμολογίες διατηρούνται, αλλά δεν μετράνε.</translation>
     </message>
     <message>
         <source>A trainer declared this session void: %1
-Recording and scores are kept; they count for nothing.</source>
+Recording and scores are kept but do not count.</source>
         <translation>Η συνεδρία ακυρώθηκε από εκπαιδευτή/-τρια: %1
-Καταγραφή και βαθμολογίες διατηρούνται· δεν μετράνε πουθενά.</translation>
+Καταγραφή και βαθμολογίες διατηρούνται, αλλά δεν μετράνε.</translation>
     </message>
     <message>
         <source>%1: no value (%2), but the pass mark is %3</source>
@@ -4727,16 +4825,32 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 παραπάνω)</translation>
     </message>
     <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too many)</source>
+        <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 παραπάνω)</translation>
+    </message>
+    <message>
+        <source>%1: %2, but the pass mark is %3 (%4 too few)</source>
+        <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 λιγότερα)</translation>
+    </message>
+    <message>
         <source>%1: %2, but the pass mark is %3 (%4 too little)</source>
         <translation>%1: %2, ενώ το όριο επιτυχίας είναι %3 (%4 λιγότερο)</translation>
     </message>
     <message>
-        <source>Familiarisation: recorded, never counted. %1</source>
-        <translation>Εξοικείωση: καταγράφεται, δεν μετράει ποτέ. %1</translation>
+        <source>Familiarisation is recorded but never counts. %1</source>
+        <translation>Η εξοικείωση καταγράφεται, αλλά δεν μετράει ποτέ. %1</translation>
     </message>
     <message>
-        <source>The procedure was not done to its end.</source>
-        <translation>Η διαδικασία δεν έγινε ως το τέλος της.</translation>
+        <source>The procedure was not completed.</source>
+        <translation>Η διαδικασία δεν ολοκληρώθηκε.</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3</source>
+        <translation>%1 %2 → %3</translation>
+    </message>
+    <message>
+        <source>Since your last attempt: %1</source>
+        <translation>Από την προηγούμενη προσπάθειά σας: %1</translation>
     </message>
 </context>
 <context>
@@ -4750,7 +4864,7 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Όνομα χρήστη</translation>
     </message>
     <message>
-        <source>Without commas. It cannot be changed later.</source>
+        <source>No commas. It cannot be changed later.</source>
         <translation>Χωρίς κόμματα. Δεν αλλάζει αργότερα.</translation>
     </message>
     <message>
@@ -4762,12 +4876,12 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Προσθήκη</translation>
     </message>
     <message>
-        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
-        <translation>Αυτό το όνομα δεν επιτρέπεται: χωρίς κόμματα, χωρίς κενά στα άκρα, το πολύ %1 χαρακτήρες και όχι όνομα που κρατά το πρόγραμμα για δική του χρήση.</translation>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Αυτό το όνομα δεν επιτρέπεται. Χρησιμοποιήστε το πολύ %1 χαρακτήρες, χωρίς κόμματα και χωρίς κενά στα άκρα. Ορισμένα ονόματα είναι δεσμευμένα από το πρόγραμμα.</translation>
     </message>
     <message>
-        <source>%1 was not added: somebody has this name already. Names differ by more than capital letters.</source>
-        <translation>Δεν προστέθηκε: %1. Αυτό το όνομα υπάρχει ήδη. Τα ονόματα πρέπει να διαφέρουν όχι μόνο στα κεφαλαία.</translation>
+        <source>%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.</source>
+        <translation>Δεν προστέθηκε: %1. Αυτό το όνομα υπάρχει ήδη. Ονόματα που διαφέρουν μόνο σε κεφαλαία και πεζά θεωρούνται ίδια.</translation>
     </message>
     <message>
         <source>%1 was not added.
@@ -4784,10 +4898,10 @@ Recording and scores are kept; they count for nothing.</source>
     <name>chiron::desktop::AdministratorPage</name>
     <message>
         <source>Who looks after this site?</source>
-        <translation>Ποιος φροντίζει αυτό το κέντρο;</translation>
+        <translation>Ποιος διαχειρίζεται αυτό το κέντρο;</translation>
     </message>
     <message>
-        <source>The first person is an administrator: adds people, makes backups, may train as well.</source>
+        <source>The first person is an administrator, who adds people, makes backups and may train as well.</source>
         <translation>Το πρώτο άτομο είναι διαχειριστής: προσθέτει άτομα, δημιουργεί αντίγραφα ασφαλείας και μπορεί και να εκπαιδεύεται.</translation>
     </message>
     <message>
@@ -4811,11 +4925,11 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Δημιουργία κέντρου</translation>
     </message>
     <message>
-        <source>This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that the program keeps for itself.</source>
-        <translation>Αυτό το όνομα δεν επιτρέπεται: χωρίς κόμματα, χωρίς κενά στα άκρα, το πολύ %1 χαρακτήρες και όχι όνομα που κρατά το πρόγραμμα για δική του χρήση.</translation>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Αυτό το όνομα δεν επιτρέπεται. Χρησιμοποιήστε το πολύ %1 χαρακτήρες, χωρίς κόμματα και χωρίς κενά στα άκρα. Ορισμένα ονόματα είναι δεσμευμένα από το πρόγραμμα.</translation>
     </message>
     <message>
-        <source>Making the site …</source>
+        <source>Creating the site …</source>
         <translation>Δημιουργία του κέντρου …</translation>
     </message>
 </context>
@@ -4870,7 +4984,7 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Ο αριθμός σας</translation>
     </message>
     <message>
-        <source>Give it (Enter)</source>
+        <source>Submit (Enter)</source>
         <translation>Καταχώριση (Enter)</translation>
     </message>
     <message>
@@ -4882,12 +4996,12 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Πίσω (⌫)</translation>
     </message>
     <message>
-        <source>That is it (Enter)</source>
-        <translation>Αυτό είναι (Enter)</translation>
+        <source>Confirm (Enter)</source>
+        <translation>Επιβεβαίωση (Enter)</translation>
     </message>
     <message>
         <source>least</source>
-        <translation>λιγότερο</translation>
+        <translation>το λιγότερο</translation>
     </message>
     <message>
         <source>between</source>
@@ -4895,11 +5009,11 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
     <message>
         <source>most</source>
-        <translation>περισσότερο</translation>
+        <translation>το περισσότερο</translation>
     </message>
     <message>
-        <source>A number above nothing, please.</source>
-        <translation>Παρακαλώ, αριθμό πάνω από το μηδέν.</translation>
+        <source>Enter a number above zero.</source>
+        <translation>Πληκτρολογήστε αριθμό μεγαλύτερο από το μηδέν.</translation>
     </message>
     <message>
         <source>Equal to the last (=)</source>
@@ -4909,8 +5023,8 @@ Recording and scores are kept; they count for nothing.</source>
 <context>
     <name>chiron::desktop::ApexPage</name>
     <message>
-        <source>Nobody has done this condition yet. Each participant&apos;s marks will be here as soon as there is a run.</source>
-        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημάδια κάθε συμμετέχοντα θα είναι εδώ μόλις υπάρξει μια εκτέλεση.</translation>
+        <source>Nobody has done this condition yet. Each participant&apos;s marks will appear here after the first run.</source>
+        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Τα σημάδια κάθε συμμετέχοντα θα εμφανιστούν εδώ μετά την πρώτη εκτέλεση.</translation>
     </message>
     <message>
         <source>Group</source>
@@ -4988,7 +5102,7 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
     <message>
         <source>Run</source>
-        <translation>Διεξαγωγή</translation>
+        <translation>Εκτέλεση</translation>
     </message>
     <message>
         <source>%1 (%2 repeated)</source>
@@ -5056,8 +5170,8 @@ Recording and scores are kept; they count for nothing.</source>
 <context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
-        <source>Time of the break</source>
-        <translation>Χρόνος του διαλείμματος</translation>
+        <source>Break time</source>
+        <translation>Χρόνος διαλείμματος</translation>
     </message>
 </context>
 <context>
@@ -5086,8 +5200,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Εντολές που βρέθηκαν</translation>
     </message>
     <message>
-        <source>No command has these letters. Try fewer, or another word.</source>
-        <translation>Καμία εντολή δεν έχει αυτά τα γράμματα. Δοκιμάστε λιγότερα ή άλλη λέξη.</translation>
+        <source>No matching command. Try fewer letters or another word.</source>
+        <translation>Δεν βρέθηκε εντολή. Δοκιμάστε λιγότερα γράμματα ή άλλη λέξη.</translation>
     </message>
     <message>
         <source>%1   (%2)</source>
@@ -5109,8 +5223,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Νέο σχόλιο</translation>
     </message>
     <message>
-        <source>What is to be seen here?</source>
-        <translation>Τι φαίνεται εδώ;</translation>
+        <source>What do you see here?</source>
+        <translation>Τι βλέπετε εδώ;</translation>
     </message>
     <message>
         <source>Comment at %1</source>
@@ -5148,12 +5262,12 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Αφαίρεση</translation>
     </message>
     <message>
-        <source>A condition more</source>
-        <translation>Μία συνθήκη επιπλέον</translation>
+        <source>Add a condition</source>
+        <translation>Προσθήκη συνθήκης</translation>
     </message>
     <message>
-        <source>A condition less</source>
-        <translation>Μία συνθήκη λιγότερη</translation>
+        <source>Remove a condition</source>
+        <translation>Αφαίρεση συνθήκης</translation>
     </message>
     <message>
         <source>What is compared</source>
@@ -5192,7 +5306,7 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Άλλο έργο</translation>
     </message>
     <message>
-        <source>Threshold at (proportion right)</source>
+        <source>Threshold at (proportion correct)</source>
         <translation>Κατώφλι στο (ποσοστό σωστών)</translation>
     </message>
     <message>
@@ -5208,8 +5322,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Διαδικασία</translation>
     </message>
     <message>
-        <source>Several are interleaved at random.</source>
-        <translation>Περισσότερες εναλλάσσονται τυχαία.</translation>
+        <source>Several procedures are interleaved at random.</source>
+        <translation>Οι διαδικασίες εναλλάσσονται τυχαία.</translation>
     </message>
     <message>
         <source>Scale of the procedure</source>
@@ -5217,27 +5331,27 @@ Recording and scores are kept; they count for nothing.</source>
     </message>
     <message>
         <source>Interleave one more</source>
-        <translation>Μία ακόμη, εναλλάξ</translation>
+        <translation>Μία ακόμη εναλλάξ</translation>
     </message>
     <message>
         <source>Remove the last</source>
         <translation>Αφαίρεση τελευταίας</translation>
     </message>
     <message>
-        <source>A procedure less</source>
-        <translation>Μία διαδικασία λιγότερη</translation>
+        <source>Remove a procedure</source>
+        <translation>Αφαίρεση διαδικασίας</translation>
     </message>
     <message>
-        <source>A procedure more</source>
-        <translation>Μία διαδικασία επιπλέον</translation>
+        <source>Add a procedure</source>
+        <translation>Προσθήκη διαδικασίας</translation>
     </message>
     <message>
         <source>Sealed conditions</source>
         <translation>Σφραγισμένες συνθήκες</translation>
     </message>
     <message>
-        <source>The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and administrators see the design.</source>
-        <translation>Η μελέτη είναι τυφλή: έως την άρση της τυφλότητας οι συνθήκες φέρουν αυτούς τους κωδικούς και ό,τι τις διακρίνει παραλείπεται. Τον σχεδιασμό βλέπουν μόνο ο συντάκτης του και οι διαχειριστές.</translation>
+        <source>The study is blind: until it is unblinded, its conditions are shown only by these codes and their differences are hidden. Only the study&apos;s author and administrators see the design.</source>
+        <translation>Η μελέτη είναι τυφλή: έως την άρση της τυφλότητας οι συνθήκες εμφανίζονται μόνο με αυτούς τους κωδικούς και οι διαφορές τους αποκρύπτονται. Τον σχεδιασμό βλέπουν μόνο ο συντάκτης του και οι διαχειριστές.</translation>
     </message>
     <message>
         <source>What the conditions have in common</source>
@@ -5275,8 +5389,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Το διάβασα και συμφωνώ</translation>
     </message>
     <message>
-        <source>The moment and the text&apos;s SHA-256 are recorded. Whoever takes part may withdraw at any time.</source>
-        <translation>Καταγράφονται η στιγμή και το SHA-256 του κειμένου. Όποιος συμμετέχει μπορεί να αποσυρθεί οποτεδήποτε.</translation>
+        <source>The time and the text&apos;s SHA-256 are recorded. Participants may withdraw at any time.</source>
+        <translation>Καταγράφονται η ώρα και το SHA-256 του κειμένου. Όποιος συμμετέχει μπορεί να αποσυρθεί οποτεδήποτε.</translation>
     </message>
     <message>
         <source>Record the consent</source>
@@ -5293,15 +5407,15 @@ Recording and scores are kept; they count for nothing.</source>
 %1</translation>
     </message>
     <message>
-        <source>The consent of %1 is recorded.</source>
-        <translation>Η συγκατάθεση του %1 καταγράφηκε.</translation>
+        <source>The consent of %1 was recorded.</source>
+        <translation>Η συγκατάθεση καταγράφηκε: %1.</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::ControlBar</name>
     <message>
         <source>Stop force (Esc)</source>
-        <translation>Στοπ δύναμης (Esc)</translation>
+        <translation>Διακοπή δύναμης (Esc)</translation>
     </message>
     <message>
         <source>Resume here</source>
@@ -5328,8 +5442,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Επανέναρξη …</translation>
     </message>
     <message>
-        <source>Start again from the beginning (F5). The attempt so far is kept as stopped.</source>
-        <translation>Επανέναρξη από την αρχή (F5). Η προσπάθεια ως τώρα διατηρείται και θεωρείται ότι σταμάτησε.</translation>
+        <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
+        <translation>Επανέναρξη από την αρχή (F5). Η προσπάθεια ως τώρα διατηρείται με την ένδειξη «Σταμάτησε».</translation>
     </message>
 </context>
 <context>
@@ -5343,7 +5457,7 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>%1 · %2 · %3 · %4</translation>
     </message>
     <message>
-        <source>Force was shown, not felt: these scores form a series of their own and are not compared with felt ones.</source>
+        <source>Force was shown, not felt: these scores form a separate series and are not compared with scores from felt force.</source>
         <translation>Η δύναμη προβαλλόταν, δεν γινόταν αισθητή: αυτές οι βαθμολογίες αποτελούν ξεχωριστή σειρά και δεν συγκρίνονται με εκείνες της αισθητής δύναμης.</translation>
     </message>
     <message>
@@ -5355,8 +5469,8 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Νέα προσπάθεια</translation>
     </message>
     <message>
-        <source>Worst moment</source>
-        <translation>Χειρότερη στιγμή</translation>
+        <source>Watch the worst moment</source>
+        <translation>Δείτε τη χειρότερη στιγμή</translation>
     </message>
     <message>
         <source>Playback</source>
@@ -5371,16 +5485,16 @@ Recording and scores are kept; they count for nothing.</source>
         <translation>Απολογισμός</translation>
     </message>
     <message>
-        <source>What this session came to.
+        <source>The result of this session.
 
 At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
 
-&quot;Worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
+&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
         <translation>Το αποτέλεσμα αυτής της συνεδρίας.
 
 Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και για πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
 
-Η «Χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» γράφει ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις· επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
+Το «Δείτε τη χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» δημιουργεί ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις· επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
     </message>
     <message>
         <source>Open the playback</source>
@@ -5407,8 +5521,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Η καταγραφή διαγράφηκε</translation>
     </message>
     <message>
-        <source>It was withdrawn at the person&apos;s wish. The scores above are kept; there is nothing to play back.</source>
-        <translation>Αποσύρθηκε κατ’ επιθυμία του ατόμου. Οι βαθμολογίες παραπάνω διατηρούνται· δεν υπάρχει τίποτα για αναπαραγωγή.</translation>
+        <source>It was erased at the person&apos;s request. The scores above are kept; there is nothing to play back.</source>
+        <translation>Διαγράφηκε κατόπιν αιτήματος του ατόμου. Οι βαθμολογίες παραπάνω διατηρούνται· δεν υπάρχει τίποτα για αναπαραγωγή.</translation>
     </message>
     <message>
         <source>Reading the recording …</source>
@@ -5444,11 +5558,11 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>The report was written to %1.</source>
-        <translation>Η αναφορά γράφτηκε στο %1.</translation>
+        <translation>Η αναφορά αποθηκεύτηκε στο %1.</translation>
     </message>
     <message>
         <source>The report could not be written.</source>
-        <translation>Δεν ήταν δυνατή η εγγραφή της αναφοράς.</translation>
+        <translation>Δεν ήταν δυνατή η αποθήκευση της αναφοράς.</translation>
     </message>
     <message>
         <source>%1: %2, at %3</source>
@@ -5456,19 +5570,59 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
-        <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
+        <translation>Δεν ήταν δυνατή η ανάγνωση ευρημάτων και χαρτών από την καταγραφή. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
     </message>
     <message>
         <source>Force of the tissue, and what was felt</source>
         <translation>Δύναμη του ιστού και τι έγινε αισθητό</translation>
     </message>
     <message>
-        <source>The session did not come to its end: these values are judged by no pass mark.</source>
-        <translation>Η συνεδρία δεν έφτασε στο τέλος της: αυτές οι τιμές δεν κρίνονται με κανένα όριο επιτυχίας.</translation>
+        <source>The session was not completed: these values are not compared with pass marks.</source>
+        <translation>Η συνεδρία δεν ολοκληρώθηκε: αυτές οι τιμές δεν συγκρίνονται με όρια επιτυχίας.</translation>
     </message>
     <message>
-        <source>No trial came to its end: there is no score.</source>
-        <translation>Καμία δοκιμή δεν έφτασε στο τέλος της: δεν υπάρχει βαθμολογία.</translation>
+        <source>No trial was completed: there is no score.</source>
+        <translation>Δεν ολοκληρώθηκε καμία δοκιμή: δεν υπάρχει βαθμολογία.</translation>
+    </message>
+    <message>
+        <source>Now you</source>
+        <translation>Τώρα εσείς</translation>
+    </message>
+    <message>
+        <source>Watch an expert</source>
+        <translation>Δείτε έναν ειδικό</translation>
+    </message>
+    <message>
+        <source>Worst moment: %1</source>
+        <translation>Χειρότερη στιγμή: %1</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Εσείς</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Κάποιος άλλος</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(διαγράφηκε)</translation>
+    </message>
+    <message>
+        <source>%1, at %2: %3</source>
+        <translation>%1, στο %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Προβολή</translation>
     </message>
 </context>
 <context>
@@ -5487,7 +5641,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
-        <translation>Έτοιμη. Δείτε προγραμματισμένο χειριστή στην προσομοιωμένη καρδανική συσκευή.</translation>
+        <translation>Έτοιμη. Δείτε εικονικό χειριστή στην προσομοιωμένη καρδανική συσκευή.</translation>
     </message>
     <message>
         <source>Replay a file</source>
@@ -5498,11 +5652,11 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Μια καταγεγραμμένη κίνηση (CSV) κινεί το εργαλείο.</translation>
     </message>
     <message>
-        <source>Who demonstrates</source>
-        <translation>Ποιος κάνει την επίδειξη</translation>
+        <source>Operator</source>
+        <translation>Χειριστής</translation>
     </message>
     <message>
-        <source>The session is listed as simulated and is nobody&apos;s score.</source>
+        <source>The session is listed as simulated and does not count for anyone.</source>
         <translation>Η συνεδρία καταχωρίζεται ως προσομοιωμένη και δεν βαθμολογεί κανέναν.</translation>
     </message>
     <message>
@@ -5535,16 +5689,16 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>This file cannot be played. Correct it or choose another.
 %1</source>
-        <translation>Αυτό το αρχείο δεν αναπαράγεται. Διορθώστε το ή επιλέξτε άλλο.
+        <translation>Αυτό το αρχείο δεν μπορεί να αναπαραχθεί. Διορθώστε το ή επιλέξτε άλλο.
 %1</translation>
     </message>
     <message>
-        <source>Nobody demonstrates this exercise on this station.</source>
+        <source>There is no demonstration of this exercise on this station.</source>
         <translation>Δεν υπάρχει επίδειξη αυτής της άσκησης σε αυτόν τον σταθμό.</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
-        <translation>Έτοιμη. Δείτε προγραμματισμένο χειριστή στον προσομοιωμένο μηχανισμό πέντε ράβδων.</translation>
+        <translation>Έτοιμη. Δείτε εικονικό χειριστή στον προσομοιωμένο μηχανισμό πέντε ράβδων.</translation>
     </message>
     <message>
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
@@ -5556,19 +5710,19 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>How the gimbal renders force</source>
-        <translation>Πώς η ανάρτηση αποδίδει δύναμη</translation>
+        <translation>Πώς η καρδανική συσκευή αποδίδει δύναμη</translation>
     </message>
     <message>
         <source>Exactly</source>
         <translation>Ακριβώς</translation>
     </message>
     <message>
-        <source>By the formulas as published (up to 27 % off)</source>
-        <translation>Με τους δημοσιευμένους τύπους (απόκλιση έως 27 %)</translation>
+        <source>By the published formulas (error up to 27 %)</source>
+        <translation>Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
     </message>
     <message>
         <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
-        <translation>Έτοιμο. Παρακολουθήστε έναν προγραμματισμένο χειριστή στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου.</translation>
+        <translation>Έτοιμη. Δείτε εικονικό χειριστή στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου.</translation>
     </message>
 </context>
 <context>
@@ -5582,24 +5736,24 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Μεγαλύτερη</translation>
     </message>
     <message>
-        <source>How many</source>
-        <translation>Πόσες</translation>
+        <source>Number</source>
+        <translation>Πλήθος</translation>
     </message>
     <message>
         <source>On both sides of the reference</source>
         <translation>Και από τις δύο πλευρές της αναφοράς</translation>
     </message>
     <message>
-        <source>Or typed, in percent</source>
-        <translation>Ή γραμμένες, σε ποσοστά</translation>
+        <source>Or type them, in per cent</source>
+        <translation>Ή δικές σας, σε ποσοστά</translation>
     </message>
     <message>
-        <source>Make the table</source>
+        <source>Create the table</source>
         <translation>Δημιουργία πίνακα</translation>
     </message>
     <message>
-        <source>Nothing to choose from yet.</source>
-        <translation>Τίποτα προς επιλογή ακόμη.</translation>
+        <source>No candidates yet.</source>
+        <translation>Καμία υποψήφια διαφορά ακόμη.</translation>
     </message>
     <message>
         <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
@@ -5614,15 +5768,15 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     </message>
     <message>
         <source>%1 of %2 planned participants are enrolled.</source>
-        <translation>Έχουν εγγραφεί %1 από %2 προγραμματισμένους.</translation>
+        <translation>Έχουν εγγραφεί %1 από τους %2 που προβλέπονται.</translation>
     </message>
     <message>
-        <source>Who it is (name, number in your own list …)</source>
-        <translation>Ποιος είναι (όνομα, αριθμός στη λίστα σας …)</translation>
+        <source>Identity (name, number in your own list …)</source>
+        <translation>Ταυτότητα (όνομα, αριθμός στη λίστα σας …)</translation>
     </message>
     <message>
-        <source>Kept in the key table alone, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
-        <translation>Βρίσκεται μόνο στον πίνακα κλειδιών, τον οποίο ανοίγουν μόνο ο συντάκτης της μελέτης και διαχειριστές. Δεδομένα και εξαγωγές φέρουν τον κωδικό.</translation>
+        <source>This is kept only in the key table, which only the study&apos;s author and administrators can open. Data and exports carry the code.</source>
+        <translation>Βρίσκεται μόνο στον πίνακα κλειδιών, τον οποίο ανοίγουν μόνο ο συντάκτης της μελέτης και οι διαχειριστές. Τα δεδομένα και οι εξαγωγές φέρουν τον κωδικό.</translation>
     </message>
     <message>
         <source>Enrol</source>
@@ -5639,8 +5793,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Ο κωδικός του συμμετέχοντα είναι</translation>
     </message>
     <message>
-        <source>Write it down for the participant: it begins every sitting. Consent comes next.</source>
-        <translation>Γράψτε τον για τον συμμετέχοντα: με αυτόν αρχίζει κάθε συνεδρία. Ακολουθεί η συγκατάθεση.</translation>
+        <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
+        <translation>Γράψτε τον για τον συμμετέχοντα: τον χρειάζεται σε κάθε συνεδρία. Ακολουθεί η συγκατάθεση.</translation>
     </message>
 </context>
 <context>
@@ -5658,8 +5812,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Αντικαθίστανται: όνομα, ψευδώνυμο, κωδικός πρόσβασης, σχόλια και αιτιολογίες σε ελεύθερο κείμενο.</translation>
     </message>
     <message>
-        <source>Kept without a name: sessions, scores, and that an erasure took place, when and why. Backups made before still hold the person until they are deleted; a restore erases the person again.</source>
-        <translation>Διατηρούνται χωρίς όνομα: συνεδρίες, βαθμολογίες και το ότι έγινε διαγραφή, πότε και γιατί. Παλαιότερα αντίγραφα ασφαλείας περιέχουν ακόμη το άτομο ώσπου να διαγραφούν· μια επαναφορά διαγράφει ξανά το άτομο.</translation>
+        <source>Kept without a name: sessions, scores, and a note of when and why the person was erased. Earlier backups still contain the person until they are deleted; restoring one erases the person again.</source>
+        <translation>Διατηρούνται χωρίς όνομα: συνεδρίες, βαθμολογίες και σημείωση πότε και γιατί έγινε η διαγραφή. Παλαιότερα αντίγραφα ασφαλείας περιέχουν ακόμη το άτομο ώσπου να διαγραφούν τα ίδια· κατά την επαναφορά το άτομο διαγράφεται ξανά.</translation>
     </message>
     <message>
         <source>Reason (kept)</source>
@@ -5678,27 +5832,27 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Ο δικός σας κωδικός πρόσβασης</translation>
     </message>
     <message>
-        <source>Erase for ever</source>
+        <source>Erase permanently</source>
         <translation>Οριστική διαγραφή</translation>
     </message>
     <message>
-        <source>Nobody was erased: this is not your password.
+        <source>Wrong password. Nobody was erased.
 %1</source>
-        <translation>Δεν έγινε διαγραφή: αυτός δεν είναι ο κωδικός πρόσβασής σας.
+        <translation>Λάθος κωδικός πρόσβασης. Δεν έγινε διαγραφή.
 %1</translation>
     </message>
     <message>
-        <source>%1 is erased. Sessions and scores are kept without a name.</source>
+        <source>%1 was erased. Sessions and scores are kept without a name.</source>
         <translation>Διαγράφηκε: %1. Οι συνεδρίες και οι βαθμολογίες διατηρούνται χωρίς όνομα.</translation>
     </message>
     <message>
-        <source>%1 cannot be erased now: nobody can erase themselves, and no session may be running.</source>
-        <translation>Δεν γίνεται τώρα διαγραφή: %1. Κανείς δεν διαγράφει τον εαυτό του και δεν πρέπει να είναι συνεδρία σε εξέλιξη.</translation>
+        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
+        <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν μπορείτε να διαγράψετε τον εαυτό σας και δεν πρέπει να υπάρχει συνεδρία σε εξέλιξη.</translation>
     </message>
     <message>
-        <source>The erasure of %1 is not complete: old copies may still lie in the file. Press the button again; it goes on where it stopped.
+        <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
 %2</source>
-        <translation>Η διαγραφή δεν ολοκληρώθηκε (%1): ίσως υπάρχουν ακόμη παλιά αντίγραφα στο αρχείο. Πατήστε ξανά το κουμπί· συνεχίζει από εκεί που σταμάτησε.
+        <translation>Η διαγραφή δεν ολοκληρώθηκε (%1): το αρχείο ίσως περιέχει ακόμη παλιά αντίγραφα. Πατήστε ξανά το κουμπί για να συνεχιστεί από εκεί που σταμάτησε.
 %2</translation>
     </message>
     <message>
@@ -5712,7 +5866,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <name>chiron::desktop::ExerciseCard</name>
     <message>
         <source>Passed, felt and shown</source>
-        <translation>Επιτυχία, αισθητή και προβολή</translation>
+        <translation>Επιτυχία, με αφή και προβολή</translation>
     </message>
     <message>
         <source>Passed by touch</source>
@@ -5779,17 +5933,17 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Here you see what an exercise asks for, what is measured and when it is passed.
 
-Everything is chosen already: Start (or Enter) begins. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session is nobody&apos;s score. A file with a recorded movement can be replayed through the same exercise.
+Everything is already chosen: press Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.
 
-Hand and workspace says with which hand you work, how far the tool moves for your hand&apos;s movement, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
+Hand and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field lies. A familiarisation is recorded, but never counted.</source>
         <translation>Εδώ βλέπετε τι ζητά μια άσκηση, τι μετράται και πότε υπάρχει επιτυχία.
 
-Όλα είναι ήδη επιλεγμένα: η «Έναρξη» (ή Enter) ξεκινά. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν προγραμματισμένο χειριστή· η συνεδρία του δεν βαθμολογεί κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
+Όλα είναι ήδη επιλεγμένα: πατήστε «Έναρξη» (ή Enter) για να ξεκινήσετε. Επιλέξτε άλλο επίπεδο ή συσκευή, αν θέλετε. Με την «Επίδειξη» παρακολουθείτε έναν εικονικό χειριστή· η συνεδρία του δεν βαθμολογεί κανέναν. Ένα αρχείο με καταγεγραμμένη κίνηση μπορεί να αναπαραχθεί στην ίδια άσκηση.
 
 Το «Χέρι και χώρος εργασίας» ορίζει με ποιο χέρι εργάζεστε, πόσο κινείται το εργαλείο ως προς το χέρι σας και πού είναι το κέντρο του πεδίου. Μια εξοικείωση καταγράφεται, αλλά δεν μετράει ποτέ.</translation>
     </message>
     <message>
-        <source>This exercise is not there</source>
+        <source>This exercise does not exist</source>
         <translation>Αυτή η άσκηση δεν υπάρχει</translation>
     </message>
     <message>
@@ -5801,8 +5955,8 @@ Hand and workspace says with which hand you work, how far the tool moves for you
         <translation>Αρχική</translation>
     </message>
     <message>
-        <source>Your earlier results could not be read; training works all the same.</source>
-        <translation>Δεν ήταν δυνατή η ανάγνωση των προηγούμενων αποτελεσμάτων σας· η εκπαίδευση γίνεται κανονικά.</translation>
+        <source>Your earlier results could not be read. You can still train.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των προηγούμενων αποτελεσμάτων σας. Μπορείτε ωστόσο να εκπαιδευτείτε.</translation>
     </message>
     <message>
         <source>This level has no pass mark.</source>
@@ -5844,8 +5998,8 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Δεν υπάρχουν ασκήσεις</translation>
     </message>
     <message>
-        <source>The content folder of this site holds none. Ask an administrator.</source>
-        <translation>Ο φάκελος περιεχομένου αυτού του κέντρου είναι κενός. Απευθυνθείτε σε διαχειριστή.</translation>
+        <source>The content folder of this site contains no exercises. Ask an administrator.</source>
+        <translation>Ο φάκελος περιεχομένου αυτού του κέντρου δεν περιέχει ασκήσεις. Απευθυνθείτε σε διαχειριστή.</translation>
     </message>
 </context>
 <context>
@@ -5855,7 +6009,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Πειραματιστής</translation>
     </message>
     <message>
-        <source>Spoil this trial</source>
+        <source>Discard this trial</source>
         <translation>Ακύρωση δοκιμής</translation>
     </message>
     <message>
@@ -5902,7 +6056,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Η εκτίμηση μένει σφραγισμένη ώσπου να αρθεί η τυφλότητα.</translation>
     </message>
     <message>
-        <source>The fidelity of each trial will be here.</source>
+        <source>The fidelity of each trial will appear here.</source>
         <translation>Η πιστότητα κάθε δοκιμής θα εμφανίζεται εδώ.</translation>
     </message>
     <message>
@@ -5918,8 +6072,8 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Μέγιστη δύναμη %1 N, μέση ταχύτητα %2 mm/s, %3 επαφές, %4 s.</translation>
     </message>
     <message>
-        <source>Felt value off by %1, late ticks %2, at its limit %3.</source>
-        <translation>Η αίσθηση αποκλίνει κατά %1, καθυστερημένοι κύκλοι %2, στο όριο %3.</translation>
+        <source>Felt value off by %1, late ticks %2, device at its limit %3.</source>
+        <translation>Απόκλιση αισθητής τιμής %1, καθυστερημένοι κύκλοι %2, συσκευή στο όριο %3.</translation>
     </message>
     <message>
         <source>Force error %1 N.</source>
@@ -5930,14 +6084,14 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Η συσκευή δεν μετρά δύναμη.</translation>
     </message>
     <message numerus="yes">
-        <source>The device cannot render all differences: %n are left.</source>
+        <source>The device cannot render all differences: %n remain.</source>
         <translation>
             <numerusform>Η συσκευή δεν αποδίδει όλες τις διαφορές: μένει %n.</numerusform>
             <numerusform>Η συσκευή δεν αποδίδει όλες τις διαφορές: μένουν %n.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The estimate will be here after the first scored trials.</source>
+        <source>The estimate will appear here after the first scored trials.</source>
         <translation>Η εκτίμηση θα εμφανιστεί εδώ μετά τις πρώτες βαθμολογημένες δοκιμές.</translation>
     </message>
     <message>
@@ -5965,19 +6119,19 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>95 %</translation>
     </message>
     <message>
-        <source>Force is shown, not felt: nothing limits what is rendered.</source>
-        <translation>Η δύναμη εμφανίζεται, δεν γίνεται αισθητή: τίποτα δεν περιορίζει την απόδοση.</translation>
+        <source>Force is shown, not felt, so rendering is not limited.</source>
+        <translation>Η δύναμη προβάλλεται, δεν γίνεται αισθητή· η απόδοση δεν έχει περιορισμό.</translation>
     </message>
     <message>
-        <source>Delay of the device, measured: %1 ms.</source>
-        <translation>Καθυστέρηση της συσκευής, μετρημένη: %1 ms.</translation>
+        <source>Measured delay of the device: %1 ms.</source>
+        <translation>Μετρημένη καθυστέρηση της συσκευής: %1 ms.</translation>
     </message>
     <message>
-        <source>The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.</source>
-        <translation>Η καθυστέρηση αυτής της συσκευής δεν μετρήθηκε ποτέ. Λαμβάνονται %1 ms, με ασφάλεια από όσα δηλώνει.</translation>
+        <source>The delay of this device was never measured. A cautious value of %1 ms is assumed, based on what the device states.</source>
+        <translation>Η καθυστέρηση αυτής της συσκευής δεν μετρήθηκε ποτέ. Με βάση όσα δηλώνει η συσκευή, λαμβάνεται μια ασφαλής τιμή: %1 ms.</translation>
     </message>
     <message>
-        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.</source>
+        <source>Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would reveal the condition.</source>
         <translation>Μέση ταχύτητα %1 mm/s, %2 επαφές, %3 s, καθυστερημένοι κύκλοι %4. Οι δυνάμεις μένουν σφραγισμένες: θα πρόδιδαν τη συνθήκη.</translation>
     </message>
     <message>
@@ -5985,16 +6139,16 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Δεν θα μετρήσει</translation>
     </message>
     <message>
-        <source>The bias will be here after the first scored trials.</source>
-        <translation>Η απόκλιση θα εμφανιστεί εδώ μετά τις πρώτες βαθμολογημένες δοκιμές.</translation>
+        <source>The bias will appear here after the first scored trials.</source>
+        <translation>Η μετατόπιση θα εμφανιστεί εδώ μετά τις πρώτες βαθμολογημένες δοκιμές.</translation>
     </message>
     <message>
-        <source>Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.</source>
-        <translation>Απόκλιση ως τώρα: %1 mm δεξιά, %2 mm προς τα πίσω. Μέσο σφάλμα %3 mm ανά άξονα.</translation>
+        <source>Bias so far: %1 mm to the right, %2 mm away from you. Mean error %3 mm per axis.</source>
+        <translation>Μετατόπιση ως τώρα: %1 mm δεξιά, %2 mm προς τα πίσω. Μέσο σφάλμα %3 mm ανά άξονα.</translation>
     </message>
     <message>
         <source>marks</source>
-        <translation>σημειώσεις</translation>
+        <translation>σημάδια</translation>
     </message>
 </context>
 <context>
@@ -6004,16 +6158,16 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Ευρήματα</translation>
     </message>
     <message>
-        <source>None yet. Press where something is, then click or press Enter.</source>
-        <translation>Κανένα ακόμη. Πιέστε όπου υπάρχει κάτι και κάντε κλικ ή πατήστε Enter.</translation>
+        <source>None yet. Press where you feel something, then click or press Enter.</source>
+        <translation>Κανένα ακόμη. Πιέστε όπου νιώθετε κάτι και κάντε κλικ ή πατήστε Enter.</translation>
     </message>
     <message>
         <source>Take back</source>
-        <translation>Απόσυρση</translation>
+        <translation>Αφαίρεση</translation>
     </message>
     <message>
         <source>Take the selected finding back (Delete)</source>
-        <translation>Απόσυρση του επιλεγμένου ευρήματος (Delete)</translation>
+        <translation>Αφαίρεση του επιλεγμένου ευρήματος (Delete)</translation>
     </message>
     <message>
         <source>Hardness</source>
@@ -6032,16 +6186,16 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Τίποτε άλλο (D)</translation>
     </message>
     <message>
-        <source>None is selected.</source>
-        <translation>Κανένα δεν είναι επιλεγμένο.</translation>
+        <source>No finding is selected.</source>
+        <translation>Δεν έχει επιλεγεί εύρημα.</translation>
     </message>
     <message>
-        <source>Not said yet:
+        <source>Still missing:
 %1
 Press again to end the trial without it.</source>
-        <translation>Δεν δηλώθηκαν ακόμη:
+        <translation>Λείπουν ακόμη:
 %1
-Πατήστε ξανά για τέλος χωρίς αυτά.</translation>
+Πατήστε ξανά για να τελειώσει η δοκιμή χωρίς αυτά.</translation>
     </message>
 </context>
 <context>
@@ -6053,14 +6207,14 @@ Press again to end the trial without it.</source>
     <message>
         <source>Chiron is a training suite for the sense of touch in minimally invasive surgery.
 
-&quot;Set up this site&quot; makes an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
+&quot;Set up this site&quot; creates an empty site on this computer and its first administrator, who can add the others. It takes about a minute.
 
-&quot;Open the demonstration site&quot; makes a separate site with invented people and scripted sessions, to look around. It does not touch a site that is set up later; this choice comes back at the next start until one is.</source>
+&quot;Open the demonstration site&quot; creates a separate site with invented people and scripted sessions, so that you can look around. It does not affect a site that you set up later. Until you set one up, this choice appears at every start.</source>
         <translation>Το Chiron είναι ένα σύστημα εκπαίδευσης της αίσθησης της αφής στην ελάχιστα επεμβατική χειρουργική.
 
 Η «Δημιουργία κέντρου» φτιάχνει ένα κενό κέντρο σε αυτόν τον υπολογιστή και τον πρώτο διαχειριστή του, που μπορεί να προσθέσει τους υπόλοιπους. Διαρκεί περίπου ένα λεπτό.
 
-Το «Άνοιγμα κέντρου επίδειξης» φτιάχνει ένα ξεχωριστό κέντρο με επινοημένα άτομα και προγραμματισμένες συνεδρίες, για να δείτε το πρόγραμμα. Δεν επηρεάζει κέντρο που θα δημιουργηθεί αργότερα· η επιλογή αυτή εμφανίζεται σε κάθε εκκίνηση μέχρι τότε.</translation>
+Το «Άνοιγμα κέντρου επίδειξης» φτιάχνει ένα ξεχωριστό κέντρο με επινοημένα άτομα και προσομοιωμένες συνεδρίες, για να δείτε το πρόγραμμα. Δεν επηρεάζει κέντρο που θα δημιουργηθεί αργότερα· η επιλογή αυτή εμφανίζεται σε κάθε εκκίνηση μέχρι τότε.</translation>
     </message>
     <message>
         <source>The recovery code is not shown again. Write it down and tick the box first.</source>
@@ -6079,8 +6233,8 @@ Press again to end the trial without it.</source>
         <translation>Δημιουργία κέντρου</translation>
     </message>
     <message>
-        <source>Start a site of your own</source>
-        <translation>Ξεκινήστε το δικό σας κέντρο</translation>
+        <source>Set up your own site</source>
+        <translation>Δημιουργήστε το δικό σας κέντρο</translation>
     </message>
     <message>
         <source>You become its administrator. People, sessions and scores stay on this computer.</source>
@@ -6095,11 +6249,11 @@ Press again to end the trial without it.</source>
         <translation>Δείτε πρώτα το πρόγραμμα</translation>
     </message>
     <message>
-        <source>Invented people and scripted sessions at every level. Making it takes about a minute, once.</source>
-        <translation>Επινοημένα άτομα και προγραμματισμένες συνεδρίες σε κάθε επίπεδο. Η δημιουργία διαρκεί περίπου ένα λεπτό, μία φορά.</translation>
+        <source>Invented people and scripted sessions at every level. Creating them takes about a minute, only once.</source>
+        <translation>Επινοημένα άτομα και προσομοιωμένες συνεδρίες σε κάθε επίπεδο. Η δημιουργία διαρκεί περίπου ένα λεπτό, μία φορά.</translation>
     </message>
     <message>
-        <source>The site was not made.
+        <source>The site was not created.
 %1</source>
         <translation>Το κέντρο δεν δημιουργήθηκε.
 %1</translation>
@@ -6113,12 +6267,12 @@ Press again to end the trial without it.</source>
         <translation>Άνοιγμα του κέντρου επίδειξης …</translation>
     </message>
     <message>
-        <source>Making the demonstration site: people, and scripted sessions at every level …</source>
-        <translation>Δημιουργία του κέντρου επίδειξης: άτομα και προγραμματισμένες συνεδρίες σε κάθε επίπεδο …</translation>
+        <source>Creating the demonstration site: people, and scripted sessions at every level …</source>
+        <translation>Δημιουργία του κέντρου επίδειξης: άτομα και προσομοιωμένες συνεδρίες σε κάθε επίπεδο …</translation>
     </message>
     <message>
-        <source>The demonstration was stopped; what had been made of it is removed.</source>
-        <translation>Η επίδειξη σταμάτησε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
+        <source>Creation of the demonstration site was stopped; what had been created was removed.</source>
+        <translation>Η δημιουργία διακόπηκε· ό,τι είχε δημιουργηθεί αφαιρέθηκε.</translation>
     </message>
     <message>
         <source>The demonstration site could not be opened.</source>
@@ -6162,7 +6316,7 @@ Press again to end the trial without it.</source>
         <translation>Οριστικοποίηση: %1</translation>
     </message>
     <message>
-        <source>From now on the design can never be changed again, by nobody. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
+        <source>From now on nobody can change the design. Participants can be enrolled, each condition gets a sealed code, and every export carries this SHA-256 of the design:</source>
         <translation>Από εδώ και πέρα κανείς δεν μπορεί να αλλάξει το σχέδιο. Μπορούν να εγγραφούν συμμετέχοντες, κάθε συνθήκη παίρνει σφραγισμένο κωδικό, και κάθε εξαγωγή φέρει αυτό το SHA-256 του σχεδίου:</translation>
     </message>
     <message numerus="yes">
@@ -6175,20 +6329,20 @@ Press again to end the trial without it.</source>
     <message numerus="yes">
         <source>%n participant(s) planned</source>
         <translation>
-            <numerusform>%n συμμετέχων προγραμματισμένος</numerusform>
-            <numerusform>%n συμμετέχοντες προγραμματισμένοι</numerusform>
+            <numerusform>%n συμμετέχων προβλέπεται</numerusform>
+            <numerusform>%n συμμετέχοντες προβλέπονται</numerusform>
         </translation>
     </message>
     <message>
-        <source>This cannot be undone. A study that has to be changed later is copied into a new one.</source>
-        <translation>Δεν αναιρείται. Μια μελέτη που πρέπει να αλλάξει αργότερα αντιγράφεται σε νέα.</translation>
+        <source>This cannot be undone. To change the study later, copy it into a new one.</source>
+        <translation>Αυτό δεν αναιρείται. Για να αλλάξετε τη μελέτη αργότερα, αντιγράψτε την σε νέα.</translation>
     </message>
     <message>
         <source>Freeze the design</source>
         <translation>Οριστικοποίηση</translation>
     </message>
     <message>
-        <source>The study was not frozen.
+        <source>The study could not be frozen.
 %1</source>
         <translation>Η μελέτη δεν οριστικοποιήθηκε.
 %1</translation>
@@ -6205,8 +6359,8 @@ Press again to end the trial without it.</source>
         <translation>Τίτλος</translation>
     </message>
     <message>
-        <source>Participants planned</source>
-        <translation>Πλήθος συμμετεχόντων</translation>
+        <source>Planned participants</source>
+        <translation>Προβλεπόμενοι συμμετέχοντες</translation>
     </message>
     <message>
         <source>Number of participants</source>
@@ -6217,8 +6371,8 @@ Press again to end the trial without it.</source>
         <translation>Σκοπός</translation>
     </message>
     <message>
-        <source>Instructions, as participants read them</source>
-        <translation>Οδηγίες, όπως τις διαβάζουν οι συμμετέχοντες</translation>
+        <source>Instructions shown to participants</source>
+        <translation>Οδηγίες προς τους συμμετέχοντες</translation>
     </message>
     <message>
         <source>Consent text</source>
@@ -6228,8 +6382,8 @@ Press again to end the trial without it.</source>
 <context>
     <name>chiron::desktop::GraspPanel</name>
     <message>
-        <source>How much of the holding time is done</source>
-        <translation>Πόσος από τον χρόνο κρατήματος έχει γίνει</translation>
+        <source>Holding time completed</source>
+        <translation>Ολοκληρωμένος χρόνος κρατήματος</translation>
     </message>
     <message>
         <source>Holding time: %p %</source>
@@ -6265,7 +6419,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>away</source>
-        <translation>μακριά</translation>
+        <translation>εμπρός</translation>
     </message>
     <message>
         <source>up</source>
@@ -6323,18 +6477,18 @@ Press again to end the trial without it.</source>
 <context>
     <name>chiron::desktop::GroupPage</name>
     <message>
-        <source>Nobody has done this condition yet. Each participant&apos;s result will be here as soon as there is a run.</source>
-        <translation>Κανείς δεν έχει κάνει ακόμη αυτή τη συνθήκη. Το αποτέλεσμα κάθε συμμετέχοντα θα είναι εδώ μόλις υπάρξει εκτέλεση.</translation>
+        <source>Nobody has run this condition yet. Each participant&apos;s result appears here after their first run.</source>
+        <translation>Κανείς δεν έχει εκτελέσει ακόμη αυτή τη συνθήκη. Το αποτέλεσμα κάθε συμμετέχοντα εμφανίζεται εδώ μετά την πρώτη του εκτέλεση.</translation>
     </message>
     <message>
         <source>Group</source>
         <translation>Ομάδα</translation>
     </message>
     <message numerus="yes">
-        <source>Weber fraction of %n participant(s), as random effects</source>
+        <source>Weber fraction of %n participant(s) (random effects)</source>
         <translation>
-            <numerusform>Κλάσμα Weber %n συμμετέχοντα, ως τυχαίο αποτέλεσμα</numerusform>
-            <numerusform>Κλάσμα Weber %n συμμετεχόντων, ως τυχαία αποτελέσματα</numerusform>
+            <numerusform>Κλάσμα Weber %n συμμετέχοντα (τυχαίες επιδράσεις)</numerusform>
+            <numerusform>Κλάσμα Weber %n συμμετεχόντων (τυχαίες επιδράσεις)</numerusform>
         </translation>
     </message>
     <message>
@@ -6342,16 +6496,16 @@ Press again to end the trial without it.</source>
         <translation>95 %: %1</translation>
     </message>
     <message>
-        <source>a further participant: %1</source>
-        <translation>ένας επιπλέον συμμετέχων: %1</translation>
+        <source>prediction for a new participant: %1</source>
+        <translation>πρόβλεψη για νέο συμμετέχοντα: %1</translation>
     </message>
     <message>
         <source>JND %1</source>
         <translation>JND %1</translation>
     </message>
     <message>
-        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)</source>
-        <translation>Κατατάξεις στην αληθινή σειρά: %1 από %2 (%3· η τύχη δίνει 16,7 %)</translation>
+        <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 %)</source>
+        <translation>Πλήρως σωστές κατατάξεις: %1 από %2 (%3· επίπεδο τύχης 16,7 %)</translation>
     </message>
     <message>
         <source>Weber fraction of each participant</source>
@@ -6395,7 +6549,7 @@ Press again to end the trial without it.</source>
     </message>
     <message>
         <source>Run</source>
-        <translation>Διεξαγωγή</translation>
+        <translation>Εκτέλεση</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -6410,12 +6564,12 @@ Press again to end the trial without it.</source>
         <translation>%1 (%2 επαναλήφθηκαν)</translation>
     </message>
     <message>
-        <source>too few people to say what a further one would show</source>
-        <translation>πολύ λίγοι συμμετέχοντες για να πούμε τι θα έδειχνε ένας επιπλέον</translation>
+        <source>too few participants for a prediction</source>
+        <translation>πολύ λίγοι συμμετέχοντες για πρόβλεψη</translation>
     </message>
     <message>
-        <source>Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)</source>
-        <translation>Κατατάξεις στην αληθινή σειρά: %1 από %2 (%3· η τύχη δίνει 16,7 % ή λιγότερο)</translation>
+        <source>Rankings entirely correct: %1 of %2 (%3; chance level 16.7 % or less)</source>
+        <translation>Πλήρως σωστές κατατάξεις: %1 από %2 (%3· επίπεδο τύχης έως 16,7 %)</translation>
     </message>
     <message>
         <source>estimate with its 95 % interval</source>
@@ -6426,7 +6580,7 @@ Press again to end the trial without it.</source>
         <translation>Σύγκριση συνθηκών</translation>
     </message>
     <message>
-        <source>Prior&apos;s part</source>
+        <source>Prior influence</source>
         <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
     </message>
 </context>
@@ -6483,19 +6637,11 @@ Press again to end the trial without it.</source>
 <context>
     <name>chiron::desktop::HomeScreen</name>
     <message>
-        <source>Exercises</source>
-        <translation>Ασκήσεις</translation>
-    </message>
-    <message>
         <source>Every level is passed</source>
         <translation>Επιτυχία σε όλα τα επίπεδα</translation>
     </message>
     <message>
-        <source>Well done. Choose any exercise below to keep your hand in.</source>
-        <translation>Συγχαρητήρια. Επιλέξτε μια άσκηση παρακάτω για να διατηρήσετε τη δεξιότητά σας.</translation>
-    </message>
-    <message>
-        <source>Go on where you were</source>
+        <source>Continue where you left off</source>
         <translation>Συνεχίστε από εκεί που μείνατε</translation>
     </message>
     <message>
@@ -6511,7 +6657,7 @@ Press again to end the trial without it.</source>
         <translation>Η πρόοδός μου</translation>
     </message>
     <message>
-        <source>Nothing is recorded yet. Your first session will be here as soon as it has ended.</source>
+        <source>Nothing recorded yet. Your first session appears here once it has ended.</source>
         <translation>Δεν υπάρχει ακόμη καταγραφή. Η πρώτη σας συνεδρία θα εμφανιστεί εδώ μόλις τελειώσει.</translation>
     </message>
     <message>
@@ -6519,11 +6665,11 @@ Press again to end the trial without it.</source>
         <translation>Όλα τα αποτελέσματά μου</translation>
     </message>
     <message>
-        <source>Sessions to look at</source>
+        <source>Sessions to review</source>
         <translation>Συνεδρίες προς εξέταση</translation>
     </message>
     <message>
-        <source>Nobody has trained yet. Sessions of trainees will be here, those that broke off first.</source>
+        <source>Nobody has trained yet. Trainees&apos; sessions will appear here, interrupted ones first.</source>
         <translation>Δεν έχει γίνει ακόμη εκπαίδευση. Εδώ θα εμφανίζονται οι συνεδρίες των εκπαιδευομένων, πρώτα όσες διακόπηκαν.</translation>
     </message>
     <message>
@@ -6531,7 +6677,7 @@ Press again to end the trial without it.</source>
         <translation>Όλες οι συνεδρίες</translation>
     </message>
     <message>
-        <source>Who trained lately</source>
+        <source>Recent training</source>
         <translation>Πρόσφατη εκπαίδευση</translation>
     </message>
     <message numerus="yes">
@@ -6577,7 +6723,7 @@ Press again to end the trial without it.</source>
         <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
-        <source>The database takes %1; %2 are free.</source>
+        <source>The database uses %1; %2 is free.</source>
         <translation>Η βάση δεδομένων έχει μέγεθος %1· ελεύθερα %2.</translation>
     </message>
     <message>
@@ -6589,16 +6735,16 @@ Press again to end the trial without it.</source>
         <translation>Η τελευταία συνεδρία έτρεξε με προτεραιότητα πραγματικού χρόνου.</translation>
     </message>
     <message>
-        <source>The last session ran without real-time priority: touch may be less smooth than it could be.</source>
-        <translation>Η τελευταία συνεδρία έτρεξε χωρίς προτεραιότητα πραγματικού χρόνου: η αφή ίσως είναι λιγότερο ομαλή από όσο θα μπορούσε.</translation>
+        <source>The last session ran without real-time priority: forces may feel less smooth.</source>
+        <translation>Η τελευταία συνεδρία έτρεξε χωρίς προτεραιότητα πραγματικού χρόνου: η αίσθηση της δύναμης ίσως είναι λιγότερο ομαλή.</translation>
     </message>
     <message>
         <source>Station</source>
         <translation>Σταθμός</translation>
     </message>
     <message>
-        <source>Devices, punctuality of the force loop, room for recordings.</source>
-        <translation>Συσκευές, συνέπεια του βρόχου δύναμης, χώρος για καταγραφές.</translation>
+        <source>Devices, timing of the force loop, free space for recordings.</source>
+        <translation>Συσκευές, χρονισμός του βρόχου δύναμης, ελεύθερος χώρος για καταγραφές.</translation>
     </message>
     <message>
         <source>Open the station check</source>
@@ -6609,42 +6755,42 @@ Press again to end the trial without it.</source>
         <translation>Αρχική</translation>
     </message>
     <message>
-        <source>What is next for you, by what you are here for.
+        <source>Your next step, depending on your role.
 
-Trainees continue with the next level by one button, choose any level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are in order.
+Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
 
-The list on the left leads everywhere else; Ctrl+K finds any command by its name.</source>
+The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
 
 Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
 
-Η λίστα αριστερά οδηγεί παντού αλλού· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
+Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
     </message>
     <message>
-        <source>Looking what is next …</source>
+        <source>Finding your next step …</source>
         <translation>Αναζήτηση επόμενου βήματος …</translation>
     </message>
     <message>
-        <source>The home screen could not be put together.</source>
-        <translation>Δεν ήταν δυνατή η προετοιμασία της αρχικής οθόνης.</translation>
+        <source>The home screen could not be loaded.</source>
+        <translation>Δεν ήταν δυνατή η φόρτωση της αρχικής οθόνης.</translation>
     </message>
     <message>
         <source>Welcome, %1</source>
         <translation>Καλωσορίσατε, %1</translation>
     </message>
     <message numerus="yes">
-        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <source>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were kept and can be played back. The session does not count.</source>
         <translation>
-            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Καταχωρίστηκε ως διακοπείσα: %n δείγμα διατηρείται και μπορεί να αναπαραχθεί. Δεν μετράει.</numerusform>
-            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Καταχωρίστηκε ως διακοπείσα: %n δείγματα διατηρούνται και μπορούν να αναπαραχθούν. Δεν μετράει.</numerusform>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως διακοπείσα: %n δείγμα διατηρείται και μπορεί να αναπαραχθεί. Η συνεδρία δεν μετράει.</numerusform>
+            <numerusform>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία αποθηκεύτηκε ως διακοπείσα: %n δείγματα διατηρούνται και μπορούν να αναπαραχθούν. Η συνεδρία δεν μετράει.</numerusform>
         </translation>
     </message>
     <message>
-        <source>The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4</source>
-        <translation>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3) και δεν καταχωρίστηκε ολόκληρη: %4</translation>
+        <source>The program ended unexpectedly during session %1 (%2, %3). The session could not be fully recovered: %4</source>
+        <translation>Το πρόγραμμα έκλεισε απρόσμενα στη συνεδρία %1 (%2, %3). Η συνεδρία δεν ανακτήθηκε ολόκληρη: %4</translation>
     </message>
     <message>
-        <source>Look at it</source>
+        <source>View</source>
         <translation>Προβολή</translation>
     </message>
     <message>
@@ -6668,8 +6814,8 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>Διεξαγωγή</translation>
     </message>
     <message>
-        <source>Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped.</source>
-        <translation>Οδηγήστε έναν συμμετέχοντα σε μια μελέτη, με κωδικό και στη δική του σειρά. Ό,τι διακόπηκε συνεχίζεται από εκεί που σταμάτησε.</translation>
+        <source>Guide a participant through a study, by code and in their own order. Interrupted runs continue where they stopped.</source>
+        <translation>Οδηγήστε έναν συμμετέχοντα σε μια μελέτη, με κωδικό και στη δική του σειρά. Όσες εκτελέσεις διακόπηκαν συνεχίζονται από εκεί που σταμάτησαν.</translation>
     </message>
     <message>
         <source>Run a study</source>
@@ -6687,6 +6833,30 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <source>Open the sessions</source>
         <translation>Άνοιγμα συνεδριών</translation>
     </message>
+    <message>
+        <source>Choose another exercise</source>
+        <translation>Επιλογή άλλης άσκησης</translation>
+    </message>
+    <message>
+        <source>Last time: level %1, %2, %3</source>
+        <translation>Τελευταία φορά: επίπεδο %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Well done. Choose any exercise to stay in practice.</source>
+        <translation>Μπράβο. Επιλέξτε οποιαδήποτε άσκηση για να μείνετε σε φόρμα.</translation>
+    </message>
+    <message>
+        <source>Somebody</source>
+        <translation>Κάποιος</translation>
+    </message>
+    <message>
+        <source>%1 commented on your session %2 (%3, level %4).</source>
+        <translation>%1 σχολίασε τη συνεδρία σας %2 (%3, επίπεδο %4).</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Ανάγνωση</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -6695,8 +6865,8 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>Χρόνος: %1</translation>
     </message>
     <message>
-        <source>This level shows no measurements: work by what you feel. Everything is recorded and in the results.</source>
-        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και υπάρχουν στα αποτελέσματα.</translation>
+        <source>This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.</source>
+        <translation>Αυτό το επίπεδο δεν δείχνει μετρήσεις: εργαστείτε με την αφή. Όλα καταγράφονται και εμφανίζονται στα αποτελέσματα.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -6760,7 +6930,7 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
 <context>
     <name>chiron::desktop::InsertionPanel</name>
     <message>
-        <source>How much of this stage is done</source>
+        <source>Progress in this stage</source>
         <translation>Πρόοδος αυτού του σταδίου</translation>
     </message>
     <message>
@@ -6871,16 +7041,16 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>Ποιος είναι ποιος</translation>
     </message>
     <message>
-        <source>That you looked is written into the audit trail.</source>
-        <translation>Ότι το κοιτάξατε καταγράφεται στο ίχνος ελέγχου.</translation>
+        <source>Opening this table is recorded in the audit trail.</source>
+        <translation>Το άνοιγμα αυτού του πίνακα καταγράφεται στο ίχνος ελέγχου.</translation>
     </message>
     <message>
         <source>Code</source>
         <translation>Κωδικός</translation>
     </message>
     <message>
-        <source>Who it is</source>
-        <translation>Ποιος είναι</translation>
+        <source>Identity</source>
+        <translation>Ταυτότητα</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6933,7 +7103,7 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
 <context>
     <name>chiron::desktop::LeanDial</name>
     <message>
-        <source>Lean of the fingertip&apos;s platform</source>
+        <source>Tilt of the fingertip platform</source>
         <translation>Κλίση της πλατφόρμας δακτύλου</translation>
     </message>
     <message>
@@ -6949,7 +7119,7 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Lean</source>
+        <source>Tilt</source>
         <translation>Κλίση</translation>
     </message>
 </context>
@@ -7012,7 +7182,7 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
         <translation>Κλειδωμένο</translation>
     </message>
     <message>
-        <source>%1 is logged in. Everything goes on and is kept; it is only covered.</source>
+        <source>%1 is logged in. Everything keeps running and nothing is lost; only the screen is covered.</source>
         <translation>Σε σύνδεση: %1. Όλα συνεχίζονται και διατηρούνται· η οθόνη απλώς καλύφθηκε.</translation>
     </message>
     <message>
@@ -7064,26 +7234,26 @@ The list on the left leads everywhere else; Ctrl+K finds any command by its name
     <message>
         <source>Type a few letters of your name, or choose it in the list, then enter your password.
 
-After three wrong passwords the account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.
+After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
 
 Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
         <translation>Πληκτρολογήστε μερικά γράμματα του ονόματός σας ή επιλέξτε το στη λίστα και δώστε τον κωδικό πρόσβασης.
 
-Μετά από τρεις λανθασμένους κωδικούς ο λογαριασμός περιμένει λίγο πριν από την επόμενη προσπάθεια· το κουμπί μετρά τα δευτερόλεπτα. Δεν χάνεται τίποτα.
+Μετά από τρεις λανθασμένους κωδικούς ο λογαριασμός κλειδώνει για λίγο· το κουμπί μετρά αντίστροφα τα δευτερόλεπτα. Δεν χάνονται δεδομένα.
 
 Ξεχάσατε τον κωδικό; Ένας διαχειριστής μπορεί να σας δώσει νέο. Ο πρώτος διαχειριστής έχει κωδικό ανάκτησης.</translation>
     </message>
     <message>
         <source>The site could not be opened.</source>
-        <translation>Το κέντρο δεν ήταν δυνατό να ανοίξει.</translation>
+        <translation>Δεν ήταν δυνατό το άνοιγμα του κέντρου.</translation>
     </message>
     <message>
-        <source>The names could not be read.</source>
+        <source>The list of names could not be read.</source>
         <translation>Δεν ήταν δυνατή η ανάγνωση των ονομάτων.</translation>
     </message>
     <message>
-        <source>This is a demonstration: choose anybody. The password of all of them is %1</source>
-        <translation>Αυτή είναι επίδειξη: επιλέξτε οποιονδήποτε. Ο κωδικός πρόσβασης όλων είναι %1</translation>
+        <source>This is a demonstration: choose anyone. The password for everyone is %1</source>
+        <translation>Πρόκειται για επίδειξη: επιλέξτε οποιονδήποτε. Ο κωδικός πρόσβασης για όλους είναι %1</translation>
     </message>
     <message>
         <source>This is the password that you were given. Choose another one.</source>
@@ -7118,15 +7288,15 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Συμβάντα</translation>
     </message>
     <message>
-        <source>Nothing of this kind happened.</source>
-        <translation>Δεν συνέβη τίποτα τέτοιο.</translation>
+        <source>No events of this kind.</source>
+        <translation>Δεν υπάρχουν τέτοια συμβάντα.</translation>
     </message>
     <message>
         <source>%1  %2</source>
         <translation>%1  %2</translation>
     </message>
     <message>
-        <source>Contacts too</source>
+        <source>Include contacts</source>
         <translation>Και επαφές</translation>
     </message>
 </context>
@@ -7210,7 +7380,7 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Επιλέξτε δικό σας κωδικό πρόσβασης</translation>
     </message>
     <message>
-        <source>Your present password was set by somebody else. From the next login on, only the new one counts.</source>
+        <source>Your current password was set by someone else. From your next login, only the new one is valid.</source>
         <translation>Ο τωρινός κωδικός ορίστηκε από άλλο άτομο. Από την επόμενη σύνδεση ισχύει μόνο ο νέος.</translation>
     </message>
     <message>
@@ -7249,7 +7419,7 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Μόνο πεζά λατινικά, ψηφία και _. Δεν αλλάζει αργότερα.</translation>
     </message>
     <message>
-        <source>Make the draft</source>
+        <source>Create draft</source>
         <translation>Δημιουργία πρόχειρου</translation>
     </message>
     <message>
@@ -7259,21 +7429,21 @@ Forgot your password? An administrator can give you a new one. The first adminis
 %1</translation>
     </message>
     <message>
-        <source>A plain study</source>
+        <source>A simple study</source>
         <translation>Μια απλή μελέτη</translation>
     </message>
     <message>
-        <source>One condition, a ranking of three by stiffness.</source>
-        <translation>Μία συνθήκη, κατάταξη τριών κατά δυσκαμψία.</translation>
+        <source>One condition: three objects are ranked by stiffness.</source>
+        <translation>Μία συνθήκη: κατάταξη τριών αντικειμένων κατά δυσκαμψία.</translation>
     </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>The study was not made: perhaps its key is taken.
+        <source>The study was not created. Its key may already be in use.
 %1</source>
-        <translation>Η μελέτη δεν δημιουργήθηκε: ίσως το κλειδί υπάρχει ήδη.
+        <translation>Η μελέτη δεν δημιουργήθηκε. Ίσως το κλειδί χρησιμοποιείται ήδη.
 %1</translation>
     </message>
 </context>
@@ -7307,19 +7477,19 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>N</translation>
     </message>
     <message>
-        <source>Map: how hard (M)</source>
-        <translation>Χάρτης: πόσο δυνατά (M)</translation>
+        <source>Force map (M)</source>
+        <translation>Χάρτης δύναμης (M)</translation>
     </message>
     <message>
-        <source>On: the map on the tissue shows how hard was pressed. Off: where was searched.</source>
-        <translation>Ναι: ο χάρτης δείχνει πόσο δυνατά πιέστηκε ο ιστός. Όχι: πού έγινε αναζήτηση.</translation>
+        <source>On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched.</source>
+        <translation>Ναι: ο χάρτης δείχνει πόσο δυνατά πιέστηκε ο ιστός. Όχι: δείχνει πού ερευνήθηκε.</translation>
     </message>
     <message>
-        <source>displayed force (N)</source>
+        <source>rendered force (N)</source>
         <translation>αποδιδόμενη δύναμη (N)</translation>
     </message>
     <message>
-        <source>lean (°)</source>
+        <source>tilt (°)</source>
         <translation>κλίση (°)</translation>
     </message>
     <message>
@@ -7339,11 +7509,11 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Δύναμη (N)</translation>
     </message>
     <message>
-        <source>Lean, first finger (°)</source>
+        <source>Tilt, first finger (°)</source>
         <translation>Κλίση, πρώτο δάκτυλο (°)</translation>
     </message>
     <message>
-        <source>Lean (°)</source>
+        <source>Tilt (°)</source>
         <translation>Κλίση (°)</translation>
     </message>
     <message>
@@ -7358,8 +7528,8 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Συμμετέχοντες εγγράφονται αφού οριστικοποιηθεί το σχέδιο.</translation>
     </message>
     <message>
-        <source>Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own.</source>
-        <translation>Κανείς δεν έχει εγγραφεί ακόμη. Κάθε συμμετέχων παίρνει τυχαίο κωδικό· το ποιος είναι μένει σε ξεχωριστό πίνακα κλειδιών.</translation>
+        <source>Nobody is enrolled yet. Each participant gets a random code; the identity is kept in a separate key table.</source>
+        <translation>Κανείς δεν έχει εγγραφεί ακόμη. Κάθε συμμετέχων παίρνει τυχαίο κωδικό· η ταυτότητά του φυλάσσεται σε ξεχωριστό πίνακα κλειδιών.</translation>
     </message>
     <message>
         <source>Participants</source>
@@ -7438,16 +7608,16 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Ο συμμετέχων ολοκλήρωσε όλες τις εκτελέσεις.</translation>
     </message>
     <message>
-        <source>Participants are enrolled while a study is frozen, neither before nor after.</source>
-        <translation>Οι συμμετέχοντες εγγράφονται όσο η μελέτη είναι οριστικοποιημένη, ούτε πριν ούτε μετά.</translation>
+        <source>Participants can be enrolled only while the study is frozen.</source>
+        <translation>Συμμετέχοντες εγγράφονται μόνο όσο η μελέτη είναι οριστικοποιημένη.</translation>
     </message>
     <message>
         <source>The consent is recorded already.</source>
         <translation>Η συγκατάθεση έχει ήδη καταγραφεί.</translation>
     </message>
     <message>
-        <source>The consent has to be recorded first.</source>
-        <translation>Πρέπει πρώτα να καταγραφεί η συγκατάθεση.</translation>
+        <source>Record the consent first.</source>
+        <translation>Καταγράψτε πρώτα τη συγκατάθεση.</translation>
     </message>
     <message>
         <source>Nobody is enrolled yet.</source>
@@ -7457,11 +7627,11 @@ Forgot your password? An administrator can give you a new one. The first adminis
 <context>
     <name>chiron::desktop::PasswordChoice</name>
     <message>
-        <source>First password</source>
-        <translation>Πρώτος κωδικός πρόσβασης</translation>
+        <source>Initial password</source>
+        <translation>Αρχικός κωδικός πρόσβασης</translation>
     </message>
     <message>
-        <source>Make one up (shown once)</source>
+        <source>Generate one (shown once)</source>
         <translation>Αυτόματη δημιουργία (εμφανίζεται μία φορά)</translation>
     </message>
     <message>
@@ -7492,8 +7662,8 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Νέος κωδικός πρόσβασης</translation>
     </message>
     <message>
-        <source>The same password again</source>
-        <translation>Ο ίδιος κωδικός ξανά</translation>
+        <source>Repeat the password</source>
+        <translation>Επανάληψη κωδικού πρόσβασης</translation>
     </message>
     <message>
         <source>Show the password</source>
@@ -7586,7 +7756,7 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Απενεργοποίηση ή ενεργοποίηση</translation>
     </message>
     <message>
-        <source>Export everything held</source>
+        <source>Export all data</source>
         <translation>Εξαγωγή όλων των στοιχείων</translation>
     </message>
     <message>
@@ -7598,7 +7768,7 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Μπορεί να συνδεθεί ξανά: %1.</translation>
     </message>
     <message>
-        <source>%1 can no longer log in. What was recorded is kept.</source>
+        <source>%1 can no longer log in. Recorded data are kept.</source>
         <translation>Δεν μπορεί πλέον να συνδεθεί: %1. Όσα καταγράφηκαν διατηρούνται.</translation>
     </message>
     <message>
@@ -7606,15 +7776,15 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Αναίρεση</translation>
     </message>
     <message>
-        <source>%1 stays enabled: a site needs an administrator who can log in. Make another person an administrator first.</source>
-        <translation>Ο λογαριασμός μένει ενεργός: %1. Ένα κέντρο χρειάζεται έναν διαχειριστή που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
+        <source>%1 stays enabled: the site needs at least one administrator who can log in. Make another person an administrator first.</source>
+        <translation>Ο λογαριασμός μένει ενεργός: %1. Το κέντρο χρειάζεται τουλάχιστον έναν διαχειριστή που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
     </message>
     <message>
-        <source>The account of %1 is as it was.</source>
-        <translation>Ο λογαριασμός έμεινε όπως ήταν: %1.</translation>
+        <source>The account of %1 was not changed.</source>
+        <translation>Ο λογαριασμός δεν άλλαξε: %1.</translation>
     </message>
     <message>
-        <source>Export everything held about %1</source>
+        <source>Export all data about %1</source>
         <translation>Εξαγωγή όλων των στοιχείων: %1</translation>
     </message>
     <message>
@@ -7622,8 +7792,8 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>JSON (*.json)</translation>
     </message>
     <message>
-        <source>Everything held about %1 is in %2.</source>
-        <translation>Όλα τα στοιχεία για %1 είναι στο %2.</translation>
+        <source>All data about %1 were exported to %2.</source>
+        <translation>Έγινε εξαγωγή όλων των στοιχείων για %1 στο %2.</translation>
     </message>
     <message>
         <source>Nothing was exported about %1.</source>
@@ -7648,30 +7818,30 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Everybody who has an account on this site.
 
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A new password has to be changed by its owner at the next login.
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
 
-&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and shows first what it would do: everybody in it is added, or nobody.
+&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and first shows what will happen: either everybody in the file is added, or nobody.
 
-&quot;Export&quot; writes everything that is held about a person to one file. &quot;Erase&quot; overwrites who the person was, for ever.</source>
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
         <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
 
 Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
 
 Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV με τις στήλες name, display_name, roles και password και δείχνει πρώτα τι θα κάνει: προστίθενται όλοι ή κανείς.
 
-Η «Εξαγωγή» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά ποιο ήταν το άτομο.</translation>
+Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου.</translation>
     </message>
     <message>
-        <source>Reading the people …</source>
-        <translation>Ανάγνωση ατόμων …</translation>
+        <source>Reading the list of people …</source>
+        <translation>Ανάγνωση της λίστας ατόμων …</translation>
     </message>
     <message>
         <source>Disable</source>
         <translation>Απενεργοποίηση</translation>
     </message>
     <message>
-        <source>The people could not be read.</source>
-        <translation>Δεν ήταν δυνατή η ανάγνωση των ατόμων.</translation>
+        <source>The list of people could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση της λίστας ατόμων.</translation>
     </message>
     <message>
         <source>Nobody is chosen</source>
@@ -7717,8 +7887,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>JND στην αναφορά</translation>
     </message>
     <message>
-        <source>Point of equality</source>
-        <translation>Σημείο ισότητας</translation>
+        <source>Point of subjective equality</source>
+        <translation>Σημείο υποκειμενικής ισότητας</translation>
     </message>
     <message>
         <source>Internal noise, log10</source>
@@ -7729,27 +7899,27 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>%1. %2. %3 βαθμολογημένες δοκιμές, %4 επαναλήφθηκαν. %5</translation>
     </message>
     <message numerus="yes">
-        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <source>Replayed from its log, the procedure makes the same %n choice(s).</source>
         <translation>
-            <numerusform>Από το αρχείο της ξανά, η διαδικασία κάνει την ίδια %n επιλογή.</numerusform>
-            <numerusform>Από το αρχείο της ξανά, η διαδικασία κάνει τις ίδιες %n επιλογές.</numerusform>
+            <numerusform>Αν επαναληφθεί από το αρχείο της, η διαδικασία κάνει την ίδια %n επιλογή.</numerusform>
+            <numerusform>Αν επαναληφθεί από το αρχείο της, η διαδικασία κάνει τις ίδιες %n επιλογές.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Run again from its log, the procedure chooses differently: %1 of %2 are the same.</source>
-        <translation>Από το αρχείο της ξανά, η διαδικασία επιλέγει διαφορετικά: %1 από %2 είναι ίδιες.</translation>
+        <source>Replayed from its log, the procedure makes different choices: only %1 of %2 match.</source>
+        <translation>Αν επαναληφθεί από το αρχείο της, η διαδικασία επιλέγει διαφορετικά: μόνο %1 από %2 συμπίπτουν.</translation>
     </message>
     <message>
-        <source>Right answers by difference</source>
-        <translation>Σωστές απαντήσεις ανά διαφορά</translation>
+        <source>Proportion correct by difference</source>
+        <translation>Ποσοστό σωστών απαντήσεων ανά διαφορά</translation>
     </message>
     <message>
-        <source>This task has no curve of right answers</source>
-        <translation>Το έργο αυτό δεν έχει καμπύλη σωστών απαντήσεων</translation>
+        <source>This task has no psychometric curve</source>
+        <translation>Το έργο αυτό δεν έχει ψυχομετρική καμπύλη</translation>
     </message>
     <message>
-        <source>Called equal below, in σ</source>
-        <translation>Ίσα κάτω από, σε σ</translation>
+        <source>Equality threshold (σ)</source>
+        <translation>Κατώφλι ισότητας (σ)</translation>
     </message>
 </context>
 <context>
@@ -7766,12 +7936,12 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Πλατφόρμα δακτύλου</translation>
     </message>
     <message>
-        <source>Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers.</source>
+        <source>Verification of the simulated platform: the published sine and orientations, force steps, and the maximum force on the finger pad, on eight simulated fingers.</source>
         <translation>Επαλήθευση της προσομοιωμένης πλατφόρμας: το δημοσιευμένο ημίτονο και οι προσανατολισμοί, βήματα δύναμης και η μέγιστη δύναμη στο δάκτυλο, σε οκτώ προσομοιωμένα δάκτυλα.</translation>
     </message>
     <message>
         <source>An administrator can run it here.</source>
-        <translation>Ένας διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
+        <translation>Η εκτέλεση γίνεται εδώ από διαχειριστή.</translation>
     </message>
     <message>
         <source>Verify the platform</source>
@@ -7782,8 +7952,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Πρακτικό (PDF) …</translation>
     </message>
     <message>
-        <source>The verification was stopped before its end.</source>
-        <translation>Ο έλεγχος διακόπηκε πριν το τέλος του.</translation>
+        <source>The verification was stopped before it finished.</source>
+        <translation>Ο έλεγχος διακόπηκε πριν ολοκληρωθεί.</translation>
     </message>
     <message>
         <source>The verification could not be done: %1</source>
@@ -7849,27 +8019,27 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>παύση</translation>
     </message>
     <message>
-        <source>Tension (N), dashed: the band asked for</source>
-        <translation>Τάση (N), διακεκομμένη: η ζητούμενη ζώνη</translation>
+        <source>Tension (N), dashed: target band</source>
+        <translation>Τάση (N), διακεκομμένη: ζώνη στόχου</translation>
     </message>
     <message>
         <source>Squeeze (N)</source>
         <translation>Σύσφιξη (N)</translation>
     </message>
     <message>
-        <source>Energy that the hand put in and that the object holds</source>
-        <translation>Ενέργεια που έδωσε το χέρι και που κρατά το αντικείμενο</translation>
+        <source>Energy supplied by the hand and stored in the object</source>
+        <translation>Ενέργεια που δίνει το χέρι και που αποθηκεύεται στο αντικείμενο</translation>
     </message>
     <message>
-        <source>more held than put in</source>
+        <source>more stored than supplied</source>
         <translation>περισσότερη από όση δόθηκε</translation>
     </message>
     <message>
-        <source>put in</source>
+        <source>supplied</source>
         <translation>δόθηκε</translation>
     </message>
     <message>
-        <source>held</source>
+        <source>stored</source>
         <translation>αποθηκευμένη</translation>
     </message>
     <message>
@@ -7885,16 +8055,16 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>δάκτυλο</translation>
     </message>
     <message>
-        <source>Lean of the force</source>
+        <source>Tilt of the force</source>
         <translation>Κλίση της δύναμης</translation>
     </message>
     <message>
-        <source>farthest that the platform leans</source>
+        <source>maximum tilt of the platform</source>
         <translation>μέγιστη κλίση της πλατφόρμας</translation>
     </message>
     <message>
-        <source>Lean (°), line: as far as the platform leans</source>
-        <translation>Κλίση (°), γραμμή: όσο κλίνει η πλατφόρμα</translation>
+        <source>Tilt (°), line: limit of the platform</source>
+        <translation>Κλίση (°), γραμμή: όριο της πλατφόρμας</translation>
     </message>
     <message>
         <source>Depth of the fingers</source>
@@ -7913,8 +8083,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>έλξη</translation>
     </message>
     <message>
-        <source>Pull on the fold (N), dashed: its band</source>
-        <translation>Έλξη της πτυχής (N), διακεκομμένη: η ζώνη της</translation>
+        <source>Pull on the fold (N), dashed: target band</source>
+        <translation>Έλξη της πτυχής (N), διακεκομμένη: ζώνη στόχου</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -7932,7 +8102,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
     <message>
-        <source>Sessions to compare with could not be listed.</source>
+        <source>The sessions for comparison could not be loaded.</source>
         <translation>Δεν ήταν δυνατή η φόρτωση συνεδριών για σύγκριση.</translation>
     </message>
     <message>
@@ -7992,7 +8162,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Σχόλια</translation>
     </message>
     <message>
-        <source>Second session beside it</source>
+        <source>Second session alongside</source>
         <translation>Δεύτερη συνεδρία δίπλα</translation>
     </message>
     <message>
@@ -8008,11 +8178,11 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Αναπαραγωγή ή παύση</translation>
     </message>
     <message>
-        <source>One picture on</source>
+        <source>One frame forward</source>
         <translation>Ένα καρέ εμπρός</translation>
     </message>
     <message>
-        <source>One picture back</source>
+        <source>One frame back</source>
         <translation>Ένα καρέ πίσω</translation>
     </message>
     <message>
@@ -8020,7 +8190,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Επόμενο συμβάν</translation>
     </message>
     <message>
-        <source>Last event</source>
+        <source>Previous event</source>
         <translation>Προηγούμενο συμβάν</translation>
     </message>
     <message>
@@ -8037,7 +8207,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
     <message>
         <source>This session could not be opened</source>
-        <translation>Αυτή η συνεδρία δεν ήταν δυνατό να ανοίξει</translation>
+        <translation>Δεν ήταν δυνατό το άνοιγμα αυτής της συνεδρίας</translation>
     </message>
     <message>
         <source>Reading the recording …</source>
@@ -8048,8 +8218,8 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Η καταγραφή διαγράφηκε</translation>
     </message>
     <message>
-        <source>It was withdrawn at the person&apos;s wish. The scores are kept.</source>
-        <translation>Αποσύρθηκε κατ’ επιθυμία του ατόμου. Οι βαθμολογίες διατηρούνται.</translation>
+        <source>It was erased at the person&apos;s request. The scores are kept.</source>
+        <translation>Διαγράφηκε κατόπιν αιτήματος του ατόμου. Οι βαθμολογίες διατηρούνται.</translation>
     </message>
     <message>
         <source>Open the debrief</source>
@@ -8076,7 +8246,7 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Δεν ήταν δυνατή η ανάγνωση των σχολίων.</translation>
     </message>
     <message>
-        <source>The comment was not stored. Its text is still there.</source>
+        <source>The comment was not saved. Its text is still here.</source>
         <translation>Το σχόλιο δεν αποθηκεύτηκε. Το κείμενο υπάρχει ακόμη.</translation>
     </message>
     <message>
@@ -8102,18 +8272,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>A session as it was recorded.
 
-Space plays and pauses. The arrow keys go one picture on or back, with Shift one second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.
+Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time.
 
 Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
 
-Choose a second session to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.</source>
+Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
         <translation>Μια συνεδρία όπως καταγράφηκε.
 
-Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στα άκρα. Ένα κλικ σε διάγραμμα πηγαίνει επίσης εκεί.
+Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στην αρχή και στο τέλος. Ένα κλικ σε διάγραμμα πηγαίνει σε εκείνη τη χρονική στιγμή.
 
 Οι παύσεις είναι διαγραμμισμένες. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
 
-Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει όταν αρχίζει η εδώ δοκιμή και σχεδιάζεται στην ίδια θέση.</translation>
+Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει μαζί με τη δοκιμή εδώ και σχεδιάζεται στην ίδια θέση.</translation>
     </message>
     <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
@@ -8136,27 +8306,27 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Εμφάνιση των όζων</translation>
     </message>
     <message>
-        <source>Where the lumps were, and what became of the findings</source>
-        <translation>Πού ήταν οι όζοι και τι απέγιναν τα ευρήματα</translation>
+        <source>Where the lumps were, and how the findings were scored</source>
+        <translation>Πού ήταν οι όζοι και πώς βαθμολογήθηκαν τα ευρήματα</translation>
     </message>
     <message>
         <source>Map of the whole trial</source>
         <translation>Χάρτης όλης της δοκιμής</translation>
     </message>
     <message>
-        <source>Off: the map as it was at this moment</source>
-        <translation>Όχι: ο χάρτης όπως ήταν εκείνη τη στιγμή</translation>
+        <source>Off: the map up to this moment</source>
+        <translation>Όχι: ο χάρτης έως αυτή τη στιγμή</translation>
     </message>
     <message>
-        <source>Map: how hard</source>
-        <translation>Χάρτης: πόσο δυνατά</translation>
+        <source>Force map</source>
+        <translation>Χάρτης δύναμης</translation>
     </message>
     <message>
-        <source>On: how hard was pressed. Off: where was searched.</source>
-        <translation>Ναι: πόσο δυνατά πιέστηκε. Όχι: πού έγινε αναζήτηση.</translation>
+        <source>On: how hard the tissue was pressed. Off: where it was searched.</source>
+        <translation>Ναι: πόσο δυνατά πιέστηκε ο ιστός. Όχι: πού ερευνήθηκε.</translation>
     </message>
     <message>
-        <source>Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <source>Trial %1 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Δοκιμή %1 · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
     </message>
     <message>
@@ -8164,7 +8334,7 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Τα ευρήματα και οι χάρτες δεν διαβάστηκαν από την καταγραφή: %1</translation>
     </message>
     <message>
-        <source>Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6</source>
+        <source>Trial %1 · %7 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6</source>
         <translation>Δοκιμή %1 · %7 · δύναμη %2 · κλίση %3° · βάθος %4 · ερευνήθηκε %5 % · ευρήματα %6</translation>
     </message>
     <message>
@@ -8187,16 +8357,16 @@ Choose a second session to see it beside this one: each of its trials starts whe
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message>
-        <source>Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before the first participant.</source>
-        <translation>Προσομοιωμένοι παρατηρητές κάνουν τη μελέτη, χωρίς απόδοση. Τα χαρακτηριστικά τους είναι γνωστά, ώστε μεροληψία και ακρίβεια να φανούν πριν από τον πρώτο συμμετέχοντα.</translation>
+        <source>Simulated observers run through the study without haptic rendering. Their true values are known, so bias and precision can be estimated before the first participant.</source>
+        <translation>Προσομοιωμένοι παρατηρητές εκτελούν τη μελέτη, χωρίς απτική απόδοση. Οι αληθινές τιμές τους είναι γνωστές, ώστε μεροληψία και ακρίβεια να εκτιμηθούν πριν από τον πρώτο συμμετέχοντα.</translation>
     </message>
     <message>
         <source>Their Weber fraction</source>
         <translation>Το κλάσμα Weber τους</translation>
     </message>
     <message>
-        <source>Answers that are guessed</source>
-        <translation>Απαντήσεις στην τύχη</translation>
+        <source>Lapse rate</source>
+        <translation>Ποσοστό αβλεψιών</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -8211,8 +8381,8 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Πρόοδος της προεπισκόπησης</translation>
     </message>
     <message>
-        <source>The preview could not be made. %1</source>
-        <translation>Η προεπισκόπηση δεν έγινε. %1</translation>
+        <source>The preview failed. %1</source>
+        <translation>Η προεπισκόπηση απέτυχε. %1</translation>
     </message>
     <message>
         <source>expected bias of the Weber fraction</source>
@@ -8231,11 +8401,11 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>λεπτά, με διαλείμματα</translation>
     </message>
     <message>
-        <source>95 % intervals that hold the truth</source>
-        <translation>διαστήματα 95 % που περιέχουν την αλήθεια</translation>
+        <source>95 % intervals that contain the true value</source>
+        <translation>διαστήματα 95 % που περιέχουν την αληθινή τιμή</translation>
     </message>
     <message>
-        <source>How the estimate settles with more trials</source>
+        <source>How the estimate converges with more trials</source>
         <translation>Πώς σταθεροποιείται η εκτίμηση με περισσότερες δοκιμές</translation>
     </message>
     <message>
@@ -8247,10 +8417,10 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Κλάσμα Weber (%)</translation>
     </message>
     <message numerus="yes">
-        <source>middle of %n run(s)</source>
+        <source>median of %n run(s)</source>
         <translation>
             <numerusform>%n εκτέλεση</numerusform>
-            <numerusform>μέσο %n εκτελέσεων</numerusform>
+            <numerusform>διάμεσος %n εκτελέσεων</numerusform>
         </translation>
     </message>
     <message>
@@ -8262,12 +8432,12 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>αληθινή τιμή</translation>
     </message>
     <message>
-        <source>They call equal, below (in σ)</source>
-        <translation>Χαρακτηρίζουν ίσα κάτω από (σε σ)</translation>
+        <source>Equality threshold (σ)</source>
+        <translation>Κατώφλι ισότητας (σ)</translation>
     </message>
     <message>
-        <source>The conditions are sealed while the study is blind, and with them what a preview would say. Its author can make one.</source>
-        <translation>Όσο η μελέτη είναι τυφλή οι συνθήκες είναι σφραγισμένες, και μαζί ό,τι θα έδειχνε μια προεπισκόπηση. Ο συντάκτης της μπορεί να κάνει μία.</translation>
+        <source>While the study is blinded, its conditions and the preview are sealed. Only the study&apos;s author can run a preview.</source>
+        <translation>Όσο η μελέτη είναι τυφλή, οι συνθήκες και η προεπισκόπηση είναι σφραγισμένες. Μόνο ο συντάκτης της μπορεί να κάνει προεπισκόπηση.</translation>
     </message>
     <message>
         <source>Runs per condition</source>
@@ -8278,8 +8448,8 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>±: ένα τυπικό σφάλμα τόσο λίγων προσομοιωμένων εκτελέσεων· περισσότερες εκτελέσεις το μικραίνουν.</translation>
     </message>
     <message>
-        <source>For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once.</source>
-        <translation>Για τη σύγκριση δύο συνθηκών, το πόσο διαφέρουν οι άνθρωποι είναι παραδοχή και δεν προσομοιώνεται. Οι αλλαγές φαίνονται αμέσως.</translation>
+        <source>For comparing two conditions, the variation between people is assumed, not simulated. Changes take effect at once.</source>
+        <translation>Για τη σύγκριση δύο συνθηκών, η διακύμανση μεταξύ ατόμων είναι παραδοχή και δεν προσομοιώνεται. Οι αλλαγές ισχύουν αμέσως.</translation>
     </message>
     <message>
         <source>Each participant does both conditions</source>
@@ -8302,7 +8472,7 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Επίπεδο σημαντικότητας, δίπλευρο</translation>
     </message>
     <message>
-        <source>Power wanted</source>
+        <source>Desired power</source>
         <translation>Επιθυμητή ισχύς</translation>
     </message>
     <message>
@@ -8310,12 +8480,12 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>κανένας έως × 10</translation>
     </message>
     <message>
-        <source>smallest ratio found with %1 power by %2 participants who do both conditions</source>
-        <translation>μικρότερος λόγος με ισχύ %1 από %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
+        <source>smallest ratio detectable with %1 power by %2 participants who do both conditions</source>
+        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 από %2 συμμετέχοντες που κάνουν και τις δύο συνθήκες</translation>
     </message>
     <message>
-        <source>smallest ratio found with %1 power by two groups of %2 participants</source>
-        <translation>μικρότερος λόγος με ισχύ %1 από δύο ομάδες των %2 συμμετεχόντων</translation>
+        <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
+        <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 από δύο ομάδες των %2 συμμετεχόντων</translation>
     </message>
 </context>
 <context>
@@ -8341,16 +8511,16 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
     </message>
     <message>
-        <source>Step down : step up (0: as listed)</source>
-        <translation>Βήμα κάτω : βήμα πάνω (0: όπως αναγράφεται)</translation>
+        <source>Step down : step up (0: from the lists)</source>
+        <translation>Βήμα κάτω : βήμα πάνω (0: από τις λίστες)</translation>
     </message>
     <message>
-        <source>Steps are</source>
-        <translation>Τα βήματα</translation>
+        <source>Step type</source>
+        <translation>Τύπος βήματος</translation>
     </message>
     <message>
-        <source>added</source>
-        <translation>προστίθενται</translation>
+        <source>linear</source>
+        <translation>γραμμικό</translation>
     </message>
     <message>
         <source>in log10 units</source>
@@ -8377,8 +8547,8 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>1-πάνω/1-κάτω ώς την πρώτη αναστροφή</translation>
     </message>
     <message>
-        <source>Counters start anew at each step</source>
-        <translation>Οι μετρητές μηδενίζονται σε κάθε βήμα</translation>
+        <source>Reset counters at each step</source>
+        <translation>Μηδενισμός μετρητών σε κάθε βήμα</translation>
     </message>
     <message>
         <source>New step size at the reversal itself</source>
@@ -8389,7 +8559,7 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Παραμονή στο εύρος</translation>
     </message>
     <message>
-        <source>Proportion aimed at</source>
+        <source>Target proportion</source>
         <translation>Επιδιωκόμενο ποσοστό</translation>
     </message>
     <message>
@@ -8409,7 +8579,7 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Μεγαλύτερο βήμα</translation>
     </message>
     <message>
-        <source>Trials a level</source>
+        <source>Trials per level</source>
         <translation>Δοκιμές ανά επίπεδο</translation>
     </message>
     <message>
@@ -8421,15 +8591,15 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Επίπεδα (x)</translation>
     </message>
     <message>
-        <source>Presentations a level</source>
+        <source>Presentations per level</source>
         <translation>Παρουσιάσεις ανά επίπεδο</translation>
     </message>
     <message>
-        <source>Right ones to go on</source>
-        <translation>Σωστές για να συνεχιστεί</translation>
+        <source>Correct answers to go on</source>
+        <translation>Σωστές απαντήσεις για συνέχεια</translation>
     </message>
     <message>
-        <source>Levels (x), falling</source>
+        <source>Levels (x), descending</source>
         <translation>Επίπεδα (x), φθίνοντα</translation>
     </message>
     <message>
@@ -8445,16 +8615,16 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Κλίση β</translation>
     </message>
     <message>
-        <source>Lapses δ</source>
-        <translation>Αβλεψίες δ</translation>
+        <source>Lapse rate δ</source>
+        <translation>Ποσοστό αβλεψιών δ</translation>
     </message>
     <message>
-        <source>Guesses γ</source>
-        <translation>Τύχη γ</translation>
+        <source>Guess rate γ</source>
+        <translation>Ποσοστό τύχης γ</translation>
     </message>
     <message>
-        <source>Trials are placed at</source>
-        <translation>Οι δοκιμές τοποθετούνται στο</translation>
+        <source>Place trials at</source>
+        <translation>Τοποθέτηση δοκιμών</translation>
     </message>
     <message>
         <source>Quantile</source>
@@ -8462,31 +8632,31 @@ Choose a second session to see it beside this one: each of its trials starts whe
     </message>
     <message>
         <source>Mean</source>
-        <translation>Μέσος</translation>
+        <translation>Μέση τιμή</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation>Κορυφή</translation>
+        <translation>Επικρατούσα τιμή</translation>
     </message>
     <message>
         <source>Psychometric function</source>
         <translation>Ψυχομετρική συνάρτηση</translation>
     </message>
     <message>
-        <source>Same stimulus in a row (0: any)</source>
-        <translation>Ίδιο ερέθισμα στη σειρά (0: όσο να ’ναι)</translation>
+        <source>Same stimulus in a row, at most (0: no limit)</source>
+        <translation>Ίδιο ερέθισμα στη σειρά, το πολύ (0: χωρίς όριο)</translation>
     </message>
     <message>
         <source>Share of catch trials</source>
         <translation>Ποσοστό δοκιμών ελέγχου</translation>
     </message>
     <message>
-        <source>Grid of %1</source>
+        <source>Grid: %1</source>
         <translation>Πλέγμα: %1</translation>
     </message>
     <message>
-        <source>Grid of lapses</source>
-        <translation>Πλέγμα αβλεψιών</translation>
+        <source>Grid of lapse rates</source>
+        <translation>Πλέγμα ποσοστών αβλεψιών</translation>
     </message>
     <message>
         <source>Grid of noise (log10 σ)</source>
@@ -8497,35 +8667,35 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Αλλαγή της διαδικασίας</translation>
     </message>
     <message>
-        <source>Trials at most</source>
-        <translation>Δοκιμές το πολύ</translation>
+        <source>Maximum trials</source>
+        <translation>Μέγιστος αριθμός δοκιμών</translation>
     </message>
     <message>
-        <source>Trials at least</source>
-        <translation>Δοκιμές το λιγότερο</translation>
+        <source>Minimum trials</source>
+        <translation>Ελάχιστος αριθμός δοκιμών</translation>
     </message>
     <message>
-        <source>Stop after reversals (0: no)</source>
-        <translation>Τέλος μετά από αναστροφές (0: όχι)</translation>
+        <source>Reversals until stop (0: never)</source>
+        <translation>Αναστροφές έως το τέλος (0: ποτέ)</translation>
     </message>
     <message>
-        <source>Stop at precision, SD (0: no)</source>
-        <translation>Τέλος στην ακρίβεια, SD (0: όχι)</translation>
+        <source>Stop at SD of estimate (0: never)</source>
+        <translation>Τέλος με SD εκτίμησης (0: ποτέ)</translation>
     </message>
     <message>
-        <source>Grid of ties (in σ)</source>
-        <translation>Πλέγμα ισοβαθμιών (σε σ)</translation>
+        <source>Grid of tie thresholds (in σ)</source>
+        <translation>Πλέγμα κατωφλίων ισοβαθμίας (σε σ)</translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::QualityBox</name>
     <message>
-        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could tell which condition is which. How well trials went can be seen here, by participant, over all conditions together.</source>
+        <source>Results stay sealed until the study is unblinded: answers, times and even the number of trials could reveal which condition is which. This page shows how well the trials went, for each participant, across all conditions.</source>
         <translation>Τα αποτελέσματα μένουν σφραγισμένα έως την άρση της τυφλότητας: απαντήσεις, χρόνοι, ακόμη και ο αριθμός των δοκιμών θα μπορούσαν να δείξουν ποια συνθήκη είναι ποια. Εδώ φαίνεται πόσο καλά πήγαν οι δοκιμές, ανά συμμετέχοντα, για όλες τις συνθήκες μαζί.</translation>
     </message>
     <message>
-        <source>How many trials there were is shown of those who have done every condition.</source>
-        <translation>Ο αριθμός των δοκιμών φαίνεται για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
+        <source>The number of trials is shown only for participants who have completed every condition.</source>
+        <translation>Ο αριθμός των δοκιμών φαίνεται μόνο για όσους ολοκλήρωσαν όλες τις συνθήκες.</translation>
     </message>
     <message>
         <source>Quality of the trials</source>
@@ -8575,12 +8745,12 @@ Choose a second session to see it beside this one: each of its trials starts whe
 <context>
     <name>chiron::desktop::QuestionnaireForm</name>
     <message>
-        <source>%1 (may be left out)</source>
+        <source>%1 (optional)</source>
         <translation>%1 (προαιρετικό)</translation>
     </message>
     <message>
-        <source>Please answer this one.</source>
-        <translation>Παρακαλώ απαντήστε σε αυτό.</translation>
+        <source>Please answer this question.</source>
+        <translation>Παρακαλούμε απαντήστε σε αυτή την ερώτηση.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -8598,12 +8768,12 @@ Choose a second session to see it beside this one: each of its trials starts whe
         <translation>Ερωτηματολόγιο</translation>
     </message>
     <message>
-        <source>A participant answers these questions once.
+        <source>Each participant answers these questions once.
 
-Tab goes from question to question, the arrow keys move within a scale, Space chooses. What must be answered is marked when it is missing. The answers are stored under the participant&apos;s code as soon as they are handed in.</source>
-        <translation>Ο συμμετέχων απαντά σε αυτές τις ερωτήσεις μία φορά.
+Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
+        <translation>Κάθε συμμετέχων απαντά σε αυτές τις ερωτήσεις μία φορά.
 
-Το Tab πηγαίνει από ερώτηση σε ερώτηση, τα βέλη κινούνται μέσα στην κλίμακα, το Διάστημα επιλέγει. Ό,τι πρέπει να απαντηθεί σημειώνεται όταν λείπει. Οι απαντήσεις αποθηκεύονται με τον κωδικό του συμμετέχοντα μόλις παραδοθούν.</translation>
+Με το Tab πηγαίνετε από ερώτηση σε ερώτηση, με τα βέλη κινείστε στην κλίμακα, με το Διάστημα επιλέγετε. Οι υποχρεωτικές ερωτήσεις σημειώνονται όταν μένουν αναπάντητες. Οι απαντήσεις αποθηκεύονται με τον κωδικό του συμμετέχοντα μόλις υποβληθούν.</translation>
     </message>
     <message>
         <source>Reading the questions …</source>
@@ -8626,21 +8796,21 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Πίσω</translation>
     </message>
     <message>
-        <source>There is no such questionnaire</source>
-        <translation>Δεν υπάρχει τέτοιο ερωτηματολόγιο</translation>
+        <source>This questionnaire does not exist</source>
+        <translation>Αυτό το ερωτηματολόγιο δεν υπάρχει</translation>
     </message>
     <message>
         <source>Participant %1</source>
         <translation>Συμμετέχων %1</translation>
     </message>
     <message>
-        <source>Hand in</source>
-        <translation>Παράδοση</translation>
+        <source>Submit</source>
+        <translation>Υποβολή</translation>
     </message>
     <message>
-        <source>The answers were not stored. They are still here.
+        <source>The answers were not stored. They are still on this page.
 %1</source>
-        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη εδώ.
+        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα.
 %1</translation>
     </message>
     <message>
@@ -8648,8 +8818,8 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Ευχαριστούμε. Οι απαντήσεις αποθηκεύτηκαν.</translation>
     </message>
     <message>
-        <source>Leave without handing in?</source>
-        <translation>Έξοδος χωρίς παράδοση;</translation>
+        <source>Leave without submitting?</source>
+        <translation>Έξοδος χωρίς υποβολή;</translation>
     </message>
     <message>
         <source>The answers on this page are not stored yet.</source>
@@ -8686,8 +8856,8 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Καμία απάντηση</translation>
     </message>
     <message>
-        <source>Median %1, middle half %2 to %3</source>
-        <translation>Διάμεσος %1, μεσαίο μισό %2 έως %3</translation>
+        <source>Median %1, interquartile range %2 to %3</source>
+        <translation>Διάμεσος %1, ενδοτεταρτημοριακό εύρος %2 έως %3</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -8709,7 +8879,7 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
     <message>
-        <source>Scale with words at its ends</source>
+        <source>Scale with labelled ends</source>
         <translation>Κλίμακα με λέξεις στα άκρα</translation>
     </message>
     <message>
@@ -8725,16 +8895,12 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Ελεύθερο κείμενο</translation>
     </message>
     <message>
-        <source>No questionnaires. They are answered once by each participant, before or after the runs, and kept beside the data.</source>
-        <translation>Χωρίς ερωτηματολόγια. Απαντώνται μία φορά από κάθε συμμετέχοντα, πριν ή μετά τις εκτελέσεις, και φυλάσσονται δίπλα στα δεδομένα.</translation>
+        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs. The answers are stored with the data.</source>
+        <translation>Δεν υπάρχουν ερωτηματολόγια. Κάθε συμμετέχων απαντά σε ένα ερωτηματολόγιο μία φορά, πριν ή μετά τις εκτελέσεις. Οι απαντήσεις φυλάσσονται μαζί με τα δεδομένα.</translation>
     </message>
     <message>
         <source>Add a questionnaire</source>
         <translation>Νέο ερωτηματολόγιο</translation>
-    </message>
-    <message>
-        <source>A questionnaire more</source>
-        <translation>Ένα ερωτηματολόγιο επιπλέον</translation>
     </message>
     <message>
         <source>Title of the questionnaire</source>
@@ -8770,7 +8936,7 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
     </message>
     <message>
         <source>Remove the questionnaire</source>
-        <translation>Αφαίρεση όλου</translation>
+        <translation>Αφαίρεση ερωτηματολογίου</translation>
     </message>
     <message>
         <source>Change of a question</source>
@@ -8793,23 +8959,23 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Βαθμίδες</translation>
     </message>
     <message>
-        <source>Lowest means</source>
-        <translation>Η χαμηλότερη σημαίνει</translation>
+        <source>Label at low end</source>
+        <translation>Ετικέτα κάτω άκρου</translation>
     </message>
     <message>
-        <source>Highest means</source>
-        <translation>Η υψηλότερη σημαίνει</translation>
+        <source>Label at high end</source>
+        <translation>Ετικέτα άνω άκρου</translation>
     </message>
     <message>
-        <source>Lowest</source>
-        <translation>Χαμηλότερη</translation>
+        <source>Minimum</source>
+        <translation>Ελάχιστο</translation>
     </message>
     <message>
-        <source>Highest</source>
-        <translation>Υψηλότερη</translation>
+        <source>Maximum</source>
+        <translation>Μέγιστο</translation>
     </message>
     <message>
-        <source>Choices, one a line</source>
+        <source>Choices, one per line</source>
         <translation>Επιλογές, μία ανά γραμμή</translation>
     </message>
     <message>
@@ -8852,8 +9018,8 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Κατατάξεις</translation>
     </message>
     <message>
-        <source>No ranking counts yet. Agreement and worths will be here as soon as one does.</source>
-        <translation>Καμία κατάταξη δεν μετρά ακόμη. Η συμφωνία και οι αξίες θα είναι εδώ μόλις μετρήσει μία.</translation>
+        <source>There are no scored rankings yet. Agreement and worths appear here after the first one.</source>
+        <translation>Δεν υπάρχουν ακόμη βαθμολογημένες κατατάξεις. Η συμφωνία και οι αξίες θα εμφανιστούν εδώ μετά την πρώτη.</translation>
     </message>
     <message numerus="yes">
         <source>%n ranking(s) of three objects; each is one judgement.</source>
@@ -8878,8 +9044,8 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>95 %: %1</translation>
     </message>
     <message>
-        <source>Whole orders right</source>
-        <translation>Ολόκληρες σωστές</translation>
+        <source>Completely correct orders</source>
+        <translation>Πλήρως σωστές σειρές</translation>
     </message>
     <message>
         <source>%1 of %2; guessing gives 16.7 %.</source>
@@ -8890,20 +9056,20 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>τ του Kendall</translation>
     </message>
     <message>
-        <source>Likeness to the true order: 1 the same, 0 no relation, −1 reversed.</source>
-        <translation>Ομοιότητα με την πραγματική σειρά: 1 ίδια, 0 καμία σχέση, −1 αντίστροφη.</translation>
+        <source>Similarity to the true order: 1 = identical, 0 = unrelated, −1 = reversed.</source>
+        <translation>Ομοιότητα με την πραγματική σειρά: 1 = ίδια, 0 = καμία σχέση, −1 = αντίστροφη.</translation>
     </message>
     <message>
         <source>Kendall&apos;s W</source>
         <translation>W του Kendall</translation>
     </message>
     <message>
-        <source>How far the rankings agree with each other: 0 not at all, 1 wholly.</source>
-        <translation>Πόσο συμφωνούν οι κατατάξεις μεταξύ τους: 0 καθόλου, 1 πλήρως.</translation>
+        <source>How closely the rankings agree: 0 = not at all, 1 = completely.</source>
+        <translation>Πόσο συμφωνούν οι κατατάξεις μεταξύ τους: 0 = καθόλου, 1 = πλήρως.</translation>
     </message>
     <message>
-        <source>How far the participants agree with each other: 0 not at all, 1 wholly.</source>
-        <translation>Πόσο συμφωνούν οι συμμετέχοντες μεταξύ τους: 0 καθόλου, 1 πλήρως.</translation>
+        <source>How closely the participants agree: 0 = not at all, 1 = completely.</source>
+        <translation>Πόσο συμφωνούν οι συμμετέχοντες μεταξύ τους: 0 = καθόλου, 1 = πλήρως.</translation>
     </message>
     <message>
         <source>Page&apos;s L</source>
@@ -8918,12 +9084,12 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Αξία κάθε αντικειμένου</translation>
     </message>
     <message>
-        <source>How much more often an object was ranked above the others, by three models. Farther apart means easier to tell apart. All differences D of the run are taken together, and each ranking as independent of the others.</source>
-        <translation>Πόσο συχνότερα ένα αντικείμενο ήταν πάνω από τα άλλα, κατά τρία μοντέλα. Όσο πιο μακριά, τόσο ευκολότερα ξεχωρίζουν. Όλες οι διαφορές D λαμβάνονται μαζί και κάθε κατάταξη ως ανεξάρτητη από τις άλλες.</translation>
+        <source>How much more often an object was ranked above the others, estimated by three models. The farther apart two values are, the easier the objects are to tell apart. All differences D of the run are pooled, and rankings are treated as independent of each other.</source>
+        <translation>Πόσο συχνότερα ένα αντικείμενο κατατάχθηκε πάνω από τα άλλα, κατά την εκτίμηση τριών μοντέλων. Όσο περισσότερο απέχουν οι τιμές, τόσο ευκολότερα διακρίνονται τα αντικείμενα. Όλες οι διαφορές D της εκτέλεσης λαμβάνονται μαζί και οι κατατάξεις θεωρούνται ανεξάρτητες μεταξύ τους.</translation>
     </message>
     <message>
-        <source>No worth is finite: some object was always, or never, ranked above the others. That is what a very clear difference looks like.</source>
-        <translation>Καμία αξία δεν είναι πεπερασμένη: κάποιο αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα. Έτσι φαίνεται μια πολύ καθαρή διαφορά.</translation>
+        <source>The worths cannot be estimated: an object was always, or never, ranked above the others. This happens when the difference is very clear.</source>
+        <translation>Οι αξίες δεν μπορούν να εκτιμηθούν: ένα αντικείμενο ήταν πάντα, ή ποτέ, πάνω από τα άλλα. Αυτό συμβαίνει όταν η διαφορά είναι πολύ σαφής.</translation>
     </message>
     <message>
         <source>Bradley-Terry</source>
@@ -8942,7 +9108,7 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>Thurstone</translation>
     </message>
     <message>
-        <source>Scale (sd of a difference)</source>
+        <source>Scale (SD of a difference)</source>
         <translation>Κλίμακα (τ.α. διαφοράς)</translation>
     </message>
     <message>
@@ -8978,10 +9144,10 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
         <translation>δεν εκτιμάται</translation>
     </message>
     <message numerus="yes">
-        <source>In %n ranking(s) something was called equal.</source>
+        <source>%n ranking(s) contained ties.</source>
         <translation>
-            <numerusform>Σε %n κατάταξη κάτι χαρακτηρίστηκε ίσο.</numerusform>
-            <numerusform>Σε %n κατατάξεις κάτι χαρακτηρίστηκε ίσο.</numerusform>
+            <numerusform>Σε %n κατάταξη υπήρξε ισοβαθμία.</numerusform>
+            <numerusform>Σε %n κατατάξεις υπήρξαν ισοβαθμίες.</numerusform>
         </translation>
     </message>
     <message>
@@ -9017,14 +9183,55 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ReadyCard</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>To pass:
+•  %1</source>
+        <translation>Για επιτυχία:
+•  %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Resume (Enter)</source>
+        <translation>Συνέχεια (Enter)</translation>
+    </message>
+    <message>
+        <source>Go (Enter)</source>
+        <translation>Έναρξη (Enter)</translation>
+    </message>
+    <message>
+        <source>Practise for a minute</source>
+        <translation>Ένα λεπτό εξάσκησης</translation>
+    </message>
+    <message>
+        <source>Try the controls here for a minute. It is recorded as a familiarisation and does not count.</source>
+        <translation>Δοκιμάστε εδώ τον χειρισμό για ένα λεπτό. Καταγράφεται ως εξοικείωση και δεν μετράει.</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Περισσότερα</translation>
+    </message>
+    <message>
+        <source>Help for this screen</source>
+        <translation>Βοήθεια για αυτή την οθόνη</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::RecoveryCodePanel</name>
     <message>
         <source>Your recovery code</source>
         <translation>Ο κωδικός ανάκτησής σας</translation>
     </message>
     <message>
-        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can let the first administrator in again. Keep it where you keep keys.</source>
-        <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο και κανείς άλλος δεν μπορεί να ξαναδώσει πρόσβαση στον πρώτο διαχειριστή. Φυλάξτε τον εκεί όπου φυλάτε κλειδιά.</translation>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can restore the first administrator&apos;s access. Keep it as safe as your keys.</source>
+        <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο και κανείς άλλος δεν μπορεί να ξαναδώσει πρόσβαση στον πρώτο διαχειριστή. Φυλάξτε τον όπως τα κλειδιά σας.</translation>
     </message>
     <message>
         <source>Recovery code: %1</source>
@@ -9055,12 +9262,12 @@ Tab goes from question to question, the arrow keys move within a scale, Space ch
 
 %2
 
-Keep it where you keep keys.</source>
+Keep it as safe as your keys.</source>
         <translation>Chiron: κωδικός ανάκτησης για %1
 
 %2
 
-Φυλάξτε τον εκεί όπου φυλάτε κλειδιά.</translation>
+Φυλάξτε τον όπως τα κλειδιά σας.</translation>
     </message>
 </context>
 <context>
@@ -9070,8 +9277,8 @@ Keep it where you keep keys.</source>
         <translation>Ξεχάσατε τον κωδικό;</translation>
     </message>
     <message>
-        <source>Ask an administrator of this site: under People, &quot;Reset password&quot; gives you a new one to log in with. Your sessions and scores are kept.</source>
-        <translation>Απευθυνθείτε σε διαχειριστή του κέντρου: στα «Άτομα», η «Επαναφορά κωδικού» σας δίνει νέο για να συνδεθείτε. Οι συνεδρίες και οι βαθμολογίες σας διατηρούνται.</translation>
+        <source>Ask an administrator of this site. Under People, they can give you a new password with &quot;Reset password&quot;. Your sessions and scores are kept.</source>
+        <translation>Απευθυνθείτε σε διαχειριστή του κέντρου: στα «Άτομα», με την «Επαναφορά κωδικού», μπορεί να σας δώσει νέο κωδικό πρόσβασης. Οι συνεδρίες και οι βαθμολογίες σας διατηρούνται.</translation>
     </message>
     <message>
         <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
@@ -9105,7 +9312,7 @@ Keep it where you keep keys.</source>
         <translation>Νέος κωδικός πρόσβασης για %1</translation>
     </message>
     <message>
-        <source>The present password stops working at once. Sessions and scores are kept.</source>
+        <source>The current password stops working at once. Sessions and scores are kept.</source>
         <translation>Ο τωρινός κωδικός παύει αμέσως να ισχύει. Οι συνεδρίες και οι βαθμολογίες διατηρούνται.</translation>
     </message>
     <message>
@@ -9113,9 +9320,9 @@ Keep it where you keep keys.</source>
         <translation>Ορισμός κωδικού</translation>
     </message>
     <message>
-        <source>The password of %1 is as it was.
+        <source>The password of %1 was not changed.
 %2</source>
-        <translation>Ο κωδικός πρόσβασης έμεινε όπως ήταν: %1.
+        <translation>Ο κωδικός πρόσβασης δεν άλλαξε: %1.
 %2</translation>
     </message>
     <message>
@@ -9134,8 +9341,8 @@ Keep it where you keep keys.</source>
         <translation>Επιστροφή στο αντίγραφο ασφαλείας που έγινε %1;</translation>
     </message>
     <message>
-        <source>Everything recorded since then leaves the program. The present database is kept aside beside the new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
-        <translation>Όσα καταγράφηκαν από τότε φεύγουν από το πρόγραμμα. Η τωρινή βάση δεδομένων φυλάσσεται δίπλα στη νέα, τίποτα δεν διαγράφεται. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Όλοι αποσυνδέονται.</translation>
+        <source>Everything recorded after this backup is removed from view. The current database is kept as a copy; nothing is deleted. People who were erased stay erased. Everybody is logged out.</source>
+        <translation>Όσα καταγράφηκαν μετά από αυτό το αντίγραφο δεν θα εμφανίζονται πια. Η τωρινή βάση δεδομένων φυλάσσεται ως αντίγραφο· τίποτα δεν διαγράφεται. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Όλοι αποσυνδέονται.</translation>
     </message>
     <message>
         <source>Administrator</source>
@@ -9146,7 +9353,7 @@ Keep it where you keep keys.</source>
         <translation>Κωδικός πρόσβασης</translation>
     </message>
     <message>
-        <source>The backup has another administrator or password</source>
+        <source>The backup has a different administrator or password</source>
         <translation>Το αντίγραφο έχει άλλον διαχειριστή ή κωδικό πρόσβασης</translation>
     </message>
     <message>
@@ -9158,7 +9365,7 @@ Keep it where you keep keys.</source>
         <translation>Κωδικός πρόσβασης στο αντίγραφο</translation>
     </message>
     <message>
-        <source>Keep the present database</source>
+        <source>Keep the current database</source>
         <translation>Διατήρηση της τωρινής βάσης</translation>
     </message>
     <message>
@@ -9173,14 +9380,14 @@ Keep it where you keep keys.</source>
         <translation>Τα αποτελέσματά μου</translation>
     </message>
     <message>
-        <source>Every session you did, and how you are getting on.
+        <source>All your sessions, and your progress.
 
-Choose an exercise, a level and what is to be drawn. The curve has a point for each completed attempt; force that was felt and force that was only shown are lines of their own and are never compared. The line across is the pass mark, the band what others reached.
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The horizontal line is the pass mark; the band shows what others reached.
 
-Return or a double click opens an attempt. &quot;Export my data&quot; writes everything that is held about you into a folder of your choice.</source>
+Press Return or double-click to open an attempt. &quot;Export my data&quot; writes everything that is stored about you to a folder of your choice.</source>
         <translation>Όλες οι συνεδρίες σας και η πρόοδός σας.
 
-Επιλέξτε άσκηση, επίπεδο και τι θα σχεδιαστεί. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· η αισθητή δύναμη και η δύναμη που μόνο προβάλλεται είναι ξεχωριστές γραμμές και δεν συγκρίνονται ποτέ. Η οριζόντια γραμμή είναι το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
+Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· η αισθητή δύναμη και η δύναμη που μόνο προβάλλεται έχουν ξεχωριστές γραμμές και δεν συγκρίνονται ποτέ. Η οριζόντια γραμμή είναι το όριο επιτυχίας· η ζώνη δείχνει τι πέτυχαν άλλοι.
 
 Το Enter ή το διπλό κλικ ανοίγει μια προσπάθεια. Η «Εξαγωγή δεδομένων μου» γράφει όλα τα στοιχεία που υπάρχουν για εσάς σε φάκελο της επιλογής σας.</translation>
     </message>
@@ -9241,8 +9448,8 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
         <translation>Μέτρηση</translation>
     </message>
     <message>
-        <source>Where should your data go?</source>
-        <translation>Πού να γραφτούν τα δεδομένα σας;</translation>
+        <source>Choose a folder for your data</source>
+        <translation>Επιλογή φακέλου για τα δεδομένα σας</translation>
     </message>
     <message>
         <source>Writing your data …</source>
@@ -9264,8 +9471,8 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
 <context>
     <name>chiron::desktop::RocBox</name>
     <message>
-        <source>How sure, and how right</source>
-        <translation>Πόσο βέβαιοι και πόσο σωστοί</translation>
+        <source>Confidence and accuracy (ROC)</source>
+        <translation>Βεβαιότητα και ορθότητα (ROC)</translation>
     </message>
     <message>
         <source>Reading the recordings …</source>
@@ -9287,7 +9494,7 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
 <context>
     <name>chiron::desktop::RoleChoice</name>
     <message>
-        <source>Trains, and sees own results</source>
+        <source>Trains and sees their own results</source>
         <translation>Εκπαιδεύεται και βλέπει τα δικά του αποτελέσματα</translation>
     </message>
     <message>
@@ -9299,11 +9506,11 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
         <translation>Βλέπει συνεδρίες με ψευδώνυμο, χωρίς ονόματα</translation>
     </message>
     <message>
-        <source>Looks after people, storage and the station</source>
-        <translation>Φροντίζει άτομα, δεδομένα και σταθμό</translation>
+        <source>Manages people, storage and the station</source>
+        <translation>Διαχειρίζεται άτομα, δεδομένα και σταθμό</translation>
     </message>
     <message>
-        <source>Roles (one at least)</source>
+        <source>Roles (at least one)</source>
         <translation>Ρόλοι (τουλάχιστον ένας)</translation>
     </message>
 </context>
@@ -9314,8 +9521,8 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
         <translation>Ρόλοι: %1</translation>
     </message>
     <message>
-        <source>It takes effect at once, also for somebody who is logged in.</source>
-        <translation>Ισχύει αμέσως, και για όποιον είναι συνδεδεμένος.</translation>
+        <source>The change takes effect at once, even for people who are logged in.</source>
+        <translation>Η αλλαγή ισχύει αμέσως, και για όποιον είναι συνδεδεμένος.</translation>
     </message>
     <message>
         <source>Save</source>
@@ -9326,8 +9533,8 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
         <translation>Οι ρόλοι άλλαξαν: %1.</translation>
     </message>
     <message>
-        <source>%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.</source>
-        <translation>Παραμένει διαχειριστής: %1. Ένα κέντρο χρειάζεται έναν που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
+        <source>%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator first.</source>
+        <translation>Παραμένει διαχειριστής: %1. Το κέντρο χρειάζεται τουλάχιστον έναν που μπορεί να συνδεθεί. Ορίστε πρώτα άλλο άτομο ως διαχειριστή.</translation>
     </message>
     <message>
         <source>The roles of %1 were not changed.
@@ -9373,7 +9580,7 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
         </translation>
     </message>
     <message>
-        <source>Nothing can be imported yet: put these lines right in the file, then choose it again.</source>
+        <source>Nothing can be imported yet: correct these lines in the file, then choose it again.</source>
         <translation>Η εισαγωγή δεν γίνεται ακόμη: διορθώστε αυτές τις γραμμές στο αρχείο και επιλέξτε το ξανά.</translation>
     </message>
     <message numerus="yes">
@@ -9433,14 +9640,14 @@ Return or a double click opens an attempt. &quot;Export my data&quot; writes eve
     <message>
         <source>Takes a participant through a study.
 
-Choose the study and the participant&apos;s code. The conditions come in the participant&apos;s own order; where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.
+Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too.
 
-A run that was interrupted goes on at the trial where it stopped.</source>
+An interrupted run resumes at the trial where it stopped.</source>
         <translation>Οδηγεί έναν συμμετέχοντα σε μια μελέτη.
 
-Διαλέξτε τη μελέτη και τον κωδικό του συμμετέχοντα. Οι συνθήκες έρχονται στη δική του σειρά· όπου ο πειραματιστής είναι τυφλός, με σφραγισμένους κωδικούς. Και τα ερωτηματολόγια πριν και μετά απαντώνται εδώ.
+Επιλέξτε τη μελέτη και τον κωδικό του συμμετέχοντα. Οι συνθήκες εμφανίζονται με τη δική του σειρά· αν ο πειραματιστής είναι τυφλός, φέρουν σφραγισμένους κωδικούς. Εδώ απαντώνται και τα ερωτηματολόγια πριν και μετά τις εκτελέσεις.
 
-Μια εκτέλεση που διακόπηκε συνεχίζεται στη δοκιμή όπου σταμάτησε.</translation>
+Μια εκτέλεση που διακόπηκε συνεχίζεται από τη δοκιμή όπου σταμάτησε.</translation>
     </message>
     <message>
         <source>Reading the studies …</source>
@@ -9455,8 +9662,8 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Καμία μελέτη δεν μπορεί να διεξαχθεί ακόμη</translation>
     </message>
     <message>
-        <source>A study is run once its design is frozen and participants are enrolled.</source>
-        <translation>Μια μελέτη διεξάγεται αφού οριστικοποιηθεί το σχέδιό της και εγγραφούν συμμετέχοντες.</translation>
+        <source>A study can be run as soon as its design is frozen and participants are enrolled.</source>
+        <translation>Μια μελέτη μπορεί να διεξαχθεί αφού οριστικοποιηθεί το σχέδιό της και εγγραφούν συμμετέχοντες.</translation>
     </message>
     <message>
         <source>Open the studies</source>
@@ -9480,7 +9687,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     </message>
     <message>
         <source>Enrol somebody</source>
-        <translation>Εγγραφή κάποιου</translation>
+        <translation>Εγγραφή συμμετέχοντα</translation>
     </message>
     <message>
         <source>Consent is missing. Record it under the study&apos;s participants first.</source>
@@ -9488,15 +9695,15 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     </message>
     <message>
         <source>Open the participants</source>
-        <translation>Στους συμμετέχοντες</translation>
+        <translation>Άνοιγμα συμμετεχόντων</translation>
     </message>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>to come</source>
-        <translation>ακολουθεί</translation>
+        <source>not started yet</source>
+        <translation>δεν άρχισε ακόμη</translation>
     </message>
     <message>
         <source>Begin</source>
@@ -9524,7 +9731,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
     </message>
     <message>
         <source>interrupted at trial %1 of at most %2</source>
-        <translation>διακόπηκε στη δοκιμή %1 από το πολύ %2</translation>
+        <translation>διακόπηκε στη δοκιμή %1 (το πολύ %2)</translation>
     </message>
     <message>
         <source>interrupted at trial %1</source>
@@ -9543,8 +9750,8 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Συνέχεια για %1 από το σημείο διακοπής</translation>
     </message>
     <message>
-        <source>Others who were interrupted</source>
-        <translation>Άλλες διακοπές</translation>
+        <source>Other interrupted runs</source>
+        <translation>Άλλες εκτελέσεις που διακόπηκαν</translation>
     </message>
     <message>
         <source>interrupted, %1</source>
@@ -9569,7 +9776,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Άτομο, άσκηση, αριθμός</translation>
     </message>
     <message>
-        <source>Archived too</source>
+        <source>Include archived</source>
         <translation>Και αρχειοθετημένες</translation>
     </message>
     <message>
@@ -9585,7 +9792,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Άτομο</translation>
     </message>
     <message>
-        <source>Every exercise</source>
+        <source>All exercises</source>
         <translation>Όλες οι ασκήσεις</translation>
     </message>
     <message>
@@ -9593,7 +9800,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Άσκηση</translation>
     </message>
     <message>
-        <source>Every level</source>
+        <source>All levels</source>
         <translation>Όλα τα επίπεδα</translation>
     </message>
     <message>
@@ -9605,7 +9812,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Επίπεδο %1</translation>
     </message>
     <message>
-        <source>Every state</source>
+        <source>All states</source>
         <translation>Κάθε κατάσταση</translation>
     </message>
     <message>
@@ -9613,7 +9820,7 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Κατάσταση</translation>
     </message>
     <message>
-        <source>Every result</source>
+        <source>All results</source>
         <translation>Κάθε αποτέλεσμα</translation>
     </message>
     <message>
@@ -9723,8 +9930,8 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>σφραγισμένο</translation>
     </message>
     <message>
-        <source>How long a sitting of a blinded study took is told once the study is unblinded.</source>
-        <translation>Πόσο διήρκεσε μια συνεδρία τυφλής μελέτης δηλώνεται μόλις η μελέτη παύσει να είναι τυφλή.</translation>
+        <source>The length of a session in a blinded study is shown once the study is unblinded.</source>
+        <translation>Η διάρκεια μιας συνεδρίας τυφλής μελέτης εμφανίζεται μετά την άρση της τυφλότητας.</translation>
     </message>
 </context>
 <context>
@@ -9798,11 +10005,11 @@ A run that was interrupted goes on at the trial where it stopped.</source>
         <translation>Συνεδρίες</translation>
     </message>
     <message>
-        <source>Every session that was recorded on this site, newest first.
+        <source>All sessions recorded at this site, newest first.
 
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column&apos;s head to sort by it.
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
 
-Enter or a double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.</source>
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
         <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, πρώτα οι νεότερες.
 
 Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα· τα φίλτρα μένουν όταν επιστρέφετε. Κάντε κλικ στην επικεφαλίδα μιας στήλης για ταξινόμηση.
@@ -9868,8 +10075,8 @@ Enter or a double click opens the debrief of the selected session, Ctrl+P plays 
         <translation>Καθαρισμός φίλτρων</translation>
     </message>
     <message>
-        <source>A sitting of a blinded study can be looked at once the study is unblinded.</source>
-        <translation>Μια συνεδρία τυφλής μελέτης ανοίγει μόλις η μελέτη παύσει να είναι τυφλή.</translation>
+        <source>A session of a blinded study can be opened once the study is unblinded.</source>
+        <translation>Μια συνεδρία τυφλής μελέτης ανοίγει μετά την άρση της τυφλότητας.</translation>
     </message>
 </context>
 <context>
@@ -9935,12 +10142,12 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Μια προειδοποίηση πάνω από το όριο</translation>
     </message>
     <message>
-        <source>Brighter when force leans</source>
-        <translation>Λαμπρότερος όταν η δύναμη γέρνει</translation>
+        <source>A brighter tone when force is tilted</source>
+        <translation>Λαμπρότερος τόνος σε λοξή δύναμη</translation>
     </message>
     <message>
-        <source>What can be heard is shown too. The force behind it is recorded, heard or not.</source>
-        <translation>Ό,τι ακούγεται εμφανίζεται επίσης. Η δύναμη πίσω του καταγράφεται, είτε ακούγεται είτε όχι.</translation>
+        <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
+        <translation>Ό,τι ακούγεται φαίνεται και στην οθόνη. Η δύναμη πίσω του καταγράφεται και με τον ήχο κλειστό.</translation>
     </message>
 </context>
 <context>
@@ -9999,12 +10206,12 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
 <context>
     <name>chiron::desktop::SoundSign</name>
     <message>
-        <source>What sounds</source>
-        <translation>Τι ηχεί</translation>
+        <source>Current sound</source>
+        <translation>Τρέχων ήχος</translation>
     </message>
     <message>
-        <source>What can be heard: contact begins, how high the tone is, the warning</source>
-        <translation>Τι ακούγεται: έναρξη επαφής, ύψος του τόνου, η προειδοποίηση</translation>
+        <source>Shows what can be heard: start of contact, pitch of the tone, warning</source>
+        <translation>Δείχνει τι ακούγεται: έναρξη επαφής, ύψος του τόνου, προειδοποίηση</translation>
     </message>
     <message>
         <source>Warning: pressed too hard</source>
@@ -10053,24 +10260,24 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Σταθμός</translation>
     </message>
     <message>
-        <source>Looking at the station …</source>
+        <source>Checking the station …</source>
         <translation>Έλεγχος του σταθμού …</translation>
     </message>
     <message>
-        <source>The station could not be looked at.</source>
+        <source>The station could not be checked.</source>
         <translation>Δεν ήταν δυνατός ο έλεγχος του σταθμού.</translation>
     </message>
     <message>
-        <source>Punctuality of the force loop</source>
-        <translation>Συνέπεια του βρόχου δύναμης</translation>
+        <source>Timing of the force loop</source>
+        <translation>Χρονισμός του βρόχου δύναμης</translation>
     </message>
     <message>
         <source>Session %1, %2</source>
         <translation>Συνεδρία %1, %2</translation>
     </message>
     <message>
-        <source>None of the latest sessions ran against the clock, so nothing is known yet of how punctual this station is.</source>
-        <translation>Καμία από τις τελευταίες συνεδρίες δεν έτρεξε σε πραγματικό χρόνο, οπότε δεν είναι ακόμη γνωστό πόσο συνεπής είναι αυτός ο σταθμός.</translation>
+        <source>None of the latest sessions ran in real time, so it is not yet known how well this station keeps time.</source>
+        <translation>Καμία από τις τελευταίες συνεδρίες δεν έτρεξε σε πραγματικό χρόνο, οπότε δεν είναι ακόμη γνωστό πόσο καλά τηρεί τον χρόνο αυτός ο σταθμός.</translation>
     </message>
     <message>
         <source>Self-test without a device</source>
@@ -10085,8 +10292,8 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Ένας διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
     </message>
     <message>
-        <source>This session was recorded before the spread of lateness was kept.</source>
-        <translation>Αυτή η συνεδρία καταγράφηκε πριν αρχίσει να φυλάσσεται η κατανομή των καθυστερήσεων.</translation>
+        <source>This session was recorded before the program stored how delays are distributed.</source>
+        <translation>Όταν καταγράφηκε αυτή η συνεδρία, το πρόγραμμα δεν αποθήκευε ακόμη την κατανομή των καθυστερήσεων.</translation>
     </message>
     <message>
         <source>The system said: %1</source>
@@ -10097,23 +10304,23 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Συσκευές</translation>
     </message>
     <message>
-        <source>No device that makes force felt by a hand is connected: this version has no driver for one yet.</source>
-        <translation>Δεν είναι συνδεδεμένη απτική συσκευή: αυτή η έκδοση δεν έχει ακόμη πρόγραμμα οδήγησης για κάποια.</translation>
+        <source>No haptic device is connected: this version does not have a driver for one yet.</source>
+        <translation>Δεν είναι συνδεδεμένη απτική συσκευή: αυτή η έκδοση δεν έχει ακόμη πρόγραμμα οδήγησης γι’ αυτήν.</translation>
     </message>
     <message>
-        <source>Room</source>
-        <translation>Χώρος</translation>
+        <source>Free space</source>
+        <translation>Ελεύθερος χώρος</translation>
     </message>
     <message>
-        <source>A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are free there.</source>
-        <translation>Μια συνεδρία σε εξέλιξη κρατά τα τελευταία δευτερόλεπτα στη μνήμη, ώστε να μη χαθεί τίποτα αν κλείσει το πρόγραμμα: %1 από τα %2 που είναι ελεύθερα εκεί.</translation>
+        <source>A running session keeps its last seconds in memory, so that a crash loses nothing. It needs %1 of the %2 that are free there.</source>
+        <translation>Μια συνεδρία σε εξέλιξη κρατά τα τελευταία δευτερόλεπτα στη μνήμη, ώστε να μη χαθεί τίποτα αν κλείσει απότομα το πρόγραμμα. Χρειάζεται %1 από τα %2 που είναι ελεύθερα εκεί.</translation>
     </message>
     <message>
         <source>Testing the loop. Do not use the computer meanwhile.</source>
         <translation>Έλεγχος του βρόχου. Μη χρησιμοποιείτε στο μεταξύ τον υπολογιστή.</translation>
     </message>
     <message>
-        <source>The self-test was stopped before its end.</source>
+        <source>The self-test was stopped before it finished.</source>
         <translation>Ο αυτοέλεγχος σταμάτησε πριν τελειώσει.</translation>
     </message>
     <message>
@@ -10121,8 +10328,8 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Έλεγχος της πλατφόρμας δακτύλου.</translation>
     </message>
     <message>
-        <source>Write the record</source>
-        <translation>Εγγραφή του πρακτικού</translation>
+        <source>Save the record</source>
+        <translation>Αποθήκευση του πρακτικού</translation>
     </message>
     <message>
         <source>Fingertip platform.pdf</source>
@@ -10134,31 +10341,31 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     </message>
     <message>
         <source>%1, on %2</source>
-        <translation>%1, στις %2</translation>
+        <translation>%1, στον υπολογιστή %2</translation>
     </message>
     <message>
-        <source>The record was written to %1.</source>
-        <translation>Το πρακτικό γράφτηκε στο %1.</translation>
+        <source>The record was saved in %1.</source>
+        <translation>Το πρακτικό αποθηκεύτηκε στο %1.</translation>
     </message>
     <message>
-        <source>The record could not be written.</source>
-        <translation>Το πρακτικό δεν ήταν δυνατό να γραφτεί.</translation>
+        <source>The record could not be saved.</source>
+        <translation>Δεν ήταν δυνατή η αποθήκευση του πρακτικού.</translation>
     </message>
     <message>
-        <source>Whether this computer is fit to make force felt.
+        <source>Shows whether this computer is fast and regular enough for haptic force.
 
-Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any device.
+Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
-The fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be printed.
+The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. The record can be printed.
 
-With real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it and how to permit it.</source>
-        <translation>Αν αυτός ο υπολογιστής είναι κατάλληλος για αισθητή δύναμη.
+With real-time priority the loop stays on time whatever else the computer does. This screen shows whether the loop has that priority and how to permit it.</source>
+        <translation>Δείχνει αν αυτός ο υπολογιστής είναι κατάλληλος για αισθητή δύναμη.
 
-Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που έτρεξε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
+Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν με πόση καθυστέρηση άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που έτρεξε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
 
-Η πλατφόρμα δακτύλου ελέγχεται όπως δημοσιεύθηκε: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Το πρακτικό μπορεί να εκτυπωθεί.
+Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Το πρακτικό μπορεί να εκτυπωθεί.
 
-Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη λέει αν την έχει και πώς επιτρέπεται.</translation>
+Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει την προτεραιότητα και πώς επιτρέπεται.</translation>
     </message>
     <message>
         <source>Verify the fingertip platform</source>
@@ -10172,14 +10379,14 @@ With real-time priority the loop keeps its time whatever else the computer does.
         <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
-        <source>Where everything that was recorded is kept, and whether it is safe.
+        <source>Shows where all recorded data is kept and whether it is safe.
 
-Back up now makes a copy beside the running program and checks it before it counts. Keep backups on another disk: choose the folder here.
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
 
-Verify reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
 
-Restore goes back to a backup. It asks an administrator for the password, keeps the present database aside, and logs everybody out.</source>
-        <translation>Πού φυλάσσονται όλα όσα καταγράφηκαν και αν είναι ασφαλή.
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Δείχνει πού φυλάσσονται όλα τα δεδομένα που καταγράφηκαν και αν είναι ασφαλή.
 
 Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
 
@@ -10188,8 +10395,8 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
 Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
     </message>
     <message>
-        <source>Room</source>
-        <translation>Χώρος</translation>
+        <source>Free space</source>
+        <translation>Ελεύθερος χώρος</translation>
     </message>
     <message>
         <source>Database</source>
@@ -10213,7 +10420,7 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
     </message>
     <message>
         <source>Age</source>
-        <translation>Ηλικία</translation>
+        <translation>Παλαιότητα</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10248,11 +10455,11 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Έλεγχος ακεραιότητας</translation>
     </message>
     <message>
-        <source>Reads every record, recomputes every score from its recording and follows the audit trail. It changes nothing.</source>
-        <translation>Διαβάζει κάθε εγγραφή, υπολογίζει ξανά κάθε βαθμολογία από την καταγραφή της και ακολουθεί το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα.</translation>
+        <source>Reads every record, recomputes every score from its recording and checks the audit trail. It changes nothing.</source>
+        <translation>Διαβάζει κάθε εγγραφή, υπολογίζει ξανά κάθε βαθμολογία από την καταγραφή της και ελέγχει το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα.</translation>
     </message>
     <message>
-        <source>What does not hold</source>
+        <source>Problems found</source>
         <translation>Προβλήματα που βρέθηκαν</translation>
     </message>
     <message>
@@ -10276,8 +10483,8 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Εξαγωγή</translation>
     </message>
     <message>
-        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to leave this program with everything.</source>
-        <translation>Αντίγραφο ασφαλείας και κάθε πίνακας ως κείμενο (JSON Lines, χωρίς κωδικούς πρόσβασης), για ανάλυση αλλού ή για αποχώρηση από το πρόγραμμα με όλα τα δεδομένα.</translation>
+        <source>A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to move all data to another program.</source>
+        <translation>Αντίγραφο ασφαλείας και κάθε πίνακας ως κείμενο (JSON Lines, χωρίς κωδικούς πρόσβασης), για ανάλυση αλλού ή για μεταφορά όλων των δεδομένων σε άλλο πρόγραμμα.</translation>
     </message>
     <message>
         <source>Export the site …</source>
@@ -10288,7 +10495,7 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>%1 σε %2</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n session(s)</source>
+        <source>%1 from %n session(s)</source>
         <translation>
             <numerusform>%1 από %n συνεδρία</numerusform>
             <numerusform>%1 από %n συνεδρίες</numerusform>
@@ -10303,11 +10510,11 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Φυλάσσονται στο %1</translation>
     </message>
     <message>
-        <source>When it was made</source>
-        <translation>Όταν δημιουργήθηκε</translation>
+        <source>When created</source>
+        <translation>Κατά τη δημιουργία</translation>
     </message>
     <message>
-        <source>Just now: it holds</source>
+        <source>Just now: intact</source>
         <translation>Μόλις τώρα: ακέραιο</translation>
     </message>
     <message>
@@ -10315,27 +10522,27 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Μόλις τώρα: με βλάβη</translation>
     </message>
     <message>
-        <source>The restore must end first.</source>
-        <translation>Πρέπει πρώτα να τελειώσει η επαναφορά.</translation>
+        <source>Wait until the restore has finished.</source>
+        <translation>Περιμένετε να τελειώσει η επαναφορά.</translation>
     </message>
     <message>
-        <source>The task that you started goes on.</source>
-        <translation>Η εργασία που ξεκινήσατε συνεχίζεται.</translation>
+        <source>The task that you started continues in the background.</source>
+        <translation>Η εργασία που ξεκινήσατε συνεχίζεται στο παρασκήνιο.</translation>
     </message>
     <message>
-        <source>Looking at the storage …</source>
+        <source>Checking the storage …</source>
         <translation>Έλεγχος της φύλαξης δεδομένων …</translation>
     </message>
     <message>
-        <source>The storage could not be looked at.</source>
+        <source>The storage could not be checked.</source>
         <translation>Δεν ήταν δυνατός ο έλεγχος της φύλαξης δεδομένων.</translation>
     </message>
     <message>
-        <source>Where to export to</source>
-        <translation>Προορισμός εξαγωγής</translation>
+        <source>Folder for the export</source>
+        <translation>Φάκελος εξαγωγής</translation>
     </message>
     <message>
-        <source>Where backups are kept</source>
+        <source>Folder for backups</source>
         <translation>Φάκελος αντιγράφων ασφαλείας</translation>
     </message>
     <message>
@@ -10347,16 +10554,16 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Το κέντρο εξήχθη και ελέγχθηκε: %1 σε %2.</translation>
     </message>
     <message>
-        <source>The backup was stopped; nothing of it was kept.</source>
-        <translation>Η δημιουργία αντιγράφου σταμάτησε· δεν κρατήθηκε τίποτα.</translation>
+        <source>The backup was stopped; nothing was saved.</source>
+        <translation>Η δημιουργία αντιγράφου σταμάτησε· δεν αποθηκεύτηκε τίποτα.</translation>
     </message>
     <message>
-        <source>The export was stopped; nothing of it was kept.</source>
-        <translation>Η εξαγωγή σταμάτησε· δεν κρατήθηκε τίποτα.</translation>
+        <source>The export was stopped; nothing was saved.</source>
+        <translation>Η εξαγωγή σταμάτησε· δεν αποθηκεύτηκε τίποτα.</translation>
     </message>
     <message>
-        <source>There is no new backup.</source>
-        <translation>Δεν υπάρχει νέο αντίγραφο ασφαλείας.</translation>
+        <source>The backup was not made.</source>
+        <translation>Το αντίγραφο ασφαλείας δεν δημιουργήθηκε.</translation>
     </message>
     <message>
         <source>The site was not exported.</source>
@@ -10379,19 +10586,19 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Έλεγχος του αντιγράφου …</translation>
     </message>
     <message>
-        <source>Restoring the backup. The present database is kept aside.</source>
+        <source>Restoring the backup. The current database is kept.</source>
         <translation>Επαναφορά του αντιγράφου. Η τωρινή βάση δεδομένων φυλάσσεται.</translation>
     </message>
     <message>
-        <source>Nothing was restored. The present database is as it was.</source>
-        <translation>Δεν έγινε επαναφορά. Η τωρινή βάση δεδομένων είναι όπως ήταν.</translation>
+        <source>Nothing was restored. The current database is unchanged.</source>
+        <translation>Δεν έγινε επαναφορά. Η τωρινή βάση δεδομένων δεν άλλαξε.</translation>
     </message>
     <message>
-        <source>The present database could not be opened again.</source>
-        <translation>Η τωρινή βάση δεδομένων δεν ήταν δυνατό να ανοίξει ξανά.</translation>
+        <source>The current database could not be opened again.</source>
+        <translation>Δεν ήταν δυνατό να ανοίξει ξανά η τωρινή βάση δεδομένων.</translation>
     </message>
     <message>
-        <source>The backup is restored. The database that was here before is kept as %1. Please log in again.</source>
+        <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
         <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
     </message>
 </context>
@@ -10414,24 +10621,24 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Η μελέτη δεν εισήχθη.</translation>
     </message>
     <message>
-        <source>The study was not made.</source>
+        <source>The study was not created.</source>
         <translation>Η μελέτη δεν δημιουργήθηκε.</translation>
     </message>
     <message>
-        <source>%1 is a new draft.</source>
-        <translation>%1: νέο πρόχειρο.</translation>
+        <source>%1 was created as a draft.</source>
+        <translation>Η μελέτη %1 δημιουργήθηκε ως πρόχειρο.</translation>
     </message>
     <message>
         <source>%1 was not changed.</source>
-        <translation>%1: δεν άλλαξε.</translation>
+        <translation>Η μελέτη %1 δεν άλλαξε.</translation>
     </message>
     <message>
         <source>%1 is archived: nothing was deleted.</source>
-        <translation>%1: αρχειοθετήθηκε, τίποτα δεν διαγράφηκε.</translation>
+        <translation>Η μελέτη %1 αρχειοθετήθηκε: τίποτα δεν διαγράφηκε.</translation>
     </message>
     <message>
         <source>%1 is back in the list.</source>
-        <translation>%1: ξανά στη λίστα.</translation>
+        <translation>Η μελέτη %1 είναι πάλι στη λίστα.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -10462,16 +10669,16 @@ Restore goes back to a backup. It asks an administrator for the password, keeps 
         <translation>Μελέτες</translation>
     </message>
     <message>
-        <source>Every study of this site. A draft is designed and tried with simulated observers. Frozen, its design can never be changed again: its SHA-256 stands in every export, and participants are enrolled under random codes.
+        <source>All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can never be changed again: every export states its SHA-256, and participants are enrolled under random codes.
 
-New begins from a template or from nothing; Import reads a study from a JSON file. Return or a double click opens a study. Run takes a participant through it, Data shows what came of it.
+&quot;New study&quot; starts from a template or from scratch; &quot;Import&quot; reads a study from a JSON file. Press Return or double-click to open a study. &quot;Run&quot; takes a participant through it, &quot;Data&quot; shows the results.
 
-Close ends enrolment for good. Archive takes a study out of the list and can be undone.</source>
-        <translation>Όλες οι μελέτες αυτού του χώρου. Ένα πρόχειρο σχεδιάζεται και δοκιμάζεται με προσομοιωμένους παρατηρητές. Οριστικοποιημένο δεν αλλάζει ποτέ: το SHA-256 του βρίσκεται σε κάθε εξαγωγή, και οι συμμετέχοντες εγγράφονται με τυχαίους κωδικούς.
+&quot;Close&quot; ends enrolment for good. &quot;Archive&quot; takes a study out of the list and can be undone.</source>
+        <translation>Όλες οι μελέτες αυτού του κέντρου. Ένα πρόχειρο σχεδιάζεται και δοκιμάζεται με προσομοιωμένους παρατηρητές. Μόλις οριστικοποιηθεί, το σχέδιο δεν αλλάζει ποτέ: το SHA-256 του βρίσκεται σε κάθε εξαγωγή, και οι συμμετέχοντες εγγράφονται με τυχαίους κωδικούς.
 
-Το Νέα αρχίζει από πρότυπο ή από το μηδέν· η Εισαγωγή διαβάζει μελέτη από αρχείο JSON. Enter ή διπλό κλικ ανοίγει μια μελέτη. Η Διεξαγωγή οδηγεί έναν συμμετέχοντα, τα Δεδομένα δείχνουν τι προέκυψε.
+Η «Νέα μελέτη» αρχίζει από πρότυπο ή από το μηδέν· η «Εισαγωγή» διαβάζει μελέτη από αρχείο JSON. Το Enter ή το διπλό κλικ ανοίγει μια μελέτη. Η «Διεξαγωγή» οδηγεί έναν συμμετέχοντα στη μελέτη, τα «Δεδομένα» δείχνουν τα αποτελέσματα.
 
-Το Κλείσιμο τερματίζει οριστικά την εγγραφή. Η Αρχειοθέτηση βγάζει μια μελέτη από τη λίστα και αναιρείται.</translation>
+Το «Κλείσιμο» τερματίζει οριστικά την εγγραφή. Η «Αρχειοθέτηση» βγάζει μια μελέτη από τη λίστα και αναιρείται.</translation>
     </message>
     <message>
         <source>New study …</source>
@@ -10482,7 +10689,7 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Εισαγωγή …</translation>
     </message>
     <message>
-        <source>Show archived ones</source>
+        <source>Show archived</source>
         <translation>Και αρχειοθετημένες</translation>
     </message>
     <message>
@@ -10549,8 +10756,8 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Δεν υπάρχουν μελέτες</translation>
     </message>
     <message>
-        <source>Begin with a template: a ranking of three, a staircase or constant stimuli, ready to be changed.</source>
-        <translation>Αρχίστε από ένα πρότυπο: κατάταξη τριών, σκάλα ή σταθερά ερεθίσματα, έτοιμο για αλλαγές.</translation>
+        <source>Start from a template and change it: a ranking of three, a staircase or constant stimuli.</source>
+        <translation>Ξεκινήστε από ένα πρότυπο και προσαρμόστε το: κατάταξη τριών, σκάλα ή σταθερά ερεθίσματα.</translation>
     </message>
     <message>
         <source>none</source>
@@ -10578,7 +10785,7 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
     </message>
     <message>
         <source>The design is still a draft: freeze it first.</source>
-        <translation>Ο σχεδιασμός είναι ακόμη πρόχειρος: οριστικοποιήστε τον πρώτα.</translation>
+        <translation>Το σχέδιο είναι ακόμη πρόχειρο: οριστικοποιήστε το πρώτα.</translation>
     </message>
     <message>
         <source>The study is archived: bring it back first.</source>
@@ -10612,16 +10819,16 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Εξαγωγή σε CSV</translation>
     </message>
     <message>
-        <source>Write a PDF</source>
-        <translation>Εγγραφή PDF</translation>
+        <source>Save as PDF</source>
+        <translation>Αποθήκευση ως PDF</translation>
     </message>
     <message>
         <source>Export as BIDS</source>
         <translation>Εξαγωγή σε BIDS</translation>
     </message>
     <message>
-        <source>Where should the folder go?</source>
-        <translation>Πού να μπει ο φάκελος;</translation>
+        <source>Choose a location for the folder</source>
+        <translation>Επιλογή θέσης για τον φάκελο</translation>
     </message>
     <message>
         <source>Writing the tables …</source>
@@ -10657,7 +10864,7 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
     </message>
     <message>
         <source>The report could not be written.</source>
-        <translation>Η αναφορά δεν γράφτηκε.</translation>
+        <translation>Δεν ήταν δυνατή η εγγραφή της αναφοράς.</translation>
     </message>
     <message>
         <source>Data</source>
@@ -10676,8 +10883,8 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>Δεν υπάρχουν δεδομένα</translation>
     </message>
     <message>
-        <source>Data come from frozen studies that participants took part in.</source>
-        <translation>Δεδομένα προέρχονται από οριστικοποιημένες μελέτες με συμμετέχοντες.</translation>
+        <source>Data appear here once participants have taken part in a frozen study.</source>
+        <translation>Τα δεδομένα εμφανίζονται εδώ αφού συμμετάσχουν άτομα σε οριστικοποιημένη μελέτη.</translation>
     </message>
     <message>
         <source>Open the studies</source>
@@ -10738,24 +10945,24 @@ Close ends enrolment for good. Archive takes a study out of the list and can be 
         <translation>χωρίς τυφλότητα</translation>
     </message>
     <message>
-        <source>blind: conditions by sealed codes</source>
+        <source>blind: conditions shown by sealed codes</source>
         <translation>τυφλή: συνθήκες με σφραγισμένους κωδικούς</translation>
     </message>
     <message>
-        <source>What came of a study.
+        <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval, condition by condition, and warnings in words. Person shows a run&apos;s curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums up the questionnaires.
+Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires.
 
-Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 is in each. While the experimenter is blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is recorded and cannot be undone.</source>
-        <translation>Τι προέκυψε από μια μελέτη.
+You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
+        <translation>Τα αποτελέσματα μιας μελέτης.
 
-Η Ομάδα δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του, συνθήκη προς συνθήκη, και προειδοποιήσεις με λόγια. Το Άτομο δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι Δοκιμές αναγράφουν κάθε παρουσίαση με την πιστότητά της· ό,τι δεν μέτρησε λέει γιατί. Οι Ερωτήσεις συνοψίζουν τα ερωτηματολόγια.
+Η «Ομάδα» δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του για κάθε συνθήκη, και τυχόν προειδοποιήσεις. Το «Άτομο» δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι «Δοκιμές» αναγράφουν κάθε παρουσίαση με την πιστότητά της και εξηγούν γιατί κάποια δεν μέτρησε. Οι «Ερωτήσεις» συνοψίζουν τα ερωτηματολόγια.
 
-Εξάγονται πίνακες (CSV), σύνολο BIDS ή PDF· σε όλα βρίσκεται το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς και από τις εκτελέσεις τους μόνο πόσο καλά πήγαν οι δοκιμές κάθε συμμετέχοντα· η άρση ζητά λόγο, καταγράφεται και δεν αναιρείται.</translation>
+Μπορείτε να εξαγάγετε πίνακες (CSV), σύνολο BIDS ή PDF· όλα περιέχουν το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς και από τις εκτελέσεις τους βλέπετε μόνο πόσο καλά πήγαν οι δοκιμές κάθε συμμετέχοντα. Η άρση της τυφλότητας απαιτεί αιτιολογία, καταγράφεται και δεν αναιρείται.</translation>
     </message>
     <message>
-        <source>Groups hold runs that were shown, not felt</source>
-        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις μόνο με προβολή</translation>
+        <source>Groups include runs with force shown, not felt</source>
+        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις με δύναμη μόνο σε προβολή</translation>
     </message>
 </context>
 <context>
@@ -10765,16 +10972,16 @@ Export writes tables (CSV), a BIDS dataset or a PDF; the design&apos;s SHA-256 i
         <translation>Μελέτη</translation>
     </message>
     <message>
-        <source>One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and what is wrong is said above the page.
+        <source>One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and errors are shown above the page.
 
-Conditions say what is compared, by which task and procedure. Preview lets simulated observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random codes and records their consent.
+Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people under random codes and records their consent.
 
-Freeze fixes the design for good under its SHA-256; participants can be enrolled from then on.</source>
-        <translation>Μία μελέτη. Όσο είναι πρόχειρο, όλα αλλάζουν· ό,τι είναι πλήρες κρατιέται αμέσως, το Ctrl+Z πηγαίνει ένα βήμα πίσω, και ό,τι δεν είναι σωστό λέγεται πάνω από τη σελίδα.
+Freeze fixes the design permanently under its SHA-256; participants can be enrolled from then on.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Ό,τι είναι πλήρες αποθηκεύεται αμέσως, το Ctrl+Z αναιρεί ένα βήμα και τα σφάλματα εμφανίζονται πάνω από τη σελίδα.
 
-Οι Συνθήκες λένε τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Προεπισκόπηση βάζει προσομοιωμένους παρατηρητές να κάνουν τη μελέτη και δείχνει την αναμενόμενη ακρίβεια, τις δοκιμές και τον χρόνο. Οι Συμμετέχοντες εγγράφουν άτομα με τυχαίους κωδικούς και καταγράφουν τη συγκατάθεσή τους.
+Οι «Συνθήκες» ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η «Προεπισκόπηση» εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, τις δοκιμές και τον χρόνο. Οι «Συμμετέχοντες» εγγράφουν άτομα με τυχαίους κωδικούς και καταγράφουν τη συγκατάθεσή τους.
 
-Η Οριστικοποίηση παγιώνει το σχέδιο με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες.</translation>
+Η «Οριστικοποίηση» κλειδώνει οριστικά το σχέδιο με το SHA-256 του· από τότε μπορούν να εγγραφούν συμμετέχοντες.</translation>
     </message>
     <message>
         <source>Reading the study …</source>
@@ -10789,7 +10996,7 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         <translation>Μέρη της μελέτης</translation>
     </message>
     <message>
-        <source>About</source>
+        <source>General</source>
         <translation>Γενικά</translation>
     </message>
     <message>
@@ -10852,15 +11059,15 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         </translation>
     </message>
     <message>
-        <source>Not kept yet, because this is not right:
+        <source>Not saved yet. Correct this first:
 %1</source>
-        <translation>Δεν κρατήθηκε ακόμη, επειδή αυτό δεν είναι σωστό:
+        <translation>Δεν αποθηκεύτηκε ακόμη. Διορθώστε πρώτα:
 %1</translation>
     </message>
     <message>
-        <source>The draft could not be kept.
+        <source>The draft could not be saved.
 %1</source>
-        <translation>Το πρόχειρο δεν κρατήθηκε.
+        <translation>Το πρόχειρο δεν αποθηκεύτηκε.
 %1</translation>
     </message>
     <message>
@@ -10884,28 +11091,28 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         <translation>τυφλή</translation>
     </message>
     <message>
-        <source>everything is kept</source>
-        <translation>όλα κρατήθηκαν</translation>
+        <source>all changes saved</source>
+        <translation>όλα αποθηκεύτηκαν</translation>
     </message>
     <message>
-        <source>keeping …</source>
+        <source>saving …</source>
         <translation>αποθήκευση …</translation>
     </message>
     <message>
-        <source>not kept</source>
-        <translation>δεν κρατήθηκε</translation>
+        <source>not saved</source>
+        <translation>δεν αποθηκεύτηκε</translation>
     </message>
     <message>
-        <source>The draft could not be kept.</source>
-        <translation>Το πρόχειρο δεν κρατήθηκε.</translation>
+        <source>The draft could not be saved.</source>
+        <translation>Το πρόχειρο δεν αποθηκεύτηκε.</translation>
     </message>
     <message>
         <source>Leave without the last changes?</source>
         <translation>Έξοδος χωρίς τις τελευταίες αλλαγές;</translation>
     </message>
     <message>
-        <source>The design is not right yet, so its last changes are not kept. What was right before is.</source>
-        <translation>Το σχέδιο δεν είναι ακόμη σωστό, γι’ αυτό οι τελευταίες αλλαγές δεν κρατήθηκαν. Ό,τι ήταν σωστό πριν, κρατήθηκε.</translation>
+        <source>The design still has errors, so the last changes were not saved. The last version without errors is saved.</source>
+        <translation>Το σχέδιο έχει ακόμη σφάλματα, γι’ αυτό οι τελευταίες αλλαγές δεν αποθηκεύτηκαν. Η τελευταία μορφή χωρίς σφάλματα έχει αποθηκευτεί.</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -10916,17 +11123,17 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         <translation>Έξοδος</translation>
     </message>
     <message>
-        <source>Take the design of a file</source>
-        <translation>Σχέδιο από αρχείο</translation>
+        <source>Import a design from a file</source>
+        <translation>Εισαγωγή σχεδίου από αρχείο</translation>
     </message>
     <message>
         <source>Studies (*.json)</source>
         <translation>Μελέτες (*.json)</translation>
     </message>
     <message>
-        <source>The file was not taken:
+        <source>The file was not imported:
 %1</source>
-        <translation>Το αρχείο δεν χρησιμοποιήθηκε:
+        <translation>Η εισαγωγή του αρχείου δεν έγινε:
 %1</translation>
     </message>
     <message>
@@ -10942,15 +11149,15 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         <translation>Το σχέδιο δεν αποθηκεύτηκε.</translation>
     </message>
     <message>
-        <source>The design is saved in %1.</source>
+        <source>The design was saved in %1.</source>
         <translation>Το σχέδιο αποθηκεύτηκε στο %1.</translation>
     </message>
     <message>
-        <source>The design has to be right before it can be frozen.</source>
-        <translation>Ο σχεδιασμός πρέπει να είναι σωστός πριν οριστικοποιηθεί.</translation>
+        <source>The design must be free of errors before it can be frozen.</source>
+        <translation>Το σχέδιο πρέπει να μην έχει σφάλματα για να οριστικοποιηθεί.</translation>
     </message>
     <message>
-        <source>The last changes are still being kept.</source>
+        <source>The last changes are still being saved.</source>
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη.</translation>
     </message>
 </context>
@@ -11012,7 +11219,7 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
     </message>
     <message>
         <source>End the session now?</source>
-        <translation>Τέλος της συνεδρίας τώρα;</translation>
+        <translation>Να τερματιστεί τώρα η συνεδρία;</translation>
     </message>
     <message>
         <source>End the session</source>
@@ -11044,7 +11251,7 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
     </message>
     <message>
         <source>Stop force</source>
-        <translation>Στοπ δύναμης</translation>
+        <translation>Διακοπή δύναμης</translation>
     </message>
     <message>
         <source>Pause or go on</source>
@@ -11056,11 +11263,11 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
     </message>
     <message>
         <source>Mark this place</source>
-        <translation>Σημείωση αυτής της θέσης</translation>
+        <translation>Σήμανση αυτής της θέσης</translation>
     </message>
     <message>
         <source>Sound on or off</source>
-        <translation>Ήχος ναι ή όχι</translation>
+        <translation>Ήχος: ενεργός ή ανενεργός</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -11103,18 +11310,18 @@ Freeze fixes the design for good under its SHA-256; participants can be enrolled
         <translation>Μετά την τελευταία δοκιμή ο απολογισμός ανοίγει μόνος του.</translation>
     </message>
     <message>
-        <source>Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what belongs to it; what is hidden is still recorded.
+        <source>This is where you train. The scene is on the left, the measurements are on the right and the controls are below. Each level shows only what belongs to it; what is hidden is still recorded.
 
 %1
 
-Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
+Stop force switches the force off at once and stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far as stopped and begins a new one from the start.
 
 %2</source>
-        <translation>Εδώ εργάζεστε. Αριστερά βλέπετε τη σκηνή, δεξιά όσα μετρώνται, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
+        <translation>Εδώ εκπαιδεύεστε. Αριστερά βλέπετε τη σκηνή, δεξιά τις μετρήσεις, κάτω τα κουμπιά. Κάθε επίπεδο δείχνει μόνο όσα του ανήκουν· όσα κρύβονται καταγράφονται και αυτά.
 
 %1
 
-Το «Στοπ δύναμης» αφαιρεί αμέσως τη δύναμη και ο χρόνος σταματά. Η «Ενεργοποίηση» την επαναφέρει αργά. Η «Παύση» κρατά τα πάντα όπως είναι. Η «Επανέναρξη» διατηρεί την προσπάθεια ως τώρα, που θεωρείται ότι σταμάτησε, και αρχίζει μια νέα από την αρχή.
+Η «Διακοπή δύναμης» διακόπτει αμέσως τη δύναμη και σταματά τον χρόνο. Η «Ενεργοποίηση» επαναφέρει τη δύναμη αργά. Η «Παύση» κρατά τα πάντα όπως είναι. Η «Επανέναρξη» διατηρεί την προσπάθεια ως τώρα, που θεωρείται ότι σταμάτησε, και αρχίζει μια νέα από την αρχή.
 
 %2</translation>
     </message>
@@ -11124,14 +11331,14 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Depth of field on or off</source>
-        <translation>Βάθος πεδίου ναι ή όχι</translation>
+        <translation>Βάθος πεδίου: ενεργό ή ανενεργό</translation>
     </message>
     <message>
         <source>Select the next finding</source>
         <translation>Επιλογή του επόμενου ευρήματος</translation>
     </message>
     <message>
-        <source>Take the selected finding back</source>
+        <source>Take back the selected finding</source>
         <translation>Απόσυρση του επιλεγμένου ευρήματος</translation>
     </message>
     <message>
@@ -11143,8 +11350,35 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Ελευθέρωση του δείκτη για βαθμολόγηση με το ποντίκι</translation>
     </message>
     <message>
-        <source>Map: where, or how hard</source>
-        <translation>Χάρτης: πού ή πόσο δυνατά</translation>
+        <source>Map: searched area or force</source>
+        <translation>Χάρτης: περιοχή έρευνας ή δύναμη</translation>
+    </message>
+    <message>
+        <source>Force is stopped</source>
+        <translation>Η δύναμη σταμάτησε</translation>
+    </message>
+    <message>
+        <source>The clock is stopped. Press Re-arm or R to go on.</source>
+        <translation>Ο χρόνος έχει σταματήσει. Πατήστε «Ενεργοποίηση» ή R για να συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Σε παύση</translation>
+    </message>
+    <message>
+        <source>The clock is stopped. Press Resume or Space to go on.</source>
+        <translation>Ο χρόνος έχει σταματήσει. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Force limit: %1 N. %2.</source>
+        <translation>Όριο δύναμης: %1 N. %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go or move the tool with a key.</source>
+        <translation>
+            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11154,7 +11388,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Στην αρχή (Home)</translation>
     </message>
     <message>
-        <source>One picture back (Left)</source>
+        <source>One frame back (Left)</source>
         <translation>Ένα καρέ πίσω (Αριστερά)</translation>
     </message>
     <message>
@@ -11162,7 +11396,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Έναρξη</translation>
     </message>
     <message>
-        <source>One picture on (Right)</source>
+        <source>One frame forward (Right)</source>
         <translation>Ένα καρέ εμπρός (Δεξιά)</translation>
     </message>
     <message>
@@ -11221,12 +11455,12 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Κανόνες μίας δοκιμής</translation>
     </message>
     <message>
-        <source>Time to explore (0: any)</source>
-        <translation>Χρόνος εξερεύνησης (0: ελεύθερος)</translation>
+        <source>Time to explore (0: no limit)</source>
+        <translation>Χρόνος εξερεύνησης (0: χωρίς όριο)</translation>
     </message>
     <message>
-        <source>Time to answer (0: any)</source>
-        <translation>Χρόνος απάντησης (0: ελεύθερος)</translation>
+        <source>Time to answer (0: no limit)</source>
+        <translation>Χρόνος απάντησης (0: χωρίς όριο)</translation>
     </message>
     <message>
         <source>Between trials</source>
@@ -11237,16 +11471,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Δοκιμές εξάσκησης</translation>
     </message>
     <message>
-        <source>Break every (trials; 0: none)</source>
-        <translation>Διάλειμμα κάθε (δοκιμές· 0: κανένα)</translation>
+        <source>Break after (trials; 0: never)</source>
+        <translation>Διάλειμμα μετά από (δοκιμές· 0: ποτέ)</translation>
     </message>
     <message>
-        <source>Break of at least</source>
-        <translation>Διάλειμμα τουλάχιστον</translation>
+        <source>Minimum break</source>
+        <translation>Ελάχιστο διάλειμμα</translation>
     </message>
     <message>
-        <source>Say whether an answer was right</source>
-        <translation>Να λέγεται αν ήταν σωστό</translation>
+        <source>Feedback: right or wrong</source>
+        <translation>Ανατροφοδότηση σωστό/λάθος</translation>
     </message>
     <message>
         <source>Masking sound</source>
@@ -11258,15 +11492,15 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Every object must be touched</source>
-        <translation>Κάθε αντικείμενο αγγίζεται</translation>
+        <translation>Να αγγιχτεί κάθε αντικείμενο</translation>
     </message>
     <message>
         <source>Fidelity of a trial</source>
         <translation>Πιστότητα μίας δοκιμής</translation>
     </message>
     <message>
-        <source>A trial beyond these is not scored and presented again.</source>
-        <translation>Μια δοκιμή πέρα από αυτά δεν βαθμολογείται και παρουσιάζεται ξανά.</translation>
+        <source>A trial outside these limits is not scored and is presented again.</source>
+        <translation>Μια δοκιμή εκτός αυτών των ορίων δεν βαθμολογείται και επαναλαμβάνεται.</translation>
     </message>
     <message>
         <source>Limits of fidelity</source>
@@ -11274,7 +11508,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Force error, RMS</source>
-        <translation>Σφάλμα δύναμης, RMS</translation>
+        <translation>Σφάλμα δύναμης, τετραγωνικός μέσος</translation>
     </message>
     <message>
         <source>Error of the felt value (share)</source>
@@ -11297,8 +11531,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Μέση ταχύτητα</translation>
     </message>
     <message>
-        <source>Repeats of one trial at most</source>
-        <translation>Επαναλήψεις μίας δοκιμής το πολύ</translation>
+        <source>Maximum repeats of one trial</source>
+        <translation>Μέγιστες επαναλήψεις μίας δοκιμής</translation>
     </message>
 </context>
 <context>
@@ -11360,16 +11594,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Αριθμός της παρουσίασης</translation>
     </message>
     <message>
-        <source>How much more the object had</source>
-        <translation>Πόσο περισσότερο είχε το αντικείμενο</translation>
+        <source>By how much the object exceeded the reference</source>
+        <translation>Πόσο ξεπερνούσε το αντικείμενο την αναφορά</translation>
     </message>
     <message>
         <source>What the participant said</source>
         <translation>Τι είπε το άτομο</translation>
     </message>
     <message>
-        <source>Whether the trial counts, and why not</source>
-        <translation>Αν η δοκιμή μετρά, και γιατί όχι</translation>
+        <source>Whether the trial counts, and if not, why</source>
+        <translation>Αν η δοκιμή μετρά και, αν όχι, γιατί</translation>
     </message>
     <message>
         <source>Time until the answer</source>
@@ -11384,11 +11618,11 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Μέση ταχύτητα του εργαλείου</translation>
     </message>
     <message>
-        <source>Share of ticks that came late</source>
+        <source>Share of late ticks</source>
         <translation>Ποσοστό καθυστερημένων κύκλων</translation>
     </message>
     <message>
-        <source>How far the felt value was from the one asked for</source>
+        <source>How far the felt value was from the requested one</source>
         <translation>Πόσο απείχε η τιμή που αποδόθηκε από τη ζητούμενη</translation>
     </message>
     <message>
@@ -11400,7 +11634,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Αργοί κύκλοι</translation>
     </message>
     <message>
-        <source>Felt off by</source>
+        <source>Deviation</source>
         <translation>Απόκλιση</translation>
     </message>
 </context>
@@ -11435,16 +11669,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Έρχονται τα επόμενα αντικείμενα. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
-        <source>Force is coming. Hold still for a moment.</source>
-        <translation>Η δύναμη έρχεται. Μείνετε ακίνητοι μια στιγμή.</translation>
+        <source>Force is starting. Hold still for a moment.</source>
+        <translation>Η δύναμη ξεκινά. Μείνετε ακίνητοι για μια στιγμή.</translation>
     </message>
     <message>
-        <source>Right.</source>
+        <source>Correct.</source>
         <translation>Σωστά.</translation>
     </message>
     <message>
-        <source>Not this time.</source>
-        <translation>Όχι αυτή τη φορά.</translation>
+        <source>Wrong.</source>
+        <translation>Λάθος.</translation>
     </message>
     <message>
         <source>Touch every object first.</source>
@@ -11459,22 +11693,22 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Μια στιγμή …</translation>
     </message>
     <message>
-        <source>A break</source>
-        <translation>Ένα διάλειμμα</translation>
+        <source>Break</source>
+        <translation>Διάλειμμα</translation>
     </message>
     <message numerus="yes">
-        <source>Rest your hand. It can go on in %n second(s).</source>
+        <source>Rest your hand. You can continue in %n second(s).</source>
         <translation>
-            <numerusform>Ξεκουράστε το χέρι σας. Συνεχίζεται σε %n δευτερόλεπτο.</numerusform>
-            <numerusform>Ξεκουράστε το χέρι σας. Συνεχίζεται σε %n δευτερόλεπτα.</numerusform>
+            <numerusform>Ξεκουράστε το χέρι σας. Μπορείτε να συνεχίσετε σε %n δευτερόλεπτο.</numerusform>
+            <numerusform>Ξεκουράστε το χέρι σας. Μπορείτε να συνεχίσετε σε %n δευτερόλεπτα.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Whenever you are ready.</source>
-        <translation>Όποτε είστε έτοιμοι.</translation>
+        <source>Continue when you are ready.</source>
+        <translation>Συνεχίστε όταν είστε έτοιμοι.</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Συνέχεια</translation>
     </message>
     <message>
@@ -11482,16 +11716,16 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Παρακαλώ ρωτήστε τον πειραματιστή</translation>
     </message>
     <message>
-        <source>The last trial could not be shown well enough, several times.</source>
-        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε αρκετά καλά, πολλές φορές.</translation>
+        <source>The last trial could not be presented accurately enough, even after several attempts.</source>
+        <translation>Η τελευταία δοκιμή δεν παρουσιάστηκε με αρκετή ακρίβεια, ακόμη και μετά από αρκετές προσπάθειες.</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation>Παύση</translation>
+        <translation>Σε παύση</translation>
     </message>
     <message>
         <source>Everything so far is kept.</source>
-        <translation>Όλα ώς τώρα κρατήθηκαν.</translation>
+        <translation>Όλα ως τώρα διατηρούνται.</translation>
     </message>
     <message>
         <source>Thank you</source>
@@ -11502,7 +11736,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Αυτό το μέρος τελείωσε.</translation>
     </message>
     <message>
-        <source>The answer was not taken.</source>
+        <source>The answer was not accepted.</source>
         <translation>Η απάντηση δεν έγινε δεκτή.</translation>
     </message>
     <message>
@@ -11510,8 +11744,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Διακοπή της συνεδρίας;</translation>
     </message>
     <message>
-        <source>Every answered trial is kept. It goes on later at the same trial.</source>
-        <translation>Κάθε απαντημένη δοκιμή κρατήθηκε. Συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
+        <source>All answered trials are kept. The run continues later at the same trial.</source>
+        <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται αργότερα από την ίδια δοκιμή.</translation>
     </message>
     <message>
         <source>Keep going</source>
@@ -11526,12 +11760,12 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Η συνθήκη ολοκληρώθηκε.</translation>
     </message>
     <message>
-        <source>Every answered trial is kept. The run goes on at the same trial.</source>
-        <translation>Κάθε απαντημένη δοκιμή κρατήθηκε. Η εκτέλεση συνεχίζεται στην ίδια δοκιμή.</translation>
+        <source>All answered trials are kept. The run continues at the same trial.</source>
+        <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται από την ίδια δοκιμή.</translation>
     </message>
     <message>
         <source>The sitting could not be run</source>
-        <translation>Η συνεδρία δεν έγινε</translation>
+        <translation>Η συνεδρία δεν εκτελέστηκε</translation>
     </message>
     <message>
         <source>Experimenter&apos;s view</source>
@@ -11546,8 +11780,8 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
         <translation>Διακοπή της συνεδρίας</translation>
     </message>
     <message>
-        <source>How far this part is</source>
-        <translation>Πόσο προχώρησε αυτό το μέρος</translation>
+        <source>Progress of this part</source>
+        <translation>Πρόοδος αυτού του μέρους</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -11555,7 +11789,7 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     </message>
     <message>
         <source>Masking sound on or off</source>
-        <translation>Ήχος κάλυψης ναι ή όχι</translation>
+        <translation>Ήχος κάλυψης: ενεργός ή ανενεργός</translation>
     </message>
     <message>
         <source>Experimenter (F2)</source>
@@ -11572,38 +11806,38 @@ Stop force takes force away at once and the clock stands still. Re-arm brings it
     <message>
         <source>Here a participant explores objects and answers.
 
-The mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.
+Move the tool with the mouse; raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the keys shown on them.
 
-Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the experimenter&apos;s side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; what is stopped goes on later at the same trial.</source>
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. F2 shows the experimenter&apos;s view: progress, estimate, fidelity of the last trial, and the button that discards a trial. All answered trials are kept; a stopped run continues later at the same trial.</source>
         <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
 
-Το ποντίκι κινεί το εργαλείο· ο τροχός ή Page Up και Page Down το σηκώνουν και το κατεβάζουν. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον παίρνει ξανά. Οι απαντήσεις δίνονται με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
+Κινήστε το εργαλείο με το ποντίκι· ανεβάστε και κατεβάστε το με τον τροχό ή με Page Up και Page Down. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
 
-Το Διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη, το R την επαναφέρει αργά· ένα ακόμη Esc ρωτά για διακοπή της συνεδρίας. Το F2 δείχνει την πλευρά του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Κάθε απαντημένη δοκιμή κρατιέται· ό,τι διακόπηκε συνεχίζεται αργότερα στην ίδια δοκιμή.</translation>
+Το Διάστημα κάνει παύση. Το Esc διακόπτει αμέσως τη δύναμη, το R την επαναφέρει αργά· ένα ακόμη Esc ρωτά για διακοπή της συνεδρίας. Το F2 δείχνει την προβολή του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Όλες οι απαντημένες δοκιμές διατηρούνται· μια εκτέλεση που διακόπηκε συνεχίζεται αργότερα από την ίδια δοκιμή.</translation>
     </message>
     <message>
         <source>Stop force</source>
-        <translation>Στοπ δύναμης</translation>
+        <translation>Διακοπή δύναμης</translation>
     </message>
     <message>
         <source>Re-arm force</source>
         <translation>Ενεργοποίηση δύναμης</translation>
     </message>
     <message>
-        <source>The next one is coming. Lift the tool off.</source>
-        <translation>Έρχεται η επόμενη. Σηκώστε το εργαλείο.</translation>
+        <source>The next sphere is coming. Lift the tool off.</source>
+        <translation>Έρχεται η επόμενη σφαίρα. Σηκώστε το εργαλείο.</translation>
     </message>
     <message>
-        <source>%1 mm beside the highest point.</source>
-        <translation>%1 mm δίπλα στο ψηλότερο σημείο.</translation>
+        <source>%1 mm from the highest point.</source>
+        <translation>%1 mm από το ψηλότερο σημείο.</translation>
     </message>
     <message>
-        <source>Click or press Enter where it is highest.</source>
-        <translation>Κάντε κλικ ή πατήστε Enter εκεί όπου είναι ψηλότερη.</translation>
+        <source>Click or press Enter at the highest point.</source>
+        <translation>Κάντε κλικ ή πατήστε Enter στο ψηλότερο σημείο.</translation>
     </message>
     <message>
-        <source>Feel for it first.</source>
-        <translation>Ψηλαφήστε την πρώτα.</translation>
+        <source>Feel for the sphere first.</source>
+        <translation>Ψηλαφήστε πρώτα τη σφαίρα.</translation>
     </message>
     <message>
         <source>The clock stands still and everything so far is kept.</source>
@@ -11618,28 +11852,28 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Ενεργοποίηση (R)</translation>
     </message>
     <message>
-        <source>The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. Use a faster device, or plan a softer sphere in another study.</source>
-        <translation>Η σφαίρα είναι πολύ δύσκαμπτη για αυτή τη συσκευή: ζητούνται %1 N/m, και με την καθυστέρησή της αποδίδει χωρίς τρέμουλο το πολύ %2 N/m. Χρησιμοποιήστε ταχύτερη συσκευή ή σχεδιάστε μαλακότερη σφαίρα σε άλλη μελέτη.</translation>
+        <source>The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m stably. Use a faster device, or plan a softer sphere in another study.</source>
+        <translation>Η σφαίρα είναι πολύ δύσκαμπτη για αυτή τη συσκευή: ζητούνται %1 N/m, αλλά με την καθυστέρησή της αποδίδει σταθερά το πολύ %2 N/m. Χρησιμοποιήστε ταχύτερη συσκευή ή σχεδιάστε μαλακότερη σφαίρα σε άλλη μελέτη.</translation>
     </message>
     <message>
-        <source>Not with this device</source>
-        <translation>Όχι με αυτή τη συσκευή</translation>
+        <source>Not possible with this device</source>
+        <translation>Δεν γίνεται με αυτή τη συσκευή</translation>
     </message>
     <message>
         <source>Back to the participant</source>
         <translation>Πίσω στον συμμετέχοντα</translation>
     </message>
     <message>
-        <source>This device renders none of the condition&apos;s differences at its delay. Use a faster or stronger device, or plan another reference in another study.</source>
-        <translation>Με την καθυστέρησή της, η συσκευή δεν αποδίδει καμία από τις διαφορές αυτής της συνθήκης. Χρησιμοποιήστε ταχύτερη ή ισχυρότερη συσκευή ή σχεδιάστε άλλη αναφορά σε άλλη μελέτη.</translation>
+        <source>Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger device, or plan another reference in another study.</source>
+        <translation>Λόγω της καθυστέρησής της, η συσκευή δεν αποδίδει καμία από τις διαφορές αυτής της συνθήκης. Χρησιμοποιήστε ταχύτερη ή ισχυρότερη συσκευή ή σχεδιάστε άλλη αναφορά σε άλλη μελέτη.</translation>
     </message>
     <message>
-        <source>This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.</source>
+        <source>This run was started on a device that renders larger differences than this one. It can be continued only with such a device, so that all of its trials can be compared.</source>
         <translation>Αυτή η εκτέλεση άρχισε σε συσκευή που αποδίδει μεγαλύτερες διαφορές από αυτή. Συνεχίζεται μόνο με τέτοια συσκευή, ώστε όλες οι δοκιμές της να είναι συγκρίσιμες.</translation>
     </message>
     <message>
-        <source>This run was begun with another version of its procedure than this program has. A version never continues another one&apos;s run, so that all of its trials can be compared. What was answered is kept; enrol another participant for this condition.</source>
-        <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της από αυτήν του προγράμματος. Καμία έκδοση δεν συνεχίζει εκτέλεση άλλης, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Ό,τι απαντήθηκε διατηρείται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
+        <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
+        <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της. Μια εκτέλεση δεν συνεχίζεται ποτέ με άλλη έκδοση, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Οι ως τώρα απαντήσεις διατηρούνται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
     </message>
 </context>
 <context>
@@ -11660,7 +11894,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Λόγος άρσης της τυφλότητας</translation>
     </message>
     <message>
-        <source>Please name nobody: the reason is kept for ever.</source>
+        <source>Do not name anyone: the reason is stored permanently.</source>
         <translation>Μην αναφέρετε ονόματα: ο λόγος διατηρείται για πάντα.</translation>
     </message>
     <message>
@@ -11674,8 +11908,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
 %1</translation>
     </message>
     <message>
-        <source>From now on conditions go by their names, for everybody. It is recorded who unblinded it, when and why. This cannot be undone.</source>
-        <translation>Από εδώ και πέρα οι συνθήκες φαίνονται με τα ονόματά τους, για όλους. Καταγράφεται ποιος, πότε και γιατί. Δεν αναιρείται.</translation>
+        <source>Everybody will then see the names of the conditions. It is recorded who unblinded the study, when and why. This cannot be undone.</source>
+        <translation>Όλοι θα βλέπουν πλέον τα ονόματα των συνθηκών. Καταγράφεται ποιος ήρε την τυφλότητα, πότε και γιατί. Δεν αναιρείται.</translation>
     </message>
 </context>
 <context>
@@ -11689,7 +11923,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Ακύρωση αυτής της συνεδρίας;</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be looked at. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are kept with it, and it cannot be taken back.</source>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
         <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
     </message>
     <message>
@@ -11716,8 +11950,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Ακύρωση της συνεδρίας %1 (%2);</translation>
     </message>
     <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. That it was voided, by whom and why is kept and cannot be taken back.</source>
-        <translation>Μένει στη λίστα με την καταγραφή και τις βαθμολογίες της, αλλά δεν μετράει πλέον πουθενά. Η ακύρωση, ποιος την έκανε και γιατί διατηρούνται και δεν αναιρούνται.</translation>
+        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
+        <translation>Μένει στη λίστα με την καταγραφή και τις βαθμολογίες της, αλλά δεν μετράει πλέον πουθενά. Καταγράφεται ποιος την ακύρωσε και γιατί. Η ακύρωση δεν αναιρείται.</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -11743,7 +11977,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Απόσυρση: %1</translation>
     </message>
     <message>
-        <source>The participant takes no further part; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
+        <source>The participant leaves the study; open runs are stopped. What was recorded stays under the code, and the place in the order is free again.</source>
         <translation>Ο συμμετέχων δεν συνεχίζει· οι ανοικτές εκτελέσεις σταματούν. Ό,τι καταγράφηκε μένει με τον κωδικό, και η θέση στη σειρά ελευθερώνεται.</translation>
     </message>
     <message>
@@ -11751,8 +11985,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Ο συμμετέχων θέλει να σβηστούν οι καταγραφές</translation>
     </message>
     <message>
-        <source>The wish is kept; an administrator erases.</source>
-        <translation>Η επιθυμία καταγράφεται· διαγράφει ένας διαχειριστής.</translation>
+        <source>The request is recorded; an administrator then erases the recordings.</source>
+        <translation>Το αίτημα καταγράφεται· τις καταγραφές διαγράφει έπειτα ένας διαχειριστής.</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -11769,7 +12003,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
 %1</translation>
     </message>
     <message>
-        <source>%1 takes no further part.</source>
+        <source>%1 no longer takes part.</source>
         <translation>%1: δεν συμμετέχει πλέον.</translation>
     </message>
 </context>
@@ -11780,8 +12014,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Χέρι και χώρος εργασίας</translation>
     </message>
     <message>
-        <source>Movement of the tool for that of the hand</source>
-        <translation>Κίνηση του εργαλείου ως προς το χέρι</translation>
+        <source>Tool movement per hand movement</source>
+        <translation>Κίνηση εργαλείου ανά κίνηση χεριού</translation>
     </message>
     <message>
         <source>Shift to the right</source>
@@ -11808,7 +12042,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Αριστερό χέρι</translation>
     </message>
     <message>
-        <source>Turn of the device&apos;s base to the left</source>
+        <source>Rotation of the device base to the left</source>
         <translation>Στροφή της βάσης της συσκευής προς τα αριστερά</translation>
     </message>
     <message>
@@ -11879,7 +12113,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
 <context>
     <name>chiron::scene3d::FlatPalpation</name>
     <message>
-        <source>Height lines every %1 mm</source>
+        <source>Contour lines every %1 mm</source>
         <translation>Ισοϋψείς ανά %1 mm</translation>
     </message>
     <message>
@@ -11968,27 +12202,27 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
 <context>
     <name>chiron::scene3d::SceneLoader</name>
     <message>
-        <source>Drawn in two dimensions: 3D is switched off on this station.</source>
+        <source>Shown in 2D: 3D is switched off on this station.</source>
         <translation>Δισδιάστατη προβολή: η τρισδιάστατη είναι απενεργοποιημένη σε αυτόν τον σταθμό.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: OpenGL is not available here.</source>
+        <source>Shown in 2D: OpenGL is not available here.</source>
         <translation>Δισδιάστατη προβολή: το OpenGL δεν είναι διαθέσιμο εδώ.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part of Chiron is not installed.</source>
+        <source>Shown in 2D: the 3D part of Chiron is not installed.</source>
         <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα του Chiron δεν είναι εγκατεστημένο.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1).</source>
+        <source>Shown in 2D: the 3D part of Chiron could not be loaded (%1).</source>
         <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα του Chiron δεν φορτώθηκε (%1).</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: the 3D part belongs to another version of Chiron. Installing Chiron again repairs this.</source>
-        <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα ανήκει σε άλλη έκδοση του Chiron. Η εκ νέου εγκατάσταση του Chiron το διορθώνει.</translation>
+        <source>Shown in 2D: the 3D part belongs to another version of Chiron. Reinstall Chiron to fix this.</source>
+        <translation>Δισδιάστατη προβολή: το τρισδιάστατο τμήμα ανήκει σε άλλη έκδοση του Chiron. Εγκαταστήστε ξανά το Chiron.</translation>
     </message>
     <message>
-        <source>Drawn in two dimensions: this exercise has no 3D scene.</source>
+        <source>Shown in 2D: this exercise has no 3D scene.</source>
         <translation>Δισδιάστατη προβολή: αυτή η άσκηση δεν έχει τρισδιάστατη σκηνή.</translation>
     </message>
 </context>
@@ -12143,12 +12377,12 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Από πού προέρχονται αυτοί οι αριθμοί</translation>
     </message>
     <message>
-        <source>Recorded frames</source>
-        <translation>Καταγεγραμμένα πλαίσια</translation>
+        <source>Recorded samples</source>
+        <translation>Καταγεγραμμένα δείγματα</translation>
     </message>
     <message>
-        <source>Dropped frames</source>
-        <translation>Χαμένα πλαίσια</translation>
+        <source>Lost samples</source>
+        <translation>Χαμένα δείγματα</translation>
     </message>
     <message>
         <source>Stored bytes</source>
@@ -12159,11 +12393,11 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Καθυστέρηση: διάμεσος, 99 %</translation>
     </message>
     <message>
-        <source>ran as fast as the machine can</source>
+        <source>ran as fast as the computer could</source>
         <translation>έτρεξε με τη μέγιστη ταχύτητα του υπολογιστή</translation>
     </message>
     <message>
-        <source>Latest tick</source>
+        <source>Maximum lateness</source>
         <translation>Μέγιστη καθυστέρηση κύκλου</translation>
     </message>
     <message>
@@ -12311,8 +12545,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Δεν σημειώθηκε καμία δοκιμή</translation>
     </message>
     <message>
-        <source>% error in locating virtual spheres</source>
-        <translation>% σφάλμα εντοπισμού εικονικών σφαιρών</translation>
+        <source>Error in locating virtual spheres (%)</source>
+        <translation>Σφάλμα εντοπισμού εικονικών σφαιρών (%)</translation>
     </message>
     <message>
         <source>Trial</source>
@@ -12403,7 +12637,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Ευθυγράμμιση, μέγιστη γωνία ανά χιλιοστό</translation>
     </message>
     <message>
-        <source>Largest force on each place</source>
+        <source>Largest force at each place</source>
         <translation>Μέγιστη δύναμη σε κάθε θέση</translation>
     </message>
     <message>
@@ -12559,7 +12793,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Σφάλμα (mm)</translation>
     </message>
     <message>
-        <source>Trial %1, ended by time</source>
+        <source>Trial %1, time ran out</source>
         <translation>Δοκιμή %1, έληξε ο χρόνος</translation>
     </message>
     <message>
@@ -12567,7 +12801,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Δοκιμή %1</translation>
     </message>
     <message>
-        <source>No trial was begun</source>
+        <source>No trial was started</source>
         <translation>Δεν άρχισε καμία δοκιμή</translation>
     </message>
     <message>
@@ -12583,8 +12817,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>✗ σχίστηκε</translation>
     </message>
     <message>
-        <source>✗ could not be done any more</source>
-        <translation>✗ δεν μπορούσε πια να γίνει</translation>
+        <source>✗ no longer possible</source>
+        <translation>✗ δεν ήταν πια δυνατό</translation>
     </message>
     <message>
         <source>not finished</source>
@@ -12656,7 +12890,7 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     </message>
     <message>
         <source>Drops</source>
-        <translation>Πτώσεις</translation>
+        <translation>Απώλειες λαβής</translation>
     </message>
     <message>
         <source>Largest squeeze of each trial</source>
@@ -12675,12 +12909,12 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Πού βρίσκονταν τα αντικείμενα στο τέλος</translation>
     </message>
     <message>
-        <source>From the target in x (mm)</source>
-        <translation>Από τον στόχο σε x (mm)</translation>
+        <source>Offset from target, x (mm)</source>
+        <translation>Απόσταση στόχου, x (mm)</translation>
     </message>
     <message>
-        <source>From the target in y (mm)</source>
-        <translation>Από τον στόχο σε y (mm)</translation>
+        <source>Offset from target, y (mm)</source>
+        <translation>Απόσταση στόχου, y (mm)</translation>
     </message>
     <message>
         <source>target</source>
@@ -12703,8 +12937,8 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>Υπερβολική σύσφιξη</translation>
     </message>
     <message>
-        <source>From the target</source>
-        <translation>Από τον στόχο</translation>
+        <source>Target distance</source>
+        <translation>Απόσταση στόχου</translation>
     </message>
     <message>
         <source>Chosen</source>
@@ -12727,12 +12961,12 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
         <translation>αποδόθηκε σε προγραμματισμένο χέρι</translation>
     </message>
     <message>
-        <source>The session did not come to its end: these values are judged by no pass mark.</source>
-        <translation>Η συνεδρία δεν έφτασε στο τέλος της: αυτές οι τιμές δεν κρίνονται με κανένα όριο επιτυχίας.</translation>
+        <source>The session was not completed: these values are not compared with pass marks.</source>
+        <translation>Η συνεδρία δεν ολοκληρώθηκε: αυτές οι τιμές δεν συγκρίνονται με όρια επιτυχίας.</translation>
     </message>
     <message>
-        <source>No trial came to its end: there is no score.</source>
-        <translation>Καμία δοκιμή δεν έφτασε στο τέλος της: δεν υπάρχει βαθμολογία.</translation>
+        <source>No trial was completed: there is no score.</source>
+        <translation>Δεν ολοκληρώθηκε καμία δοκιμή: δεν υπάρχει βαθμολογία.</translation>
     </message>
     <message>
         <source>Benchmark, chance</source>
@@ -12752,27 +12986,27 @@ Space pauses. Esc stops force at once; R brings it back slowly, Esc once more as
     </message>
     <message>
         <source>Ticks, late, left out</source>
-        <translation>Βήματα, αργά, παραλείφθηκαν</translation>
+        <translation>Κύκλοι, καθυστερημένοι, χαμένοι</translation>
     </message>
     <message>
         <source>by chance %1</source>
         <translation>τυχαία %1</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1. Nothing of it was felt: the force was shown.</source>
-        <translation>Ο ιστός απάντησε με έως %1. Τίποτε από αυτό δεν έγινε αισθητό: η δύναμη προβλήθηκε.</translation>
+        <source>The tissue force reached %1. None of it was felt: the force was only shown.</source>
+        <translation>Η δύναμη του ιστού έφτασε έως %1. Δεν έγινε αισθητή: μόνο προβλήθηκε.</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1, and all of it was felt.</source>
-        <translation>Ο ιστός απάντησε με έως %1 και όλη η δύναμη έγινε αισθητή.</translation>
+        <source>The tissue force reached %1, and all of it was felt.</source>
+        <translation>Η δύναμη του ιστού έφτασε έως %1 και έγινε όλη αισθητή.</translation>
     </message>
     <message>
-        <source>The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.</source>
-        <translation>Ο ιστός απάντησε με έως %1, από τα οποία έγιναν αισθητά το πολύ %2: η δύναμη περιορίστηκε για %3, πρώτη φορά μετά από %4.</translation>
+        <source>The tissue force reached %1, but at most %2 of it was felt: the force was limited for %3, first after %4.</source>
+        <translation>Η δύναμη του ιστού έφτασε έως %1, αλλά έγιναν αισθητά το πολύ %2: η δύναμη περιορίστηκε για %3, πρώτη φορά μετά από %4.</translation>
     </message>
     <message>
-        <source>%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it is less certain than the rest.</source>
-        <translation>Το %1 των δειγμάτων βρίσκεται βαθύτερα ή μακρύτερα από όσο έχει ελεγχθεί ο νόμος της δύναμης. Η δύναμή τους είναι φραγμένη και μετρά, αλλά είναι λιγότερο βέβαιη από την υπόλοιπη.</translation>
+        <source>%1 of the samples lie deeper or farther out than the range in which the force law was checked. Their force is bounded and counts, but it is less certain than the rest.</source>
+        <translation>Το %1 των δειγμάτων βρίσκεται βαθύτερα ή πιο έξω από την περιοχή όπου έχει ελεγχθεί ο νόμος της δύναμης. Η δύναμή τους είναι φραγμένη και μετρά, αλλά είναι λιγότερο βέβαιη από την υπόλοιπη.</translation>
     </message>
     <message>
         <source>felt (commanded)</source>

@@ -38,30 +38,30 @@
 <context>
     <name>StationWords</name>
     <message numerus="yes">
-        <source>The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.</source>
+        <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
         <translation>
-            <numerusform>The loop is not punctual: %n tick was left out. Close other programs, or permit real-time priority.</numerusform>
-            <numerusform>The loop is not punctual: %n ticks were left out. Close other programs, or permit real-time priority.</numerusform>
+            <numerusform>The loop does not run on time: %n tick was skipped. Close other programs, or permit real-time priority.</numerusform>
+            <numerusform>The loop does not run on time: %n ticks were skipped. Close other programs, or permit real-time priority.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>StorageWords</name>
     <message numerus="yes">
-        <source>%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</source>
+        <source>The check found %n error(s). Nothing was changed. Keep this database as it is and restore a backup that passes the check.</source>
         <translation>
-            <numerusform>%n thing does not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</numerusform>
-            <numerusform>%n things do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.</numerusform>
+            <numerusform>The check found %n error. Nothing was changed. Keep this database as it is and restore a backup that passes the check.</numerusform>
+            <numerusform>The check found %n errors. Nothing was changed. Keep this database as it is and restore a backup that passes the check.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>StudyReport</name>
     <message numerus="yes">
-        <source>SIMULATED: %n participant(s) are programs, not persons</source>
+        <source>SIMULATED: %n participant(s) are programs, not people</source>
         <translation>
             <numerusform>SIMULATED: %n participant is a program, not a person</numerusform>
-            <numerusform>SIMULATED: %n participants are programs, not persons</numerusform>
+            <numerusform>SIMULATED: %n participants are programs, not people</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -79,10 +79,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s): how people differ is hardly known.</source>
+        <source>With only %n participant(s), differences between people are very uncertain.</source>
         <translation>
-            <numerusform>Only %n participant: how people differ is hardly known.</numerusform>
-            <numerusform>Only %n participants: how people differ is hardly known.</numerusform>
+            <numerusform>With only %n participant, differences between people are very uncertain.</numerusform>
+            <numerusform>With only %n participants, differences between people are very uncertain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -93,10 +93,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n mark(s) are of the observer for planning: nothing was rendered.</source>
+        <source>%n mark(s) come from the observer for planning: nothing was rendered.</source>
         <translation>
-            <numerusform>%n mark is of the observer for planning: nothing was rendered.</numerusform>
-            <numerusform>%n marks are of the observer for planning: nothing was rendered.</numerusform>
+            <numerusform>%n mark comes from the observer for planning: nothing was rendered.</numerusform>
+            <numerusform>%n marks come from the observer for planning: nothing was rendered.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -114,10 +114,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n simulated participant(s) are left out: the group is of people.</source>
+        <source>%n simulated participant(s) are left out: the group contains only people.</source>
         <translation>
-            <numerusform>%n simulated participant is left out: the group is of people.</numerusform>
-            <numerusform>%n simulated participants are left out: the group is of people.</numerusform>
+            <numerusform>%n simulated participant is left out: the group contains only people.</numerusform>
+            <numerusform>%n simulated participants are left out: the group contains only people.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -128,10 +128,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.</source>
+        <source>Only %n trial(s): the interval is wide and depends partly on prior assumptions.</source>
         <translation>
-            <numerusform>Only %n trial: the interval is wide and rests partly on what was assumed beforehand.</numerusform>
-            <numerusform>Only %n trials: the interval is wide and rests partly on what was assumed beforehand.</numerusform>
+            <numerusform>Only %n trial: the interval is wide and depends partly on prior assumptions.</numerusform>
+            <numerusform>Only %n trials: the interval is wide and depends partly on prior assumptions.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -142,10 +142,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n setting(s): how much they scatter is hardly known.</source>
+        <source>With only %n setting(s), the scatter is very uncertain.</source>
         <translation>
-            <numerusform>Only %n setting: how much they scatter is hardly known.</numerusform>
-            <numerusform>Only %n settings: how much they scatter is hardly known.</numerusform>
+            <numerusform>With only %n setting, the scatter is very uncertain.</numerusform>
+            <numerusform>With only %n settings, the scatter is very uncertain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -156,17 +156,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n answer(s): the result is hardly known.</source>
+        <source>With only %n answer(s), the result is very uncertain.</source>
         <translation>
-            <numerusform>Only %n answer: the result is hardly known.</numerusform>
-            <numerusform>Only %n answers: the result is hardly known.</numerusform>
+            <numerusform>With only %n answer, the result is very uncertain.</numerusform>
+            <numerusform>With only %n answers, the result is very uncertain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Only %n participant(s) with an exponent: how people differ is hardly known.</source>
+        <source>With only %n participant(s) with an exponent, differences between people are very uncertain.</source>
         <translation>
-            <numerusform>Only %n participant with an exponent: how people differ is hardly known.</numerusform>
-            <numerusform>Only %n participants with an exponent: how people differ is hardly known.</numerusform>
+            <numerusform>With only %n participant with an exponent, differences between people are very uncertain.</numerusform>
+            <numerusform>With only %n participants with an exponent, differences between people are very uncertain.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -177,10 +177,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.</source>
+        <source>%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.</source>
         <translation>
-            <numerusform>%n participant of the group was simulated without rendering: told the values, nothing was felt.</numerusform>
-            <numerusform>%n participants of the group were simulated without rendering: told the values, nothing was felt.</numerusform>
+            <numerusform>%n participant of the group was simulated without rendering: the observer knew the values and felt nothing.</numerusform>
+            <numerusform>%n participants of the group were simulated without rendering: the observers knew the values and felt nothing.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -205,10 +205,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The group holds %n participant(s) to whom objects were shown, not felt.</source>
+        <source>The group includes %n participant(s) to whom objects were shown, not felt.</source>
         <translation>
-            <numerusform>The group holds %n participant to whom objects were shown, not felt.</numerusform>
-            <numerusform>The group holds %n participants to whom objects were shown, not felt.</numerusform>
+            <numerusform>The group includes %n participant to whom objects were shown, not felt.</numerusform>
+            <numerusform>The group includes %n participants to whom objects were shown, not felt.</numerusform>
         </translation>
     </message>
 </context>
@@ -222,10 +222,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</source>
+        <source>The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</source>
         <translation>
-            <numerusform>The computer could not keep up and %n sample was lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</numerusform>
-            <numerusform>The computer could not keep up and %n samples were lost. The rest is kept and can be played back. It does not count towards passing; close other programs before the next attempt.</numerusform>
+            <numerusform>The computer could not keep up and %n sample was lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</numerusform>
+            <numerusform>The computer could not keep up and %n samples were lost. The rest is kept and can be played back. The session does not count towards passing; close other programs before the next attempt.</numerusform>
         </translation>
     </message>
 </context>
@@ -276,10 +276,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The device cannot render all differences: %n are left.</source>
+        <source>The device cannot render all differences: %n remain.</source>
         <translation>
-            <numerusform>The device cannot render all differences: %n is left.</numerusform>
-            <numerusform>The device cannot render all differences: %n are left.</numerusform>
+            <numerusform>The device cannot render all differences: %n remains.</numerusform>
+            <numerusform>The device cannot render all differences: %n remain.</numerusform>
         </translation>
     </message>
 </context>
@@ -303,10 +303,10 @@
 <context>
     <name>chiron::desktop::GroupPage</name>
     <message numerus="yes">
-        <source>Weber fraction of %n participant(s), as random effects</source>
+        <source>Weber fraction of %n participant(s) (random effects)</source>
         <translation>
-            <numerusform>Weber fraction of %n participant, as a random effect</numerusform>
-            <numerusform>Weber fraction of %n participants, as random effects</numerusform>
+            <numerusform>Weber fraction of %n participant (random effects)</numerusform>
+            <numerusform>Weber fraction of %n participants (random effects)</numerusform>
         </translation>
     </message>
 </context>
@@ -327,10 +327,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are kept and can be played back. It does not count.</source>
+        <source>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were kept and can be played back. The session does not count.</source>
         <translation>
-            <numerusform>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample is kept and can be played back. It does not count.</numerusform>
-            <numerusform>The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n samples are kept and can be played back. It does not count.</numerusform>
+            <numerusform>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample was kept and can be played back. The session does not count.</numerusform>
+            <numerusform>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n samples were kept and can be played back. The session does not count.</numerusform>
         </translation>
     </message>
 </context>
@@ -364,20 +364,20 @@
 <context>
     <name>chiron::desktop::PersonPage</name>
     <message numerus="yes">
-        <source>Run again from its log, the procedure makes the same %n choice(s).</source>
+        <source>Replayed from its log, the procedure makes the same %n choice(s).</source>
         <translation>
-            <numerusform>Run again from its log, the procedure makes the same %n choice.</numerusform>
-            <numerusform>Run again from its log, the procedure makes the same %n choices.</numerusform>
+            <numerusform>Replayed from its log, the procedure makes the same %n choice.</numerusform>
+            <numerusform>Replayed from its log, the procedure makes the same %n choices.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
     <message numerus="yes">
-        <source>middle of %n run(s)</source>
+        <source>median of %n run(s)</source>
         <translation>
             <numerusform>%n run</numerusform>
-            <numerusform>middle of %n runs</numerusform>
+            <numerusform>median of %n runs</numerusform>
         </translation>
     </message>
 </context>
@@ -408,10 +408,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>In %n ranking(s) something was called equal.</source>
+        <source>%n ranking(s) contained ties.</source>
         <translation>
-            <numerusform>In %n ranking something was called equal.</numerusform>
-            <numerusform>In %n rankings something was called equal.</numerusform>
+            <numerusform>%n ranking contained a tie.</numerusform>
+            <numerusform>%n rankings contained ties.</numerusform>
         </translation>
     </message>
 </context>
@@ -473,10 +473,10 @@
 <context>
     <name>chiron::desktop::StorageScreen</name>
     <message numerus="yes">
-        <source>%1 of %n session(s)</source>
+        <source>%1 from %n session(s)</source>
         <translation>
-            <numerusform>%1 of %n session</numerusform>
-            <numerusform>%1 of %n sessions</numerusform>
+            <numerusform>%1 from %n session</numerusform>
+            <numerusform>%1 from %n sessions</numerusform>
         </translation>
     </message>
 </context>
@@ -518,12 +518,22 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::TrainingScreen</name>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Go or move the tool with a key.</source>
+        <translation>
+            <numerusform>%n trial. The clock starts when you press Go or move the tool with a key.</numerusform>
+            <numerusform>%n trials. The clock starts when you press Go or move the tool with a key.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::TrialsScreen</name>
     <message numerus="yes">
-        <source>Rest your hand. It can go on in %n second(s).</source>
+        <source>Rest your hand. You can continue in %n second(s).</source>
         <translation>
-            <numerusform>Rest your hand. It can go on in %n second.</numerusform>
-            <numerusform>Rest your hand. It can go on in %n seconds.</numerusform>
+            <numerusform>Rest your hand. You can continue in %n second.</numerusform>
+            <numerusform>Rest your hand. You can continue in %n seconds.</numerusform>
         </translation>
     </message>
 </context>

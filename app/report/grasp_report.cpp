@@ -39,7 +39,7 @@ void finishTube(PlotView& view, const TubeReport& tube) {
         trials.push_back({tube.trialStart_s[i], QString::number(tube.rows[i].trial + 1)});
     view.addEvents(trials);
     if (tube.t_s.empty())
-        view.setNote(Words::tr("No trial was begun"));
+        view.setNote(Words::tr("No trial was started"));
 }
 
 QString inUnit(const std::optional<double>& value, const char* unit, const QLocale& locale) {
@@ -56,7 +56,7 @@ QString trialOutcomeWords(TrialOutcome outcome, bool tears) {
     switch (outcome) {
     case TrialOutcome::done: return Words::tr("✓ done");
     case TrialOutcome::timedOut: return Words::tr("✗ time was up");
-    case TrialOutcome::failed: return tears ? Words::tr("✗ torn") : Words::tr("✗ could not be done any more");
+    case TrialOutcome::failed: return tears ? Words::tr("✗ torn") : Words::tr("✗ no longer possible");
     case TrialOutcome::unfinished: break;
     }
     return Words::tr("not finished");
@@ -134,15 +134,15 @@ std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const Plot
         view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)), handling.squeezeLimit_N);
     view->setXCategories(names);
     if (bars.empty())
-        view->setNote(Words::tr("No trial was begun"));
+        view->setNote(Words::tr("No trial was started"));
     return view;
 }
 
 std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
     view->setTitle(Words::tr("Where the objects lay at the end"));
-    view->setXAxis({Words::tr("From the target in x (mm)"), {}, {}});
-    view->setYAxis({Words::tr("From the target in y (mm)"), {}, {}});
+    view->setXAxis({Words::tr("Offset from target, x (mm)"), {}, {}});
+    view->setYAxis({Words::tr("Offset from target, y (mm)"), {}, {}});
     view->setEqualScale(true);
     if (handling.targetRadius_mm > 0.0)
         view->addCircle(Words::tr("target"), handling.targetRadius_mm);
@@ -154,14 +154,14 @@ std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTh
     if (!left.empty())
         view->addMarkers(Words::tr("not done"), left, PlotStyle::solidA, true);
     if (placed.empty() && left.empty())
-        view->setNote(Words::tr("No trial was begun"));
+        view->setNote(Words::tr("No trial was started"));
     return view;
 }
 
 WordTable handlingTable(const HandlingReport& handling, const QLocale& locale) {
     const bool weighing = std::any_of(handling.rows.begin(), handling.rows.end(), [](const auto& row) { return row.heaviest.has_value(); });
     WordTable table{{Words::tr("Trial"), Words::tr("Outcome"), Words::tr("Largest squeeze"), Words::tr("Squeezed too hard"),
-                     Words::tr("From the target"), Words::tr("x, y (mm)")},
+                     Words::tr("Target distance"), Words::tr("x, y (mm)")},
                     {}};
     if (weighing)
         table.head.push_back(Words::tr("Chosen"));

@@ -21,7 +21,7 @@ constexpr double kSign = 34.0;
 
 QString PalpationMapPainter::title() const {
     if (m_view.kind == SurfaceMapKind::force)
-        return Words::tr("Largest force on each place");
+        return Words::tr("Largest force at each place");
     return Words::tr("Coverage: %1 % searched").arg(m_theme.locale.toString(static_cast<int>(100.0 * m_map.coverage())));
 }
 

@@ -152,8 +152,8 @@ void ReportBlocks::addMetrics() {
     addHeading(Words::tr("All metrics"));
     if (m_data.state != QLatin1String("completed") && m_data.state != QLatin1String("voided")) {
         const bool any = !m_data.metrics.empty();
-        addText(any ? Words::tr("The session did not come to its end: these values are judged by no pass mark.")
-                    : Words::tr("No trial came to its end: there is no score."),
+        addText(any ? Words::tr("The session was not completed: these values are not compared with pass marks.")
+                    : Words::tr("No trial was completed: there is no score."),
                 m_theme.font(12), m_theme.muted, 4);
         if (!any)
             return;
@@ -325,16 +325,16 @@ void ReportBlocks::addIntegrity() {
     const auto micro = [&](double us) { return formatValue(us, QStringLiteral("µs"), locale); };
     const std::size_t first = m_blocks.size();
     addHeading(Words::tr("Where these numbers come from"));
-    addPairs({{Words::tr("Recorded frames"), locale.toString(static_cast<qulonglong>(facts.frames))},
-              {Words::tr("Dropped frames"), locale.toString(static_cast<qulonglong>(facts.dropped))},
+    addPairs({{Words::tr("Recorded samples"), locale.toString(static_cast<qulonglong>(facts.frames))},
+              {Words::tr("Lost samples"), locale.toString(static_cast<qulonglong>(facts.dropped))},
               {Words::tr("Stored bytes"), locale.toString(static_cast<qulonglong>(facts.bytes))},
               {Words::tr("Ticks, late, left out"),
                QStringLiteral("%1, %2, %3").arg(locale.toString(static_cast<qulonglong>(loop.ticks)), locale.toString(static_cast<qulonglong>(loop.late)),
                                                 locale.toString(static_cast<qulonglong>(loop.skipped)))},
               {Words::tr("Lateness: median, 99 %"),
                loop.realtime ? QStringLiteral("%1, %2").arg(micro(loop.p50_us), micro(loop.p99_us))
-                             : Words::tr("ran as fast as the machine can")},
-              {Words::tr("Latest tick"), loop.realtime ? micro(loop.max_us) : QStringLiteral("–")}},
+                             : Words::tr("ran as fast as the computer could")},
+              {Words::tr("Maximum lateness"), loop.realtime ? micro(loop.max_us) : QStringLiteral("–")}},
              3);
     std::vector<std::pair<QString, QString>> digests{
         {Words::tr("Build"), facts.buildId},

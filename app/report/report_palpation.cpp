@@ -105,7 +105,7 @@ void ReportBlocks::addFindings(const PalpationReport& report) {
 }
 
 void ReportBlocks::addMaps(const PalpationTrialReport& trial) {
-    addHeading(trial.timedOut ? Words::tr("Trial %1, ended by time").arg(trial.trial + 1) : Words::tr("Trial %1").arg(trial.trial + 1));
+    addHeading(trial.timedOut ? Words::tr("Trial %1, time ran out").arg(trial.trial + 1) : Words::tr("Trial %1").arg(trial.trial + 1));
     add(kMapHeight, 4, [this, &trial](QCPPainter& p, const QRectF& box) {
         PlotTheme small = m_theme;
         small.scale = kMapScale;

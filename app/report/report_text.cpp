@@ -26,7 +26,7 @@ QString formatNumber(double value, const QLocale& locale) {
     const double size = std::abs(value);
     if (size >= 1e7 || (size > 0.0 && size < 1e-3))
         return locale.toString(value, 'e', 2);
-    const int decimals = size >= 100.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3;
+    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3; // three figures that count
     return locale.toString(value, 'f', decimals);
 }
 
@@ -44,6 +44,8 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
         return withUnit(formatNumber(*row.gateMinimum, row.unit, locale) + QStringLiteral(" – ") +
                             formatNumber(*row.gateMaximum, row.unit, locale),
                         row.unit);
+    if (row.gateMaximum == 0.0 && isCount(row.unit))
+        return QStringLiteral("0"); // fewer than none there cannot be
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
     if (row.gateMinimum)
@@ -121,10 +123,10 @@ QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale) {
     if (force.tissue_N < kContact_N)
         return Words::tr("Nothing was touched.");
     if (!felt)
-        return Words::tr("The tissue answered with up to %1. Nothing of it was felt: the force was shown.").arg(newtons(force.tissue_N));
+        return Words::tr("The tissue force reached %1. None of it was felt: the force was only shown.").arg(newtons(force.tissue_N));
     if (!force.firstLimited_s)
-        return Words::tr("The tissue answered with up to %1, and all of it was felt.").arg(newtons(force.tissue_N));
-    return Words::tr("The tissue answered with up to %1, of which at most %2 were felt: the force was limited for %3, the first time after %4.")
+        return Words::tr("The tissue force reached %1, and all of it was felt.").arg(newtons(force.tissue_N));
+    return Words::tr("The tissue force reached %1, but at most %2 of it was felt: the force was limited for %3, first after %4.")
         .arg(newtons(force.tissue_N), newtons(force.felt_N), formatValue(force.limited_s, QStringLiteral("s"), locale),
              formatDuration(*force.firstLimited_s, locale));
 }
@@ -132,8 +134,8 @@ QString feltWords(const ForceFacts& force, bool felt, const QLocale& locale) {
 QString beyondCheckedWords(const ForceFacts& force, const QLocale& locale) {
     if (!(force.beyondChecked > kBeyondCheckedSaid))
         return {};
-    return Words::tr("%1 of the samples lie deeper or farther than the force law was checked for. Their force is bounded and counts, but it "
-                     "is less certain than the rest.")
+    return Words::tr("%1 of the samples lie deeper or farther out than the range in which the force law was checked. Their force is "
+                     "bounded and counts, but it is less certain than the rest.")
         .arg(formatValue(100.0 * force.beyondChecked, QStringLiteral("%"), locale));
 }
 

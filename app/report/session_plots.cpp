@@ -268,7 +268,7 @@ std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, 
 
 std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
-    view->setTitle(Words::tr("% error in locating virtual spheres"));
+    view->setTitle(Words::tr("Error in locating virtual spheres (%)"));
     view->setXAxis({Words::tr("Trial"), {}, {}});
     view->setYAxis({Words::tr("Error (% of radius)"), {}, {}});
     std::vector<QString> names;

@@ -35,8 +35,8 @@ bool countsAsAttempt(const database::SessionSummary& session) noexcept;
 /// Every level in the order of the content; `own` are the sessions of one person, in any order. Pure.
 std::vector<LevelStanding> levelStandings(const catalogue::Catalogue& catalogue, std::span<const database::SessionSummary> own);
 
-/// What to do next: the level of the latest attempt while it is not passed, else the first level that is not; absent when
-/// every level is passed. Pure.
+/// What to do next: the lowest level that is not passed, of the exercise of the latest attempt, else of all in order; absent when every
+/// level is passed. Pure.
 std::optional<LevelStanding> nextStep(std::span<const LevelStanding> standings);
 
 /// How much a session asks to be looked at by a trainer: lower comes first. Faults and interruptions, then what was not

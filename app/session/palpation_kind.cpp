@@ -114,6 +114,12 @@ devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLeve
     return place;
 }
 
+// A finger that is about to palpate rests just above the skin.
+std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const {
+    constexpr double kAbove_m = 0.005;
+    return simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt({x_m, y_m}).z() + kAbove_m;
+}
+
 std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue::ExerciseLevel& level) const {
     std::vector<core::QuantityDescription> out{{"report_count", "1", 1.0},  {"report_field", "1", 1.0}, {"report_finding", "1", 1.0},
                                                {"report_value", "1", 1.0},  {"finding_x_m", "m", 1e-6}, {"finding_y_m", "m", 1e-6},

@@ -18,6 +18,7 @@ public:
     /// Two hands come from the right (tool 0 on) and the left, over the middles of the two halves of the search area; a hand's
     /// second finger is beside its first, along +x (a right hand's middle finger, a left hand's index); one hand is over the middle. On P3's arm both are on the first one's.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
+    std::optional<double> pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const override;
     /// As simulation::palpation_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }

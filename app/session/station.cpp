@@ -162,11 +162,17 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     }
 }
 
-/// A finger's reach, and the jaw that its hand can close; 0: none.
-devices::KeyboardMouseSettings fingerSettings(double widestJaw_rad) {
+/// A finger's reach, and the jaw that its hand can close (0: none). `start_m`: where it begins, z in W.
+devices::KeyboardMouseSettings fingerSettings(double widestJaw_rad, const devices::WorkspaceMapping& mapping, std::optional<double> start_m) {
     devices::KeyboardMouseSettings settings;
     settings.widestJaw_rad = widestJaw_rad;
+    if (start_m)
+        settings.home_m[2] = std::clamp(*start_m - mapping.origin_m[2], settings.minimum_m[2] + kInside_m, settings.maximum_m[2] - kInside_m);
     return settings;
+}
+
+std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const devices::WorkspaceMapping& mapping) {
+    return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]); // a pointer begins in the middle of its box
 }
 
 /// What all graspers reach, as seen from each tool's own place; each begins under its entry point, its jaw open.
@@ -212,15 +218,15 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
     return mapping;
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool, double widestJaw_rad) {
-    const WorkspaceChoice choice = ofPointer(given);
+namespace {
+core::Result<Station> onePointerStation(const WorkspaceChoice& choice, PointerTool tool, const devices::KeyboardMouseSettings& finger) {
     auto mapping = mappingOf(choice);
     if (!mapping)
         return tl::unexpected(mapping.error());
     Station station;
     station.mappings.push_back(*mapping);
     if (tool == PointerTool::point) {
-        auto device = makePointer<devices::KeyboardMouseDevice>(fingerSettings(widestJaw_rad), choice.scale);
+        auto device = makePointer<devices::KeyboardMouseDevice>(finger, choice.scale);
         if (!device)
             return tl::unexpected(device.error());
         station.pointer = &(*device)->mailbox();
@@ -238,7 +244,6 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, Pointer
     return station;
 }
 
-namespace {
 /// A pointer is mounted nowhere: each tool stands where the kind puts it, with the workspace that the person chose.
 core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                                                    const WorkspaceChoice& choice) {
@@ -259,18 +264,27 @@ core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const Exercis
 }
 } // namespace
 
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool, double widestJaw_rad) {
+    return onePointerStation(ofPointer(given), tool, fingerSettings(widestJaw_rad, {}, {}));
+}
+
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level) {
     const WorkspaceChoice choice = ofPointer(given);
     const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
-    if (kind.pointerTool() != PointerTool::grasper && !fingers)
-        return keyboardMouseStation(choice, kind.pointerTool(), kind.fingerJaw_rad(level));
+    if (kind.pointerTool() != PointerTool::grasper && !fingers) {
+        const auto mapping = mappingOf(choice);
+        if (!mapping)
+            return tl::unexpected(mapping.error());
+        return onePointerStation(choice, kind.pointerTool(), fingerSettings(kind.fingerJaw_rad(level), *mapping, startOf(kind, level, *mapping)));
+    }
     const auto places = pointerPlaces(kind, level, choice);
     if (!places)
         return tl::unexpected(places.error());
     Station station;
     for (const devices::WorkspaceMapping& mapping : *places) {
-        const auto settings = fingers ? fingerSettings(kind.fingerJaw_rad(level)) : grasperSettings(mapping, choice.origin_m);
+        const auto settings = fingers ? fingerSettings(kind.fingerJaw_rad(level), mapping, startOf(kind, level, mapping))
+                                      : grasperSettings(mapping, choice.origin_m);
         auto device = makePointer<devices::KeyboardMouseDevice>(settings, choice.scale);
         if (!device)
             return tl::unexpected(device.error());

@@ -31,7 +31,7 @@ std::unique_ptr<PlotView> empty(std::unique_ptr<PlotView> plot) {
 
 std::unique_ptr<PlotView> apexMarksPlot(const ApexSummary& summary, const std::vector<QString>& names, const report::PlotTheme& theme) {
     auto plot = std::make_unique<PlotView>(theme);
-    plot->setTitle(Words::tr("Marks about the true apex"));
+    plot->setTitle(Words::tr("Marks around the true apex"));
     plot->setXAxis({Words::tr("Error in x (% of radius)"), {}, {}});
     plot->setYAxis({Words::tr("Error in y (% of radius)"), {}, {}});
     plot->setEqualScale(true);
@@ -47,7 +47,7 @@ std::unique_ptr<PlotView> apexMarksPlot(const ApexSummary& summary, const std::v
     const auto& [x, y] = summary.axes;
     plot->addArrow(Words::tr("bias"), {0.0, 0.0}, {x.biasPercent, y.biasPercent});
     if (std::isfinite(x.sdPercent) && std::isfinite(y.sdPercent))
-        plot->addEllipse(Words::tr("± 1 SD an axis"), {x.biasPercent, y.biasPercent}, x.sdPercent, y.sdPercent);
+        plot->addEllipse(Words::tr("± 1 SD per axis"), {x.biasPercent, y.biasPercent}, x.sdPercent, y.sdPercent);
     return plot;
 }
 

@@ -19,14 +19,14 @@ struct Words {
 
 // clang-format off
 constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
-    {"over_velocity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the tool moved too fast")},
-    {"bad_sample", QT_TRANSLATE_NOOP("PlaybackMarks", "A sample of the device was not usable")},
-    {"sample_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: too many samples of the device were not usable")},
-    {"watchdog", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: samples of the device came late")},
-    {"watchdog_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device went silent")},
-    {"window_frozen", QT_TRANSLATE_NOOP("PlaybackMarks", "Force held: the window did not answer")},
+    {"over_velocity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force on hold: the tool moved too fast")},
+    {"bad_sample", QT_TRANSLATE_NOOP("PlaybackMarks", "The device sent an invalid sample")},
+    {"sample_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device sent too many invalid samples")},
+    {"watchdog", QT_TRANSLATE_NOOP("PlaybackMarks", "Force on hold: samples from the device came late")},
+    {"watchdog_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device stopped sending data")},
+    {"window_frozen", QT_TRANSLATE_NOOP("PlaybackMarks", "Force on hold: the window did not respond")},
     {"passivity", QT_TRANSLATE_NOOP("PlaybackMarks", "Force damped to keep it stable")},
-    {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: the device reported one")},
+    {"device_fault", QT_TRANSLATE_NOOP("PlaybackMarks", "Fault: reported by the device")},
 }};
 constexpr std::array<std::pair<const char*, const char*>, 11> kStages{{
     {"insertion", QT_TRANSLATE_NOOP("PlaybackMarks", "The insertion begins")},
@@ -68,28 +68,28 @@ struct EndWords {
 
 struct EndWordsOf {
     EndWords operator()(const simulation::SphereApexParameters&) const {
-        return {Words::tr("Marked the highest point"), Words::tr("The trial was done"), Words::tr("Time was up without a mark"),
-                Words::tr("The trial could not be done any more"), Words::tr("The tissue was damaged")};
+        return {Words::tr("Marked the highest point"), Words::tr("The trial was completed"), Words::tr("Time was up without a mark"),
+                Words::tr("The trial could no longer be completed"), Words::tr("The tissue was damaged")};
     }
     EndWords operator()(const simulation::UrethraInsertionParameters&) const {
-        return {Words::tr("Ended"), Words::tr("The procedure was done to its end"), Words::tr("Time was up before the end of the procedure"),
-                Words::tr("The procedure could not be done any more"), Words::tr("The tissue was damaged")};
+        return {Words::tr("Ended"), Words::tr("The procedure was completed"), Words::tr("Time was up before the end of the procedure"),
+                Words::tr("The procedure could no longer be completed"), Words::tr("The tissue was damaged")};
     }
     EndWords operator()(const simulation::ElasticTubeParameters&) const {
         return {Words::tr("Ended"), Words::tr("The tube was held as asked"), Words::tr("Time was up before the tube was held as asked"),
-                Words::tr("The tube tore: the trial could not be done any more"), Words::tr("The tube was stretched too far")};
+                Words::tr("The tube tore: the trial could no longer be completed"), Words::tr("The tube was stretched too far")};
     }
     EndWords operator()(const simulation::ObjectHandlingParameters&) const {
         return {Words::tr("Ended"), Words::tr("An object was set down in the target"), Words::tr("Time was up before an object was set down in the target"),
-                Words::tr("The trial could not be done any more"), Words::tr("The object was squeezed too hard")};
+                Words::tr("The trial could no longer be completed"), Words::tr("The object was squeezed too hard")};
     }
     EndWords operator()(const simulation::PalpationParameters&) const {
         return {Words::tr("Ended"), Words::tr("The search was reported as done"), Words::tr("Time was up before the search was reported as done"),
-                Words::tr("The search could not be done any more"), Words::tr("The tissue was damaged")};
+                Words::tr("The search could no longer be completed"), Words::tr("The tissue was damaged")};
     }
     EndWords operator()(const simulation::ComparisonParameters&) const {
-        return {Words::tr("Answered"), Words::tr("The comparison was done"), Words::tr("Time was up without an answer"),
-                Words::tr("The comparison could not be done any more"), Words::tr("The object was damaged")};
+        return {Words::tr("Answered"), Words::tr("The comparison was completed"), Words::tr("Time was up without an answer"),
+                Words::tr("The comparison could no longer be completed"), Words::tr("The object was damaged")};
     }
 };
 
@@ -112,8 +112,8 @@ QString whatHappened(const session::PlaybackMark& mark, const catalogue::Exercis
         return Words::tr("Over the limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::paused: return Words::tr("Paused for %1").arg(seconds(span_s, locale));
     case PlaybackMarkKind::forceStopped:
-        return span_s > 0.0 ? Words::tr("Force stopped by the person, for %1").arg(seconds(span_s, locale)) : Words::tr("Force stopped by the person");
-    case PlaybackMarkKind::rearmed: return Words::tr("Force armed again");
+        return span_s > 0.0 ? Words::tr("The person stopped the force for %1").arg(seconds(span_s, locale)) : Words::tr("The person stopped the force");
+    case PlaybackMarkKind::rearmed: return Words::tr("Force re-armed");
     case PlaybackMarkKind::guard:
     case PlaybackMarkKind::fault: return guardText(mark.detail);
     case PlaybackMarkKind::ended: return Words::tr("The person ended the session");
@@ -122,11 +122,11 @@ QString whatHappened(const session::PlaybackMark& mark, const catalogue::Exercis
     case PlaybackMarkKind::landmarkSeen:
         return mark.value ? Words::tr("Landmarks seen: %1").arg(locale.toString(static_cast<int>(*mark.value))) : Words::tr("A landmark was seen");
     case PlaybackMarkKind::trauma:
-        return Words::tr("Pressed on the wall for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
+        return Words::tr("Pressed against the wall for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::reversal:
-        return Words::tr("Went back by %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+        return Words::tr("Moved back by %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
     case PlaybackMarkKind::offCentre:
-        return Words::tr("Off the middle for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
+        return Words::tr("Off-centre for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mm"), locale));
     case PlaybackMarkKind::overTorque:
         return Words::tr("Torque over its limit for %1, up to %2").arg(seconds(span_s, locale), report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
     case PlaybackMarkKind::grasped: return Words::tr("Took hold");
@@ -135,16 +135,16 @@ QString whatHappened(const session::PlaybackMark& mark, const catalogue::Exercis
     case PlaybackMarkKind::damaged: return end.damaged;
     case PlaybackMarkKind::yielded:
         if (mark.detail == session::kByTorque)
-            return Words::tr("The tissue gave way to a torque of %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
+            return Words::tr("The tissue gave way at a torque of %1").arg(report::formatValue(1e3 * mark.value.value_or(0.0), QStringLiteral("mN·m"), locale));
         return Words::tr("The tissue gave way at %1").arg(report::formatValue(mark.value, QStringLiteral("N"), locale));
     case PlaybackMarkKind::found: return Words::tr("Finding %1 marked").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::takenBack: return Words::tr("Finding %1 taken back").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::failed: return end.failed;
     case PlaybackMarkKind::limited:
-        return Words::tr("Felt less than the tissue answered for %1, which was up to %2")
+        return Words::tr("For %1, less force was felt than the tissue exerted (up to %2)")
             .arg(seconds(span_s, locale), report::formatValue(mark.value, QStringLiteral("N"), locale));
-    case PlaybackMarkKind::missed: return Words::tr("A miss: not on what was to be marked");
-    case PlaybackMarkKind::falseAlarm: return Words::tr("Finding %1 marked where no lump was").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
+    case PlaybackMarkKind::missed: return Words::tr("Miss: the wrong place was marked");
+    case PlaybackMarkKind::falseAlarm: return Words::tr("Finding %1 marked where there was no lump").arg(locale.toString(static_cast<int>(mark.value.value_or(0.0))));
     case PlaybackMarkKind::lumpMissed: return Words::tr("A lump was missed");
     }
     return {};

@@ -49,7 +49,7 @@ void drawAnswers(report::PlotView& plot, const psychophysics::RunEstimate& estim
 
 void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& estimate, bool ranks) {
     plot.setXAxis({Words::tr("Difference from the reference (%)"), {}, {}});
-    plot.setYAxis({Words::tr("Proportion right"), -0.02, 1.06}); // markers at 0 and 1 are seen whole
+    plot.setYAxis({Words::tr("Proportion correct"), -0.02, 1.06}); // markers at 0 and 1 are seen whole
     const std::vector<double> x = percentOf(estimate.curveDifference);
     if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
         plot.addLine(Words::tr("95 % band"), x, estimate.curveLow, PlotStyle::dashDotD);
@@ -59,10 +59,10 @@ void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& esti
         plot.addLine(ranks ? Words::tr("fit: whole order right") : Words::tr("fit"), x, estimate.curveProportion, PlotStyle::solidA);
     const bool pairs = ranks && !x.empty() && estimate.sigma_log10 > 0.0;
     if (pairs)
-        plot.addLine(Words::tr("the same observer, right of two"), x, rightOfTwo(estimate.curveDifference, estimate.sigma_log10), PlotStyle::dottedC);
+        plot.addLine(Words::tr("same observer: pair in right order"), x, rightOfTwo(estimate.curveDifference, estimate.sigma_log10), PlotStyle::dottedC);
     drawAnswers(plot, estimate);
     if (pairs)
-        plot.addReference(Words::tr("criterion of two compared"), kPairCriterion);
+        plot.addReference(Words::tr("criterion for a pair"), kPairCriterion);
     else if (!ranks && (!x.empty() || !estimate.points.empty()))
         plot.addReference(Words::tr("criterion"), estimate.criterion);
 }

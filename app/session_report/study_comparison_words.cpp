@@ -19,7 +19,7 @@ QString pWords(double p, const QLocale& locale) {
 } // namespace
 
 std::vector<QString> comparisonHeadings() {
-    return {Words::tr("Conditions"), Words::tr("Ratio"), Words::tr("95 % interval"), Words::tr("p"), Words::tr("p, adjusted"), Words::tr("Participants"), Words::tr("p, own thresholds")};
+    return {Words::tr("Conditions"), Words::tr("Ratio"), Words::tr("95 % interval"), Words::tr("p"), Words::tr("p, adjusted"), Words::tr("Participants"), Words::tr("p, separate thresholds")};
 }
 
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, const QLocale& locale) {
@@ -36,13 +36,15 @@ std::vector<QString> comparisonRow(const session::ComparedConditions& compared, 
 }
 
 QString comparisonNote() {
-    return Words::tr("Ratio of the Weber fractions, 1 where both are alike; of the people who did both where at least two have, else of two groups. Adjusted: for so many "
-                     "comparisons (Holm). Own thresholds: whether a threshold for each condition describes these people's answers better than one for both; not told "
-                     "of adaptive runs, whose answers chose the differences: there a fitted slope is biased, and p would be too small.");
+    return Words::tr("Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, "
+                     "otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one "
+                     "threshold for each condition describes these people's answers better than a common one. This p is not given for "
+                     "adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.");
 }
 
 QString comparisonSealed() {
-    return Words::tr("Conditions are compared once the study is unblinded: a difference that is watched as it grows is no test any more.");
+    return Words::tr("Conditions are compared once the study is unblinded: looking at the difference while data come in would invalidate "
+                     "the test.");
 }
 
 QString influenceWords(double influence, const QLocale& locale) {
@@ -53,7 +55,7 @@ QString influenceWords(double influence, const QLocale& locale) {
 }
 
 QString influenceMeaning() {
-    return Words::tr("How much of the result was assumed beforehand: near 0 % the answers decide it, near 100 % the prior does.");
+    return Words::tr("How much of the result comes from the prior: near 0 % the answers decide it, near 100 % the prior does.");
 }
 
 } // namespace chiron::session_report

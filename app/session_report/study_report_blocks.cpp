@@ -52,9 +52,9 @@ void StudyReportBlocks::addBanner() {
     const auto simulated = std::count_if(m_data.participants.begin(), m_data.participants.end(),
                                          [](const database::Participant& each) { return each.simulated; });
     if (simulated > 0)
-        addNotice(Words::tr("SIMULATED: %n participant(s) are programs, not persons", nullptr, static_cast<int>(simulated)));
+        addNotice(Words::tr("SIMULATED: %n participant(s) are programs, not people", nullptr, static_cast<int>(simulated)));
     if (m_data.blind())
-        addNotice(Words::tr("BLIND: conditions go by sealed codes until the study is unblinded"));
+        addNotice(Words::tr("BLINDED: conditions carry sealed codes until the study is unblinded"));
 }
 
 void StudyReportBlocks::addTitle() {
@@ -76,8 +76,8 @@ void StudyReportBlocks::addDesign() {
               {Words::tr("Scored trials"), locale.toString(study.trials)},
               {Words::tr("Order of conditions"), m_data.blind() ? QString() : words::order(design.order)},
               {Words::tr("Seed"), m_data.blind() ? QString() : QString::number(design.seed)},
-              {Words::tr("Participants blind"), design.blindParticipant ? Words::tr("yes") : Words::tr("no")},
-              {Words::tr("Experimenters blind"), !design.blindExperimenter ? Words::tr("no") : study.unblinded ? Words::tr("unblinded") : Words::tr("yes")}},
+              {Words::tr("Participants blinded"), design.blindParticipant ? Words::tr("yes") : Words::tr("no")},
+              {Words::tr("Experimenters blinded"), !design.blindExperimenter ? Words::tr("no") : study.unblinded ? Words::tr("unblinded") : Words::tr("yes")}},
              3);
     addPairs({{Words::tr("Frozen design (SHA-256)"), QString::fromStdString(study.sha256)}}, 1);
 }

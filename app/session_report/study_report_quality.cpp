@@ -65,14 +65,14 @@ void StudyReportBlocks::addFidelity() {
                         tally.chosen > 0 ? Words::tr("%1 of %2").arg(locale.toString(tally.same), locale.toString(tally.chosen)) : QStringLiteral("–")});
     }
     addTable({Words::tr("Condition"), Words::tr("Scored"), Words::tr("Repeated"), Words::tr("Practice"), Words::tr("Why repeated"),
-              Words::tr("Same choices again")},
+              Words::tr("Choices reproduced")},
              rows, {0.25, 0.1, 0.11, 0.1, 0.27, 0.17}, {false, true, true, true, false, true});
     const psychophysics::FidelityLimits& limits = m_data.analysis.design.fidelity;
-    addMuted(Words::tr("A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the ticks are late, "
-                       "or the device is at its limit in more than %4 of the contact.")
+    addMuted(Words::tr("A trial is repeated when the force is off by more than %1 N, the felt value by more than %2, more than %3 of the "
+                       "ticks are late, or the device is at its limit for more than %4 of the contact.")
                  .arg(words::number(limits.forceErrorRms_N, locale), words::percent(limits.stiffnessError, locale),
                       words::percent(limits.lateTicks, locale), words::percent(limits.saturated, locale)));
-    addMuted(Words::tr("Same choices again: run again from its log, the procedure chose the same presentations."));
+    addMuted(Words::tr("Choices reproduced: when run again from its log, the procedure chose the same presentations."));
 }
 
 /// By participant, over all conditions together.
@@ -95,7 +95,7 @@ void StudyReportBlocks::addQuality() {
     if (!rows.empty())
         addTable({Words::tr("Code"), Words::tr("Conditions done"), Words::tr("Late ticks"), Words::tr("Force"), Words::tr("Scored"), Words::tr("Repeated")}, rows,
                  {0.2, 0.2, 0.15, 0.15, 0.15, 0.15}, {false, false, true, false, true, true});
-    addMuted(Words::tr("Of all conditions together. How many trials there were is told of those who have done every condition."));
+    addMuted(Words::tr("Over all conditions together. The number of trials is shown only for those who have done every condition."));
 }
 
 QString StudyReportBlocks::answersTo(const std::string& questionnaire, const QuestionnaireItem& item) const {
@@ -114,7 +114,7 @@ QString StudyReportBlocks::answersTo(const std::string& questionnaire, const Que
         return texts == 0 ? Words::tr("No answers") : Words::tr("%n free text(s), in the exported tables", nullptr, texts);
     std::sort(numbers.begin(), numbers.end());
     if (item.kind != QuestionnaireItem::Kind::choice)
-        return Words::tr("Median %1, middle half %2 to %3, of %4")
+        return Words::tr("Median %1, interquartile range %2 to %3, n = %4")
             .arg(words::plainNumber(quantileOf(numbers, 0.5), locale), words::plainNumber(quantileOf(numbers, 0.25), locale),
                  words::plainNumber(quantileOf(numbers, 0.75), locale), locale.toString(static_cast<int>(numbers.size())));
     QStringList counts;

@@ -78,21 +78,22 @@ void StudyReportBlocks::addRankings(const session::AnalysedCondition& condition)
     addTable({Words::tr("Rankings"), Words::tr("Right"), Words::tr("95 % interval"), Words::tr("Kendall's τ"), Words::tr("95 % interval"), Words::tr("Kendall's W"),
               Words::tr("Page's L")},
              rows, {0.13, 0.09, 0.17, 0.1, 0.15, 0.18, 0.18}, {false, true, true, true, true, true, true});
-    addMuted(Words::tr("Right: whole orders (guessing gives 1 in 6, with ties fewer). τ: likeness to the true order, 1 the same, 0 no relation. W: agreement, 0 none, 1 whole. "
-                       "L: trend towards the true order. Of a person each ranking is one judgement, of the group each person's mean ranks."));
+    addMuted(Words::tr("Right: rankings with the whole order right (guessing gives 1 in 6, fewer with ties). τ: agreement with the true "
+                       "order (1 identical, 0 none). W: agreement among rankings (0 none, 1 complete). L: trend towards the true order. "
+                       "For a person, each ranking is one judgement; for the group, each person's mean ranks are one."));
     if (std::any_of(condition.runs.begin(), condition.runs.end(), [](const session::AnalysedRun& run) { return run.ranking.adaptive; }))
         addMuted(Words::tr("Each answer decided what came next, so one person's trials are not independent: they have no interval and no p."));
     if (std::isfinite(group.wLow))
         addMuted(Words::tr("W of the group, 95 % over its participants: %1").arg(fixedInterval(group.wLow, group.wHigh, locale)));
     if (!group.plackettLuce.fitted && !group.thurstone.fitted)
-        return addMuted(Words::tr("No worth of an object is finite: some object was always, or never, ranked above the others."));
+        return addMuted(Words::tr("The worths cannot be estimated: one object was always, or never, ranked above the others."));
     std::vector<std::unique_ptr<PlotView>> row;
     row.push_back(worthPlot(group.tied > 0 ? Words::tr("Bradley-Terry, ties by Davidson") : Words::tr("Bradley-Terry"), Words::tr("ln worth"), group.bradleyTerry, m_theme));
     row.push_back(worthPlot(Words::tr("Plackett-Luce"), Words::tr("ln worth"), group.plackettLuce, m_theme));
-    row.push_back(worthPlot(Words::tr("Thurstone"), Words::tr("Scale (sd)"), group.thurstone, m_theme));
+    row.push_back(worthPlot(Words::tr("Thurstone"), Words::tr("Scale (SD)"), group.thurstone, m_theme));
     addPlotRow(std::move(row), kRankingPlotHeight);
-    addMuted(Words::tr("Worth of each object, of all rankings of the group: how much more often it was ranked above the others. Farther apart means easier to tell "
-                       "apart. All differences D are taken together."));
+    addMuted(Words::tr("Worth of each object, from all rankings of the group: how much more often it was ranked above the others. The "
+                       "farther apart two objects are, the easier they are to tell apart. All differences D are pooled."));
 }
 
 } // namespace chiron::session_report

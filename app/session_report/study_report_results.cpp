@@ -39,7 +39,7 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     if (condition.runs.empty())
         return addMuted(Words::tr("Nobody has done this condition yet."));
     if (m_data.analysis.sealed())
-        return addMuted(Words::tr("What came of it, how long it took and how many trials it took stay sealed until the study is unblinded."));
+        return addMuted(Words::tr("The result, the time and the number of trials stay sealed until the study is unblinded."));
     if (condition.apex)
         return addApex(at);
     addGroup(at);
@@ -57,12 +57,12 @@ void StudyReportBlocks::addGroup(std::size_t at) {
     std::vector<std::pair<QString, QString>> pairs{
         {Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
         {Words::tr("95 % interval"), words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
-        {Words::tr("A further participant, 95 %"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)},
-        {Words::tr("Participants used, left out"), QStringLiteral("%1, %2").arg(locale.toString(group.participants), locale.toString(group.leftOut))}};
+        {Words::tr("95 % prediction interval"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)},
+        {Words::tr("Participants included, excluded"), QStringLiteral("%1, %2").arg(locale.toString(group.participants), locale.toString(group.leftOut))}};
     if (!m_data.blind())
         pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
     if (!m_data.blind() && std::isfinite(group.pse))
-        pairs.emplace_back(Words::tr("Point of equality"), words::value(group.pse, attribute, locale));
+        pairs.emplace_back(Words::tr("Point of subjective equality"), words::value(group.pse, attribute, locale));
     if (std::isfinite(group.exponent))
         pairs.emplace_back(Words::tr("Exponent of the power law"), words::number(group.exponent, locale));
     addPairs(pairs, 3);
@@ -107,12 +107,12 @@ void StudyReportBlocks::addRuns(std::size_t at) {
                         m_data.blind() ? QStringLiteral("–") : words::value(run.estimate.jnd, attribute, locale),
                         std::isfinite(run.estimate.priorInfluence) ? words::percent(run.estimate.priorInfluence, locale) : QStringLiteral("–"),
                         locale.toString(run.scored), locale.toString(run.spoiled), words::runState(run.run.state)});
-    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior's part"), Words::tr("Scored"),
+    addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior influence"), Words::tr("Scored"),
               Words::tr("Repeated"), Words::tr("Run")},
              rows, {0.1, 0.12, 0.16, 0.11, 0.13, 0.1, 0.12, 0.16}, {false, true, true, true, true, true, true, false});
     const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
     if (std::any_of(condition.runs.begin(), condition.runs.end(), known))
-        addMuted(Words::tr("Prior's part: %1").arg(influenceMeaning()));
+        addMuted(Words::tr("Share of the prior: %1").arg(influenceMeaning()));
     for (const session::AnalysedRun& run : condition.runs)
         for (const psychophysics::Warning& warning : run.estimate.warnings)
             addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));

@@ -55,8 +55,8 @@ QString attribute(Attribute attribute) {
 }
 
 QString task(Task task) {
-    const QString words[] = {Words::tr("Ranking of three"), Words::tr("Two intervals (2AFC)"),
-                             Words::tr("Three intervals (3AFC)"), Words::tr("Odd one out of three"),
+    const QString words[] = {Words::tr("Ranking of three"), Words::tr("Two alternatives (2AFC)"),
+                             Words::tr("Three alternatives (3AFC)"), Words::tr("Odd one out of three"),
                              Words::tr("Same or different"), Words::tr("Yes or no"),
                              Words::tr("Adjustment"), Words::tr("Magnitude estimation"),
                              Words::tr("Ranking of three, with ties")};
@@ -100,15 +100,15 @@ QString runState(database::StudyRunState state) {
 }
 
 QString spoiled(const std::string& token) {
-    const std::map<std::string, QString> words{{"force_error", Words::tr("Force was not what was asked")},
+    const std::map<std::string, QString> words{{"force_error", Words::tr("Force not as commanded")},
                                                {"stiffness_error", Words::tr("Felt value off")},
                                                {"late_ticks", Words::tr("Late ticks")},
                                                {"saturation", Words::tr("Device at its limit")},
                                                {"speed", Words::tr("Moved too fast")},
                                                {"peak_force", Words::tr("Pressed too hard")},
                                                {"time", Words::tr("Time was up")},
-                                               {"untouched", Words::tr("Not all were touched")},
-                                               {"experimenter", Words::tr("Spoiled by the experimenter")},
+                                               {"untouched", Words::tr("Not all touched")},
+                                               {"experimenter", Words::tr("Discarded by the experimenter")},
                                                {"stopped", Words::tr("Stopped")},
                                                {"withheld", Words::tr("Sealed reason")}};
     const auto found = words.find(token);

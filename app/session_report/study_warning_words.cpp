@@ -19,31 +19,31 @@ QString ofAnswers(const Warning& warning) {
     case leftOutTrials:
         return Words::tr("%n trial(s) could not be used: the difference or the answer is missing.", nullptr, n);
     case noTrials:
-        return Words::tr("There is no scored trial yet, so nothing can be said.");
+        return Words::tr("There is no scored trial yet, so there is no result.");
     case fewTrials:
-        return Words::tr("Only %n trial(s): the interval is wide and rests partly on what was assumed beforehand.", nullptr, n);
+        return Words::tr("Only %n trial(s): the interval is wide and depends partly on prior assumptions.", nullptr, n);
     case noDifference:
-        return Words::tr("The objects never differed, so nothing can be said about telling them apart.");
+        return Words::tr("The objects never differed, so it is not known how well they are told apart.");
     case oneLevel:
-        return Words::tr("Only one difference was presented: slips of attention cannot be told from a high threshold.");
+        return Words::tr("Only one difference was presented: lapses of attention cannot be distinguished from a high threshold.");
     case binned:
-        return Words::tr("Very many different differences were presented; neighbouring ones were put together.");
+        return Words::tr("A great many differences were presented; neighbouring ones were grouped.");
     case oneAnswer:
         return Words::tr("The same answer was given every time: it says nothing about what was felt.");
     case allRight:
-        return Words::tr("Every answer was right: the threshold is below the smallest difference, how far is not known.");
+        return Words::tr("Every answer was right: the threshold is below the smallest difference, but how far below is not known.");
     case chance:
-        return Words::tr("No better than guessing: the threshold may be above the largest difference presented.");
+        return Words::tr("The answers are no better than guessing: the threshold may be above the largest difference presented.");
     case lapses:
         return Words::tr("More than a tenth of the answers look like guesses even where the difference was easy.");
     case stepFunction:
         return Words::tr("Answers jump from guessing to always right between two neighbouring differences: what lies between is not known.");
     case positionBias:
-        return Words::tr("Wrong answers fall on one place much more often than chance allows.");
+        return Words::tr("Wrong answers name one position much more often than chance would explain.");
     case sealed:
-        return Words::tr("Conditions differ in what an analysis needs to know: there is an estimate once the study is unblinded.");
+        return Words::tr("The conditions differ in values that the analysis needs: there will be an estimate once the study is unblinded.");
     case notRenderedRun:
-        return Words::tr("A quick simulation without rendering: the observer was told the values.");
+        return Words::tr("A quick simulation without rendering: the observer knew the values.");
     case shownRun:
         return Words::tr("Shown, not felt: %n trial(s) were done on a device that renders no force.", nullptr, n);
     default:
@@ -56,24 +56,24 @@ QString ofEstimate(const Warning& warning) {
     using enum WarningKind;
     switch (warning.kind) {
     case priorEdgeLow:
-        return Words::tr("The answers do not tell how small the threshold is: the value shown is what was assumed beforehand.");
+        return Words::tr("The answers do not tell how small the threshold is: the value shown comes from prior assumptions.");
     case priorEdgeHigh:
-        return Words::tr("The answers do not tell how large the threshold is: the value shown is what was assumed beforehand.");
+        return Words::tr("The answers do not tell how large the threshold is: the value shown comes from prior assumptions.");
     case priorBoundLow:
-        return Words::tr("The lower end of the interval comes from what was assumed beforehand, not from the answers.");
+        return Words::tr("The lower end of the interval comes from prior assumptions, not from the answers.");
     case priorBoundHigh:
-        return Words::tr("The upper end of the interval comes from what was assumed beforehand, not from the answers.");
+        return Words::tr("The upper end of the interval comes from prior assumptions, not from the answers.");
     case poorFit:
         return Words::tr("The curve does not describe the answers well: attention or strategy may have changed.");
     case curvesDisagree:
-        return Words::tr("Another curve through the same answers puts the threshold elsewhere: take the value with care.");
+        return Words::tr("Another curve through the same answers puts the threshold elsewhere: treat the value with caution.");
     case noRise:
         return Words::tr("Answers do not get better as the difference grows, so there is no threshold to find.");
     case notMonotone:
-        return Words::tr("Answers get worse as the difference grows: do differences and answers belong together?");
+        return Words::tr("Answers get worse as the difference grows: check that answers and differences match.");
     case noReference:
     case noSettingReference:
-        return Words::tr("The condition has no reference above zero, so nothing can be given in its unit.");
+        return Words::tr("The condition has no reference above zero, so no value can be given in its unit.");
     default:
         return {};
     }
@@ -87,21 +87,21 @@ QString ofNumbers(const Warning& warning) {
     case leftOutSettings:
         return Words::tr("%n setting(s) are not above zero and are left out.", nullptr, n);
     case noSettings:
-        return Words::tr("Nothing has been set yet, so nothing can be said.");
+        return Words::tr("Nothing has been set yet, so there is no result.");
     case fewSettings:
-        return Words::tr("Only %n setting(s): how much they scatter is hardly known.", nullptr, n);
+        return Words::tr("With only %n setting(s), the scatter is very uncertain.", nullptr, n);
     case noSpread:
         return Words::tr("All settings are the same: the step of the adjustment may be too coarse.");
     case leftOutNumbers:
         return Words::tr("%n answer(s) are not numbers above zero and are left out.", nullptr, n);
     case noNumbers:
-        return Words::tr("No number has been said yet, so nothing can be said.");
+        return Words::tr("No number has been given yet, so there is no result.");
     case fewNumbers:
-        return Words::tr("Only %n answer(s): the result is hardly known.", nullptr, n);
+        return Words::tr("With only %n answer(s), the result is very uncertain.", nullptr, n);
     case oneStimulus:
-        return Words::tr("Only one strength was presented, so there is no exponent.");
+        return Words::tr("Only one stimulus intensity was presented, so there is no exponent.");
     case fewSubjects:
-        return Words::tr("Only %n participant(s) with an exponent: how people differ is hardly known.", nullptr, n);
+        return Words::tr("With only %n participant(s) with an exponent, differences between people are very uncertain.", nullptr, n);
     default:
         return {};
     }
@@ -115,25 +115,25 @@ QString ofGroup(const Warning& warning) {
     case leftOutParticipants:
         return Words::tr("%n participant(s) are left out: their answers give no value.", nullptr, n);
     case noParticipants:
-        return Words::tr("Nobody's answers give a value.");
+        return Words::tr("No participant's answers give a value.");
     case oneParticipant:
         return Words::tr("One participant is not a group: there is no interval.");
     case fewParticipants:
-        return Words::tr("Only %n participant(s): how people differ is hardly known.", nullptr, n);
+        return Words::tr("With only %n participant(s), differences between people are very uncertain.", nullptr, n);
     case heterogeneous:
         return Words::tr("People differ by more than the uncertainty of each: the group's figure says little about one person.");
     case withdrawn:
         return Words::tr("%n participant(s) who withdrew are left out.", nullptr, n);
     case simulatedLeftOut:
-        return Words::tr("%n simulated participant(s) are left out: the group is of people.", nullptr, n);
+        return Words::tr("%n simulated participant(s) are left out: the group contains only people.", nullptr, n);
     case simulatedOnly:
-        return Words::tr("The group is of simulated participants alone.");
+        return Words::tr("The group contains only simulated participants.");
     case notRenderedOfGroup:
-        return Words::tr("%n participant(s) of the group were simulated without rendering: told the values, nothing was felt.", nullptr, n);
+        return Words::tr("%n participant(s) of the group were simulated without rendering: the observers knew the values and felt nothing.", nullptr, n);
     case shownLeftOut:
         return Words::tr("%n participant(s) are left out of the group: objects were shown to them, not felt.", nullptr, n);
     case shownInGroup:
-        return Words::tr("The group holds %n participant(s) to whom objects were shown, not felt.", nullptr, n);
+        return Words::tr("The group includes %n participant(s) to whom objects were shown, not felt.", nullptr, n);
     default:
         return {};
     }
@@ -151,23 +151,23 @@ QString ofApexOrPlan(const Warning& warning) {
     case noMarks:
         return Words::tr("There is no mark to summarise.");
     case fewMarkers:
-        return Words::tr("Only %n participant(s): how people differ is hardly known.", nullptr, n);
+        return Words::tr("With only %n participant(s), differences between people are very uncertain.", nullptr, n);
     case fewMarks:
         return Words::tr("Some participants have fewer than 10 marks.");
     case biasX:
-        return Words::tr("Errors in x lean to one side: the absolute error is not scatter alone.");
+        return Words::tr("Errors in x lean to one side: the absolute error is not only scatter.");
     case biasY:
-        return Words::tr("Errors in y lean to one side: the absolute error is not scatter alone.");
+        return Words::tr("Errors in y lean to one side: the absolute error is not only scatter.");
     case beyondRadius:
         return Words::tr("%n mark(s) lie off the sphere.", nullptr, n);
     case plannedMarks:
-        return Words::tr("%n mark(s) are of the observer for planning: nothing was rendered.", nullptr, n);
+        return Words::tr("%n mark(s) come from the observer for planning: nothing was rendered.", nullptr, n);
     case untouchedMarks:
         return Words::tr("%n mark(s) were set without touching anything.", nullptr, n);
     case notSimulated:
         return Words::tr("This condition cannot be simulated: it needs a procedure and differences.");
     case differencesTooSmall:
-        return Words::tr("The largest difference is below what this observer needs.");
+        return Words::tr("The largest difference is too small for this observer.");
     case runsWithoutEstimate:
         return Words::tr("%n of %1 simulated run(s) gave no value.", nullptr, n).arg(warning.of);
     default:
@@ -191,11 +191,11 @@ QString methodWords(EstimateMethod method) {
     case EstimateMethod::observer:
         return Words::tr("Estimated from all answers together, right and wrong");
     case EstimateMethod::observerOfOrders:
-        return Words::tr("Estimated from all orders said together");
+        return Words::tr("Estimated from all orders given, taken together");
     case EstimateMethod::settings:
-        return Words::tr("Mean and spread of what was set");
+        return Words::tr("Mean and spread of the settings");
     case EstimateMethod::numbersSaid:
-        return Words::tr("A power law through the numbers said");
+        return Words::tr("Power law fitted to the numbers given");
     case EstimateMethod::apexMarks:
         return Words::tr("Errors of the marks");
     }

@@ -4,6 +4,7 @@
 #include "catalogue/exercise_kinds.h"
 #include "catalogue/level_checks.h"
 #include "catalogue/resolved_level.h"
+#include "scoring/metric_catalogue.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -175,11 +176,23 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     out.version = reader.integer("version");
     out.title = reader.translated("title");
     out.objective = reader.translated("objective");
+    if (reader.has("advice"))
+        reader.eachObject("advice", [&](const ObjectReader& entry) {
+            const std::string metric = entry.text("metric");
+            if (!scoring::findMetric(metric))
+                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("a metric of the catalogue")});
+            else if (!out.advice.emplace(metric, entry.translated("text")).second)
+                problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("each metric once")});
+        });
+    if (!problems.empty())
+        return tl::unexpected(json->error(problems));
+    QJsonObject stored = resolved; // with a session; words about its result are not part of what was done
+    stored.remove(QStringLiteral("advice"));
     if (auto presets = checkPresets(folder + "/presets", *kind); !presets)
         return tl::unexpected(presets.error());
     for (const QFileInfo& file :
          QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
-        auto read = level(file.filePath(), resolved);
+        auto read = level(file.filePath(), stored);
         if (!read)
             return tl::unexpected(read.error());
         out.levels.push_back(std::move(*read));

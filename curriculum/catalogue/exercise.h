@@ -45,10 +45,12 @@ struct ExerciseLevel {
     std::string id; ///< file name without .json
     int number = 1; ///< --level N, from 1
     Translated title;
+    Translated goal; ///< the objective in one sentence; may be empty
     Translated objective;
     Translated measured; ///< what is measured, in words
     std::vector<std::string>
         cues;                ///< object, tool, arrow, bars, numbers, plots, sound, coverage: all else is off
+    bool feedback = false;   ///< after an answer the scene tells how good it was: for training, not for assessment
     bool needsForce = false; ///< no visible object: needs a device that renders force
     std::optional<ShownForceVariant> shownForce;
     ExerciseParameters parameters;
@@ -69,6 +71,7 @@ struct Exercise {
     int version = 1;
     Translated title;
     Translated objective;
+    std::map<std::string, Translated> advice; ///< by metric: what to do otherwise when its gate did not hold; may lack some
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
 };
 

@@ -57,9 +57,12 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
     level.id = json.text("id");
     level.number = json.integer("number");
     level.title = json.translated("title");
+    if (json.has("goal"))
+        level.goal = json.translated("goal");
     level.objective = json.translated("objective");
     level.measured = json.translated("measured");
     level.cues = json.texts("cues");
+    level.feedback = json.has("feedback") && json.boolean("feedback");
     level.needsForce = json.boolean("needs_force");
     if (json.has("shown_force_variant")) {
         const ObjectReader shown = json.object("shown_force_variant");

@@ -38,6 +38,7 @@ private slots:
     void keysCarryTheirUnits();
     void blindLevelsTellNothing();
     void levelsHaveGatesOnTheirHeadlines();
+    void everyPassMarkHasAdvice();
     void urethraLevelsHaveTheirGates();
     void palpationLevelsHaveTheirGates();
     void tissueThatGivesWayFails();
@@ -221,6 +222,26 @@ double mostAcross_N(const simulation::UrethraInsertionParameters& p) {
 } // namespace
 
 // No level passes who hurt the wall, did not arrive, or was stopped by the clock.
+/// Who misses a pass mark is told what to do differently, in three languages; and no advice is for what no level asks for.
+void TestContent::everyPassMarkHasAdvice() {
+    for (const Exercise& exercise : shipped().exercises()) {
+        std::set<std::string> gated;
+        for (const ExerciseLevel& level : exercise.levels)
+            for (const scoring::Gate& gate : level.gates)
+                gated.insert(gate.metric);
+        for (const std::string& metric : gated) {
+            const auto advice = exercise.advice.find(metric);
+            QVERIFY2(advice != exercise.advice.end(), (exercise.id + ": " + metric).c_str());
+            for (const char* language : {"en", "de", "el"})
+                QVERIFY2(!advice->second.at(language).empty(), (exercise.id + ": " + metric).c_str());
+        }
+        QCOMPARE(exercise.advice.size(), gated.size());
+        // Words about a result are no part of what was done: they are not stored with a session.
+        for (const ExerciseLevel& level : exercise.levels)
+            QVERIFY(level.resolvedJson.find("\"advice\"") == std::string::npos);
+    }
+}
+
 void TestContent::urethraLevelsHaveTheirGates() {
     for (const ExerciseLevel& level : shipped().find("urethra_insertion")->levels) {
         const auto& p = std::get<simulation::UrethraInsertionParameters>(level.parameters);

@@ -55,6 +55,9 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
     QVERIFY2(run.exitCode == 0, run.err.constData());
     const CliRun rendered = as("rob", {"study", "run", "surgeons", "--participant", "S02", "--observer", "weber:0.12", "--trials", "1"});
     QVERIFY2(rendered.exitCode == 0, rendered.err.constData());
+    // The sealed code beside the condition's name would tell which is which: of a study in the database as of one in a file.
+    const CliRun named = as("rob", {"study", "run", "surgeons", "--participant", "S03", "--observer", "weber:0.12", "--quick", "--trials", "5", "--condition", "mass"});
+    QVERIFY2(named.exitCode == 2 && named.err.contains("--condition") && named.err.contains("blinded"), (named.out + named.err).constData());
     QByteArray told = run.out + rendered.out;
     for (const QStringList& command : {QStringList{"study", "show", "surgeons"}, {"study", "analyse", "surgeons"},
                                        {"study", "export", "surgeons", "--format", "csv,bids", "--out", m_folder.filePath("blind")}}) {
@@ -109,6 +112,8 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
     QVERIFY(object(as("rob", {"study", "show", "surgeons"})).contains("design"));
     const QString after = object(as("rob", {"study", "analyse", "surgeons"}))["runs"][0]["condition"].toString();
     QVERIFY2((QStringList{"stiffness", "mass", "friction"}).contains(after), qPrintable(after));
+    const CliRun open = as("rob", {"study", "run", "surgeons", "--participant", "S03", "--observer", "weber:0.12", "--quick", "--trials", "5", "--condition", "mass"});
+    QVERIFY2(open.exitCode == 0, open.err.constData()); // nothing is sealed any more
 }
 
 QTEST_GUILESS_MAIN(TestCliBlindedStudy)

@@ -9,6 +9,7 @@
 #include "support/session_fixture.h"
 
 #include <QApplication>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -115,5 +116,11 @@ public:
     desktop::AppContext context{site, settings};
     std::unique_ptr<desktop::MainWindow> window;
 };
+
+/// Leaves the ready card of a session for one's own hand, where one is shown.
+inline void pressGo(DesktopFixture& desktop) {
+    if (auto* go = desktop.find<QPushButton>(QStringLiteral("training.ready.go")))
+        go->click();
+}
 
 } // namespace chiron::tests

@@ -49,7 +49,7 @@ public:
 private:
     /// Why a scene is flat is the machine's: no OpenGL, or no part of three dimensions built.
     static QString said(const QString& text) {
-        static const QRegularExpression why(QStringLiteral("(Drawn in two dimensions: )[^.]*"));
+        static const QRegularExpression why(QStringLiteral("(Shown in 2D: )[^.]*"));
         return withoutToday(text.left(400)).replace(why, QStringLiteral("\\1…")).replace(QLatin1Char('\n'), QLatin1Char('|')).simplified();
     }
 

@@ -18,8 +18,7 @@ QString commonWords(const database::Refusal& refusal, const QString& wrong) {
     case database::Refusal::Kind::wrong:
         return wrong;
     case database::Refusal::Kind::mustWait:
-        return words(QT_TRANSLATE_NOOP("AccountWords", "There were several wrong attempts, so this account has to rest for a moment. "
-                                                       "Nothing is lost."));
+        return words(QT_TRANSLATE_NOOP("AccountWords", "Too many wrong attempts. This account is locked for a moment; nothing is lost."));
     case database::Refusal::Kind::disabled:
         return words(QT_TRANSLATE_NOOP("AccountWords", "This account is disabled. What was recorded is kept; an administrator can "
                                                        "enable the account again."));
@@ -46,13 +45,13 @@ QString roleName(database::Role role) {
 }
 
 QString refusalWords(const database::Refusal& refusal) {
-    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Name and password do not belong together. Capital and small "
-                                                                        "letters differ; is Caps Lock on?")));
+    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or password. Passwords are case-sensitive; check Caps "
+                                                                        "Lock.")));
 }
 
 QString recoveryRefusalWords(const database::Refusal& refusal) {
-    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Name and recovery code do not belong together. The code has "
-                                                                        "five groups of five letters and digits.")));
+    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or recovery code. The code has five groups of five "
+                                                                        "letters and digits.")));
 }
 
 QString waitWords(int seconds) {

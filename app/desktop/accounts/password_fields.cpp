@@ -15,7 +15,7 @@ PasswordFields::PasswordFields(const Theme& theme, const QString& prefix, QWidge
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(10));
     m_password = form::passwordField(theme, column, tr("New password"), prefix + QStringLiteral(".password"));
-    m_repeat = form::passwordField(theme, column, tr("The same password again"), prefix + QStringLiteral(".repeat"));
+    m_repeat = form::passwordField(theme, column, tr("Repeat the password"), prefix + QStringLiteral(".repeat"));
     auto* show = new QCheckBox(tr("Show the password"));
     show->setObjectName(prefix + QStringLiteral(".show"));
     column->addWidget(show);

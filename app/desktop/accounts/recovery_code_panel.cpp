@@ -19,8 +19,8 @@ RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginNam
     column->setSpacing(theme.px(14));
     column->addWidget(kit::label(theme, tr("Your recovery code"), TextStyle::heading));
     column->addWidget(kit::label(theme, tr("With this code you can set a new password if you forget yours. It is shown only now: the "
-                                           "program keeps no readable copy, and nobody else can let the first administrator in "
-                                           "again. Keep it where you keep keys.")));
+                                           "program keeps no readable copy, and nobody else can restore the first administrator's access. "
+                                           "Keep it as safe as your keys.")));
     const kit::Box box = kit::box(theme, "info");
     auto* words = kit::label(theme, code, TextStyle::title);
     QFont font = theme.font(TextStyle::mono);
@@ -70,7 +70,7 @@ void RecoveryCodePanel::print() {
         connect(dialog, &QDialog::accepted, this, [this, printer] {
         QPainter painter(printer);
         painter.setFont(m_theme.font(TextStyle::title));
-        const QString text = tr("Chiron: recovery code of %1\n\n%2\n\nKeep it where you keep keys.").arg(m_name, m_code);
+        const QString text = tr("Chiron: recovery code of %1\n\n%2\n\nKeep it as safe as your keys.").arg(m_name, m_code);
         painter.drawText(painter.viewport(), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, text);
     });
     dialog->open();

@@ -8,7 +8,42 @@
 #include "session_report/exercise_parts.h"
 #include "session_report/session_report.h"
 
+#include <algorithm>
+
 namespace chiron::desktop {
+
+namespace {
+
+/// Values of the latest attempt before this one that can be compared with it.
+core::Result<std::map<std::string, double>> valuesBefore(database::Connection& connection, const database::Actor& actor,
+                                                         const database::SessionSummary& now) {
+    database::SessionFilter filter;
+    filter.person = now.person;
+    filter.exercise = now.exercise;
+    filter.level = now.level;
+    auto listed = database::SessionReader(connection, actor).listSessions(filter);
+    if (!listed)
+        return tl::unexpected(listed.error());
+    std::optional<database::SessionId> latest;
+    for (const database::SessionSummary& other : *listed)
+        if (other.id < now.id && other.felt == now.felt && other.operatorName == now.operatorName &&
+            other.state == database::SessionState::completed && !other.familiarisation)
+            latest = std::max(latest.value_or(0), other.id);
+    std::map<std::string, double> values;
+    if (!latest)
+        return values;
+    const auto card = database::ScoreRepository(connection, actor).scores(*latest);
+    if (!card)
+        return card.error().code == core::ErrorCode::notFound ? core::Result<std::map<std::string, double>>(values) : tl::unexpected(card.error());
+    for (const scoring::MetricValue& metric : card->metrics)
+        if (metric.value)
+            values.emplace(metric.id, *metric.value);
+    return values;
+}
+
+} // namespace
+
+QString commentsSeenKey(database::SessionId session) { return QStringLiteral("comments_seen_%1").arg(session); }
 
 core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, const database::Actor& actor,
                                           database::SessionId session, const std::string& language) {
@@ -26,6 +61,12 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     if (!report)
         return tl::unexpected(report.error());
     head.report = std::move(*report);
+    if (!head.report.metrics.empty()) {
+        auto before = valuesBefore(connection, actor, head.record.summary);
+        if (!before)
+            return tl::unexpected(before.error());
+        head.before = std::move(*before);
+    }
     return head;
 }
 
@@ -52,6 +93,14 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
             details.palpationLost = std::move(records.error());
     }
     details.duration_s = track->duration_s;
+    auto comments = loadComments(connection, actor, session);
+    if (!comments)
+        return tl::unexpected(comments.error());
+    for (NamedComment& named : *comments) {
+        const auto tick = named.comment.tick;
+        details.comments.push_back({std::move(named), tick ? std::optional(track->timeOfTick(*tick)) : std::nullopt});
+    }
+    std::stable_sort(details.comments.begin(), details.comments.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());

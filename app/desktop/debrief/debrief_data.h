@@ -4,12 +4,14 @@
 #include "core/result.h"
 #include "database/connection.h"
 #include "database/repositories/session_types.h"
+#include "desktop/playback/playback_data.h"
 #include "report/report_data.h"
 #include "session/palpation_record.h"
 #include "session/session_setup.h"
 #include "session/worst_moment.h"
 
 #include <atomic>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,14 @@ struct DebriefHead {
     database::SessionRecord record;
     session::SessionSetup setup;
     report::ReportData report; ///< facts and metrics; no samples
+    /// The same person's attempt at this level before this one, on a device of the same class: its values by metric. Empty: none.
+    std::map<std::string, double> before;
+};
+
+/// What somebody wrote about a session, and when in it.
+struct CommentAtMoment {
+    NamedComment named;
+    std::optional<double> t_s; ///< on the recording's time; empty: about the whole session
 };
 
 /// What has to be read from the recording, some tenths of a second later.
@@ -31,7 +41,11 @@ struct DebriefDetails {
     std::optional<core::Error> palpationLost; ///< why `palpation` is empty although trials were begun; the rest holds
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
+    std::vector<CommentAtMoment> comments; ///< by time; those on the whole session first
 };
+
+/// The person's setting (Settings::ofPerson) that tells how many comments on a session they have seen.
+QString commentsSeenKey(database::SessionId session);
 
 /// Worker. Failure: the repositories'.
 core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, const database::Actor& actor,

@@ -11,9 +11,14 @@
 #include "report/report_text.h"
 
 #include <QHBoxLayout>
+#include <algorithm>
 
 // The parts that a debrief is put together from.
 namespace chiron::desktop {
+
+namespace {
+constexpr const char* kExpert = "expert"; // who shows how it is done
+}
 
 QWidget* DebriefScreen::headBox() {
     const Theme& theme = context().theme();
@@ -31,14 +36,15 @@ QWidget* DebriefScreen::headBox() {
     facts->setObjectName(QStringLiteral("debrief.facts"));
     column->addWidget(facts);
     if (!summary.felt)
-        column->addWidget(kit::label(theme, tr("Force was shown, not felt: these scores form a series of their own and are not compared with felt ones."),
+        column->addWidget(kit::label(theme, tr("Force was shown, not felt: these scores form a separate series and are not compared with "
+                                               "scores from felt force."),
                                      TextStyle::small, "muted"));
     return box;
 }
 
 QWidget* DebriefScreen::verdictBox() {
     const Theme& theme = context().theme();
-    const Verdict verdict = verdictOf(*m_head, context().locale());
+    const Verdict verdict = verdictOf(*m_head, context().locale(), adviceNow());
     const kit::Box box = kit::box(theme, verdict.kind);
     auto* row = new QHBoxLayout;
     row->setSpacing(theme.px(14));
@@ -57,15 +63,38 @@ QWidget* DebriefScreen::verdictBox() {
     auto* text = kit::label(theme, verdict.text);
     text->setObjectName(QStringLiteral("debrief.verdict_text"));
     words->addWidget(text);
-    for (const QString& reason : verdict.reasons) {
-        auto* line = kit::label(theme, QStringLiteral("•  %1").arg(reason), TextStyle::strong);
+    for (qsizetype i = 0; i < verdict.reasons.size(); ++i) {
+        auto* line = kit::label(theme, QStringLiteral("•  %1").arg(verdict.reasons[i]), TextStyle::strong);
         line->setObjectName(QStringLiteral("debrief.reason"));
         words->addWidget(line);
+        if (const QString advice = verdict.advice.value(i); !advice.isEmpty()) {
+            auto* coach = kit::label(theme, advice);
+            coach->setObjectName(QStringLiteral("debrief.advice"));
+            coach->setContentsMargins(theme.px(14), 0, 0, theme.px(4));
+            words->addWidget(coach);
+        }
     }
+    if (const QString change = changeText(*m_head, context().locale()); !change.isEmpty()) {
+        auto* line = kit::label(theme, change, TextStyle::body, "muted");
+        line->setObjectName(QStringLiteral("debrief.change"));
+        words->addWidget(line);
+    }
+    m_worstText = kit::label(theme, {}, TextStyle::body, "muted");
+    m_worstText->setObjectName(QStringLiteral("debrief.worst_text"));
+    m_worstText->hide(); // until the recording was looked through
+    words->addWidget(m_worstText);
     row->addLayout(words, 1);
     box.layout->addLayout(row);
     box.layout->addWidget(actionRow());
     return box.frame;
+}
+
+std::map<std::string, QString> DebriefScreen::adviceNow() const {
+    std::map<std::string, QString> advice;
+    if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_head->record.summary.exercise))
+        for (const auto& [metric, text] : exercise->advice)
+            advice.emplace(metric, QString::fromStdString(catalogue::textIn(text, context().language().toStdString())));
+    return advice;
 }
 
 QWidget* DebriefScreen::actionRow() {
@@ -79,25 +108,42 @@ QWidget* DebriefScreen::actionRow() {
         connect(next, &QPushButton::clicked, this, [this, level] { openSetup(level + 1); });
         row->add(next, 0);
     }
+    if (mayTryNow()) {
+        auto* now = kit::button(theme, tr("Now you"), "primary", QStringLiteral("go-next"));
+        now->setObjectName(QStringLiteral("debrief.now_you"));
+        connect(now, &QPushButton::clicked, this, [this, level] { openSetup(level); });
+        row->add(now, 0);
+    }
     if (isMine()) {
         auto* again = kit::button(theme, tr("Try again"), passed ? "" : "primary", QStringLiteral("view-refresh"));
         again->setObjectName(QStringLiteral("debrief.again"));
         connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
         row->add(again, 0);
     }
+    if (isMine() && !passed && hasDemonstration()) {
+        auto* watch = kit::button(theme, tr("Watch an expert"), "", QStringLiteral("view-visible"));
+        watch->setObjectName(QStringLiteral("debrief.watch"));
+        connect(watch, &QPushButton::clicked, this, [this, level] {
+            context().navigator().go(QStringLiteral("training"), {{QStringLiteral("exercise"), QString::fromStdString(m_head->record.summary.exercise)},
+                                                                  {QStringLiteral("level"), level},
+                                                                  {QStringLiteral("device"), QStringLiteral("demonstration")},
+                                                                  {QStringLiteral("operator"), QLatin1String(kExpert)}});
+        });
+        row->add(watch, 0);
+    }
     const bool erased = m_head->record.summary.recordingErased;
-    m_worst = kit::button(theme, tr("Worst moment"), "", QStringLiteral("go-jump"));
+    m_worst = kit::button(theme, tr("Watch the worst moment"), "", QStringLiteral("go-jump"));
     m_worst->setObjectName(QStringLiteral("debrief.worst"));
     m_worst->setEnabled(false); // until the recording was looked through
     connect(m_worst, &QPushButton::clicked, this, [this] {
         if (m_worstMoment)
-            openPlayback(m_worstMoment->t_s);
+            openPlayback(m_worstMoment->t_s, m_worstText->text());
     });
     row->add(m_worst, 0);
     auto* playback = kit::button(theme, tr("Playback"), "", QStringLiteral("media-playback-start"));
     playback->setObjectName(QStringLiteral("debrief.playback"));
     playback->setEnabled(!erased);
-    connect(playback, &QPushButton::clicked, this, [this] { openPlayback({}); });
+    connect(playback, &QPushButton::clicked, this, [this] { openPlayback({}, {}); });
     row->add(playback, 0);
     m_report = kit::button(theme, tr("Report (PDF)"), "", QStringLiteral("document-save"));
     m_report->setObjectName(QStringLiteral("debrief.report"));
@@ -106,6 +152,38 @@ QWidget* DebriefScreen::actionRow() {
     row->add(m_report, 0);
     row->add(new QWidget, 1); // takes what is left
     return row;
+}
+
+// What a trainer wrote is what its reader came for: above the numbers, each with the way to its moment.
+void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
+    const Theme& theme = context().theme();
+    context().settings().setOfPerson(context().actor().personId(), commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
+    if (comments.empty())
+        return;
+    const kit::Box box = kit::box(theme, "info");
+    box.frame->setObjectName(QStringLiteral("debrief.comments"));
+    box.layout->addWidget(kit::label(theme, tr("Comments"), TextStyle::title));
+    for (const CommentAtMoment& comment : comments) {
+        const database::SessionComment& stored = comment.named.comment;
+        const QString author = stored.author == context().actor().personId() ? tr("You")
+                               : comment.named.author.empty()               ? tr("Somebody else")
+                                                                            : QString::fromStdString(comment.named.author);
+        const QString text = stored.text.empty() ? tr("(erased)") : QString::fromStdString(stored.text);
+        auto* line = new QHBoxLayout;
+        line->setSpacing(theme.px(12));
+        auto* words = kit::label(theme, comment.t_s ? tr("%1, at %2: %3").arg(author, clockText(*comment.t_s, context().locale()), text)
+                                                    : tr("%1: %2").arg(author, text));
+        words->setObjectName(QStringLiteral("debrief.comment"));
+        line->addWidget(words, 1);
+        if (comment.t_s && !m_head->record.summary.recordingErased) {
+            auto* watch = kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"));
+            watch->setObjectName(QStringLiteral("debrief.comment_watch"));
+            connect(watch, &QPushButton::clicked, this, [this, at_s = *comment.t_s, caption = words->text()] { openPlayback(at_s, caption); });
+            line->addWidget(watch, 0, Qt::AlignTop);
+        }
+        box.layout->addLayout(line);
+    }
+    m_comments->addWidget(box.frame);
 }
 
 QWidget* DebriefScreen::headlineRow() {

@@ -12,8 +12,10 @@
 #include "desktop/widgets/state_panel.h"
 #include "report/report_text.h"
 #include "report/report_writer.h"
+#include "session/exercise_kind.h"
 
 #include <QFileDialog>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -37,14 +39,14 @@ QString DebriefScreen::title() const {
 }
 
 QString DebriefScreen::help() const {
-    return tr("What this session came to.\n\nAt the top: whether it passed, and if not, which pass mark was missed and by how much. "
-              "Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what "
-              "others reached.\n\n\"Worst moment\" opens the playback where it went wrong most. \"Report\" writes a printable PDF. "
-              "The table holds every metric; choose a row to read what it means.");
+    return tr("The result of this session.\n\nAt the top: whether it passed, and if not, which pass mark was missed and by how much. "
+              "Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others "
+              "reached.\n\n\"Watch the worst moment\" opens the playback where it went wrong most. \"Report\" writes a printable PDF. The table "
+              "holds every metric; choose a row to read what it means.");
 }
 
 std::vector<ScreenCommand> DebriefScreen::commands() {
-    return {{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback({}); }},
+    return {{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback({}, {}); }},
             {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
 }
 
@@ -79,6 +81,8 @@ void DebriefScreen::showHead(DebriefHead head) {
         row.unit = unitText(row.unit);
     m_column->addWidget(headBox());
     m_column->addWidget(verdictBox());
+    m_comments = new QVBoxLayout;
+    m_column->addLayout(m_comments);
     if (QWidget* cards = headlineRow())
         m_column->addWidget(cards);
     m_column->addWidget(answersBox());
@@ -87,10 +91,11 @@ void DebriefScreen::showHead(DebriefHead head) {
         m_column->addWidget(kit::label(context().theme(), tr("All metrics"), TextStyle::title));
         const database::SessionState state = m_head->record.summary.state;
         if (state != database::SessionState::completed && state != database::SessionState::voided)
-            m_column->addWidget(kit::label(context().theme(), tr("The session did not come to its end: these values are judged by no pass mark."), TextStyle::small, "muted"));
+            m_column->addWidget(kit::label(context().theme(), tr("The session was not completed: these values are not compared with pass "
+                                                                 "marks."), TextStyle::small, "muted"));
         m_column->addWidget(new MetricsTable(context().theme(), m_head->report.metrics, context().locale()));
     } else if (m_head->record.summary.state != database::SessionState::completed) {
-        auto* none = kit::label(context().theme(), tr("No trial came to its end: there is no score."), TextStyle::body, "muted");
+        auto* none = kit::label(context().theme(), tr("No trial was completed: there is no score."), TextStyle::body, "muted");
         none->setObjectName(QStringLiteral("debrief.no_score"));
         m_column->addWidget(none);
     }
@@ -102,7 +107,7 @@ void DebriefScreen::showHead(DebriefHead head) {
 
 // The keyboard begins at what there is to do now, instead of at the navigation.
 void DebriefScreen::focusNextStep() {
-    for (const char* name : {"debrief.next", "debrief.again", "debrief.playback"}) {
+    for (const char* name : {"debrief.next", "debrief.now_you", "debrief.again", "debrief.playback"}) {
         auto* button = findChild<QPushButton*>(QLatin1String(name));
         if (button && button->isEnabled()) {
             button->setFocus();
@@ -113,7 +118,8 @@ void DebriefScreen::focusNextStep() {
 
 void DebriefScreen::loadDetails() {
     if (m_head->record.summary.recordingErased) {
-        m_answers->showEmpty(tr("The recording was erased"), tr("It was withdrawn at the person's wish. The scores above are kept; there is nothing to play back."));
+        m_answers->showEmpty(tr("The recording was erased"), tr("It was erased at the person's request. The scores above are kept; there "
+                                                                "is nothing to play back."));
         return;
     }
     database::Database& database = context().site().database();
@@ -142,6 +148,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     if (details.worst)
         showWorst(*details.worst);
     showForce(details.force);
+    showComments(details.comments);
     const catalogue::ExerciseParameters& level = m_head->setup.level.parameters;
     if (details.palpationLost)
         m_answers->showError(tr("Findings and maps could not be read from the recording. The scores above are as they were stored."), *details.palpationLost);
@@ -165,11 +172,12 @@ void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QString metric = metricTitle(QString::fromStdString(worst.reason));
     const QString value = report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale);
     const QString at = clockText(worst.t_s, locale);
-    m_worst->setText(tr("Worst moment"));
-    m_worst->setToolTip(m_head->record.setup.plannedTrials > 1
-                            ? tr("%1: %2 in trial %3, at %4").arg(metric, value, locale.toString(worst.trial + 1), at)
-                            : tr("%1: %2, at %3").arg(metric, value, at));
-    m_worst->setAccessibleDescription(m_worst->toolTip());
+    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1: %2 in trial %3, at %4").arg(metric, value, locale.toString(worst.trial + 1), at)
+                                                                 : tr("%1: %2, at %3").arg(metric, value, at);
+    m_worst->setToolTip(where);
+    m_worst->setAccessibleDescription(where);
+    m_worstText->setText(tr("Worst moment: %1").arg(where));
+    m_worstText->show();
     m_worst->setEnabled(true);
 }
 
@@ -181,10 +189,28 @@ bool DebriefScreen::hasNextLevel() const {
     return context().site().catalogue().find(m_head->record.summary.exercise, m_head->record.summary.level + 1) != nullptr;
 }
 
-void DebriefScreen::openPlayback(std::optional<double> at_s) {
+bool DebriefScreen::mayTryNow() const {
+    const database::SessionSummary& summary = m_head->record.summary;
+    return !summary.operatorName.empty() && summary.person == database::Actor::kSimulatedPerson &&
+           context().site().catalogue().find(summary.exercise, summary.level) != nullptr;
+}
+
+bool DebriefScreen::hasDemonstration() const {
+    const database::SessionSummary& summary = m_head->record.summary;
+    const auto kind = session::exerciseKind(summary.exercise);
+    if (!kind || !context().site().catalogue().find(summary.exercise, summary.level))
+        return false;
+    const std::vector<std::string> names = (*kind)->operatorNames();
+    return std::find(names.begin(), names.end(), "expert") != names.end();
+}
+
+void DebriefScreen::openPlayback(std::optional<double> at_s, const QString& caption) {
     QVariantMap parameters{{QStringLiteral("session"), qlonglong(sessionId())}};
-    if (at_s)
+    if (at_s) {
         parameters.insert(QStringLiteral("at_s"), *at_s);
+        parameters.insert(QStringLiteral("caption"), caption);
+        parameters.insert(QStringLiteral("caption_s"), *at_s);
+    }
     context().navigator().go(QStringLiteral("playback"), parameters);
 }
 

@@ -41,6 +41,7 @@ private:
     void showDetails(const DebriefDetails& details);
     void showWorst(const session::WorstMoment& worst);
     void showForce(const report::ForceFacts& force);
+    void showComments(const std::vector<CommentAtMoment>& comments);
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
@@ -49,9 +50,12 @@ private:
     QWidget* forceBox();
     QWidget* answersBox();
     void askReport();
-    void openPlayback(std::optional<double> at_s);
+    void openPlayback(std::optional<double> at_s, const QString& caption); ///< `caption`: said in the scene at that moment
     void openSetup(int level);
+    std::map<std::string, QString> adviceNow() const; ///< of the exercise, in the person's language
     bool isMine() const;
+    bool mayTryNow() const;       ///< a script has shown this person how it is done
+    bool hasDemonstration() const;
     bool hasNextLevel() const;
 
     StatePanel* m_panel = nullptr;
@@ -60,6 +64,8 @@ private:
     QLabel* m_force = nullptr;  ///< what was felt of what the tissue answered
     QLabel* m_beyond = nullptr; ///< that the law was left
     QPushButton* m_worst = nullptr;
+    QVBoxLayout* m_comments = nullptr; ///< what was written about the session; nothing until it is read
+    QLabel* m_worstText = nullptr; ///< what was worst, and where
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;
     std::optional<session::WorstMoment> m_worstMoment;

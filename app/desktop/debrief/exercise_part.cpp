@@ -21,7 +21,7 @@ struct Texts {
 
 struct TitleOf {
     QString operator()(const simulation::SphereApexParameters&) const { return Texts::tr("The answers, seen from above"); }
-    QString operator()(const simulation::UrethraInsertionParameters&) const { return Texts::tr("How the endoscope kept to the urethra"); }
+    QString operator()(const simulation::UrethraInsertionParameters&) const { return Texts::tr("How the endoscope followed the urethra"); }
     QString operator()(const simulation::ElasticTubeParameters&) const { return Texts::tr("How the tube was held and stretched"); }
     QString operator()(const simulation::ObjectHandlingParameters&) const { return Texts::tr("How each object was held and set down"); }
     QString operator()(const simulation::PalpationParameters&) const { return Texts::tr("What was searched and what was found"); }
@@ -31,7 +31,7 @@ struct TitleOf {
 struct EmptyOf {
     QString operator()(const simulation::SphereApexParameters&) const { return Texts::tr("There is no answer to show. The session is kept and listed."); }
     QString operator()(const simulation::UrethraInsertionParameters&) const {
-        return Texts::tr("There is nothing to show of the procedure. The session is kept and listed.");
+        return Texts::tr("There is nothing of the procedure to show. The session is kept and listed.");
     }
     QString operator()(const simulation::ElasticTubeParameters&) const {
         return Texts::tr("There is no tension to show. The session is kept and listed.");
@@ -59,7 +59,7 @@ struct Column {
 QWidget* tableOf(const Theme& theme, const report::WordTable& words, const char* name) {
     auto* table = new FittedTable(theme, static_cast<int>(words.head.size()));
     table->setObjectName(QLatin1String(name));
-    table->setAccessibleName(Texts::tr("What each trial came to"));
+    table->setAccessibleName(Texts::tr("Result of each trial"));
     table->setHorizontalHeaderLabels(QStringList(words.head.begin(), words.head.end()));
     table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setRowCount(static_cast<int>(words.rows.size()));

@@ -26,9 +26,9 @@ QString mm(double metres, const QLocale& locale) { return locale.toString(qRound
 QString saidOf(const core::Finding& said, const scoring::LumpTruth& lump, const simulation::PalpationParameters& level, const QLocale& locale) {
     QStringList parts;
     if (level.asksSize)
-        parts << Words::tr("size said %1, was %2").arg(sizeText(said.radius_m, locale), sizeText(lump.radius_m, locale));
+        parts << Words::tr("stated size %1, true size %2").arg(sizeText(said.radius_m, locale), sizeText(lump.radius_m, locale));
     if (level.asksHardness)
-        parts << Words::tr("hardness said %1, was %2").arg(hardnessWord(said.hardness), hardnessWord(lump.hardness));
+        parts << Words::tr("stated hardness %1, true hardness %2").arg(hardnessWord(said.hardness), hardnessWord(lump.hardness));
     if (level.asksConfidence)
         parts << Words::tr("confidence: %1").arg(confidenceWord(said.confidence));
     return parts.join(QStringLiteral("; "));
@@ -41,7 +41,7 @@ QString lumpLine(std::size_t i, const session::PalpationTrialRecord& record, con
     if (!match)
         return Words::tr("Lump %1 (%2, %3 mm deep): missed").arg(number, sizeText(lump.radius_m, locale), mm(lump.depth_m, locale));
     const core::Finding& said = record.answer.findings.list()[static_cast<std::size_t>(match->finding)];
-    const QString found = Words::tr("Lump %1: found, finding %2, %3 mm beside its middle").arg(number, locale.toString(match->finding + 1), mm(match->distance_m, locale));
+    const QString found = Words::tr("Lump %1: found, finding %2, %3 mm from its centre").arg(number, locale.toString(match->finding + 1), mm(match->distance_m, locale));
     const QString more = saidOf(said, lump, level, locale);
     return more.isEmpty() ? found : Words::tr("%1; %2").arg(found, more);
 }
@@ -56,10 +56,10 @@ QString palpationSummary(const session::PalpationTrialRecord& record, const QLoc
     else
         parts << Words::tr("Lumps found: %1 of %2.").arg(locale.toString(answer.hits()), locale.toString(static_cast<int>(answer.truth.lumps.size())));
     if (answer.falseAlarms() > 0)
-        parts << Words::tr("Findings where no lump was: %1.").arg(locale.toString(answer.falseAlarms()));
+        parts << Words::tr("Findings where there was no lump: %1.").arg(locale.toString(answer.falseAlarms()));
     parts << Words::tr("Searched: %1 %.").arg(locale.toString(static_cast<int>(100.0 * record.coverage)));
     if (record.timedOut)
-        parts << Words::tr("Time was up before the end was reported.");
+        parts << Words::tr("Time was up before the search was reported as done.");
     return parts.join(QLatin1Char(' '));
 }
 

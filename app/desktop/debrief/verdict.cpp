@@ -17,7 +17,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(Verdict)
 };
 
-Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
+Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {
     if (!head.report.passed)
         return {"info", QStringLiteral("dialog-ok-apply"), Words::tr("Completed"),
                 Words::tr("This level has no pass mark. Everything below is for you to compare."), {}};
@@ -28,6 +28,11 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
     for (const report::MetricRow& row : head.report.metrics)
         if (row.passed == std::optional<bool>(false))
             verdict.reasons << missedGateText(row, locale);
+    for (const report::MetricRow& row : head.report.metrics)
+        if (row.passed == std::optional<bool>(false)) {
+            const auto found = advice.find(row.id.toStdString());
+            verdict.advice << (found == advice.end() ? QString() : found->second);
+        }
     verdict.text = Words::tr("%n pass mark(s) of this level were not met:", nullptr, static_cast<int>(verdict.reasons.size()));
     return verdict;
 }
@@ -35,8 +40,8 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale) {
 /// How far the person came, as a half sentence that every unfinished state shares.
 QString reached(const DebriefHead& head) {
     if (head.record.setup.plannedTrials <= 1)
-        return Words::tr("The procedure was not done to its end.");
-    return Words::tr("%1 of %2 trials were done.").arg(QLocale().toString(head.report.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
+        return Words::tr("The procedure was not completed.");
+    return Words::tr("%1 of %2 trials were completed.").arg(QLocale().toString(head.report.trialsDone), QLocale().toString(head.record.setup.plannedTrials));
 }
 
 Verdict ofUnfinished(const DebriefHead& head, SessionState state) {
@@ -44,30 +49,30 @@ Verdict ofUnfinished(const DebriefHead& head, SessionState state) {
     switch (state) {
     case SessionState::stopped:
         verdict.title = Words::tr("Stopped before the end");
-        verdict.text = Words::tr("%1 What was recorded is kept and can be played back. It does not count towards passing; try "
+        verdict.text = Words::tr("%1 What was recorded is kept and can be played back. The session does not count towards passing; try "
                                  "again when you are ready.").arg(reached(head));
         break;
     case SessionState::interrupted:
         verdict.title = Words::tr("Interrupted");
-        verdict.text = Words::tr("The program ended during this session. %1 Everything recorded until then was saved and can be "
-                                 "played back. It does not count towards passing.").arg(reached(head));
+        verdict.text = Words::tr("The program ended during this session. %1 Everything recorded up to then was saved and can be played "
+                                 "back. The session does not count towards passing.").arg(reached(head));
         break;
     case SessionState::incomplete:
         verdict.title = Words::tr("Incomplete recording");
-        verdict.text = Words::tr("The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played "
-                                 "back. It does not count towards passing; close other programs before the next attempt.",
+        verdict.text = Words::tr("The computer could not keep up and %n sample(s) were lost. The rest is kept and can be played back. The "
+                                 "session does not count towards passing; close other programs before the next attempt.",
                                  nullptr, static_cast<int>(head.record.summary.dropped));
         break;
     case SessionState::faulted:
         verdict.kind = "bad";
         verdict.title = Words::tr("Ended by a fault");
-        verdict.text = Words::tr("The device or the force supervisor stopped this session to keep it safe. %1 What was recorded "
-                                 "is kept. It does not count towards passing; check the device before the next attempt.").arg(reached(head));
+        verdict.text = Words::tr("The device or the force supervisor stopped this session for safety. %1 What was recorded is kept. The "
+                                 "session does not count towards passing; check the device before the next attempt.").arg(reached(head));
         break;
     case SessionState::running:
         verdict.kind = "info";
         verdict.title = Words::tr("Still running");
-        verdict.text = Words::tr("This session has not ended yet. Its result is here as soon as it has.");
+        verdict.text = Words::tr("This session has not ended yet. Its result will appear here when it ends.");
         break;
     case SessionState::completed:
     case SessionState::voided:
@@ -80,8 +85,8 @@ Verdict ofVoided(const DebriefHead& head) {
     const QString reason = QString::fromStdString(head.record.voidReason);
     Verdict verdict{"warning", stateIcon(SessionState::voided), Words::tr("Voided"), {}, {}};
     verdict.text = reason.isEmpty()
-                       ? Words::tr("A trainer declared this session void. Recording and scores are kept; they count for nothing.")
-                       : Words::tr("A trainer declared this session void: %1\nRecording and scores are kept; they count for nothing.").arg(reason);
+                       ? Words::tr("A trainer declared this session void. Recording and scores are kept but do not count.")
+                       : Words::tr("A trainer declared this session void: %1\nRecording and scores are kept but do not count.").arg(reason);
     return verdict;
 }
 
@@ -101,18 +106,35 @@ QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
     const QString value = report::formatValue(row.value, row.unit, locale);
     const QString by = report::formatValue(overBy(row), row.unit, locale);
     const bool above = row.gateMaximum && *row.value > *row.gateMaximum;
+    if (row.unit == QLatin1String("count"))
+        return above ? Words::tr("%1: %2, but the pass mark is %3 (%4 too many)").arg(name, value, gate, by)
+                     : Words::tr("%1: %2, but the pass mark is %3 (%4 too few)").arg(name, value, gate, by);
     return above ? Words::tr("%1: %2, but the pass mark is %3 (%4 too much)").arg(name, value, gate, by)
                  : Words::tr("%1: %2, but the pass mark is %3 (%4 too little)").arg(name, value, gate, by);
 }
 
-Verdict verdictOf(const DebriefHead& head, const QLocale& locale) {
+QString changeText(const DebriefHead& head, const QLocale& locale) {
+    constexpr int kMost = 3; // as many as there are cards
+    QStringList changes;
+    for (const bool failed : {true, false})
+        for (const report::MetricRow& row : head.report.metrics) {
+            const auto before = head.before.find(row.id.toStdString());
+            const bool isFailed = row.passed == std::optional<bool>(false);
+            if (!row.passed || isFailed != failed || !row.value || before == head.before.end() || changes.size() >= kMost)
+                continue;
+            changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id), report::formatValue(before->second, row.unit, locale), report::formatValue(row.value, row.unit, locale));
+        }
+    return changes.isEmpty() ? QString() : Words::tr("Since your last attempt: %1").arg(changes.join(QStringLiteral(" · ")));
+}
+
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {
     const SessionState state = head.record.summary.state;
-    Verdict verdict = state == SessionState::completed ? ofCompleted(head, locale)
+    Verdict verdict = state == SessionState::completed ? ofCompleted(head, locale, advice)
                       : state == SessionState::voided  ? ofVoided(head)
                                                        : ofUnfinished(head, state);
     if (head.record.summary.familiarisation) {
         verdict.kind = "info";
-        verdict.text = Words::tr("Familiarisation: recorded, never counted. %1").arg(verdict.text);
+        verdict.text = Words::tr("Familiarisation is recorded but never counts. %1").arg(verdict.text);
     }
     return verdict;
 }

@@ -15,11 +15,16 @@ struct Verdict {
     QString icon;              ///< Breeze name
     QString title;             ///< "Passed"
     QString text;              ///< what it means and what was kept
-    QStringList reasons;       ///< which pass marks were not met, and by how much
+    QStringList reasons{};     ///< which pass marks were not met, and by how much
+    QStringList advice{};      ///< of each reason: what to do differently, as the exercise's content says; may be empty
 };
 
-/// GUI thread (words). Reads what was stored; decides nothing.
-Verdict verdictOf(const DebriefHead& head, const QLocale& locale);
+/// GUI thread (words). Reads what was stored; decides nothing. `advice`: of the exercise, by metric, in the person's language.
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice = {});
+
+/// "Since your last attempt: mean apex error 14.20 % to 9.10 %, ...": of the metrics with a pass mark, at most three, those that failed
+/// first. Empty where there was none, or nothing of it can be compared.
+QString changeText(const DebriefHead& head, const QLocale& locale);
 
 /// "12.40 % against a pass mark of ≤ 10.00 %: 2.40 % too much", for a metric whose gate did not hold.
 QString missedGateText(const report::MetricRow& row, const QLocale& locale);

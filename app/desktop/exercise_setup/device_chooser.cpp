@@ -52,7 +52,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
     column->addWidget(addTile(PlanDevice::mouse, tr("Mouse and keyboard"), tr("Ready. Force is shown, not felt.")));
     const std::vector<std::string> operators = kind ? kind->operatorNames() : std::vector<std::string>();
     QWidget* demonstrate = addTile(PlanDevice::demonstration, tr("Demonstrate"),
-                                   operators.empty() ? tr("Nobody demonstrates this exercise on this station.")
+                                   operators.empty() ? tr("There is no demonstration of this exercise on this station.")
                                    : fiveBar         ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
                                    : fingertip       ? tr("Ready. Watch a scripted operator on the simulated arm with fingertip platform.")
                                                      : tr("Ready. Watch a scripted operator on the simulated gimbal."));
@@ -86,10 +86,10 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(6));
-    auto* label = kit::label(theme, tr("Who demonstrates"), TextStyle::label);
+    auto* label = kit::label(theme, tr("Operator"), TextStyle::label);
     m_operator = new QComboBox;
     m_operator->setObjectName(QStringLiteral("setup.operator"));
-    m_operator->setAccessibleName(tr("Who demonstrates"));
+    m_operator->setAccessibleName(tr("Operator"));
     label->setBuddy(m_operator);
     for (const std::string& name : operators)
         m_operator->addItem(operatorTitle(name), QString::fromStdString(name));
@@ -98,7 +98,7 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     column->addWidget(m_operator);
     if (gimbal)
         addForceMap(*column);
-    column->addWidget(kit::label(theme, tr("The session is listed as simulated and is nobody's score."), TextStyle::small, "muted"));
+    column->addWidget(kit::label(theme, tr("The session is listed as simulated and does not count for anyone."), TextStyle::small, "muted"));
     connect(m_operator, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);
     return page;
 }
@@ -110,7 +110,7 @@ void DeviceChooser::addForceMap(QVBoxLayout& column) {
     m_forceMap->setAccessibleName(tr("How the gimbal renders force"));
     label->setBuddy(m_forceMap);
     m_forceMap->addItem(tr("Exactly"));
-    m_forceMap->addItem(tr("By the formulas as published (up to 27 % off)"));
+    m_forceMap->addItem(tr("By the published formulas (error up to 27 %)"));
     column.addWidget(label);
     column.addWidget(m_forceMap);
     connect(m_forceMap, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);

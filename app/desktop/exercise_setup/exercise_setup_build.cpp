@@ -105,11 +105,11 @@ QWidget* ExerciseSetupScreen::buildStart() {
 QString ExerciseSetupScreen::title() const { return m_exercise ? textOf(m_exercise->title) : tr("Exercise"); }
 
 QString ExerciseSetupScreen::help() const {
-    return tr("Here you see what an exercise asks for, what is measured and when it is passed.\n\n"
-              "Everything is chosen already: Start (or Enter) begins. Choose another level, or a device, if you want. Demonstrate lets you "
-              "watch a scripted operator; its session is nobody's score. A file with a recorded movement can be replayed through the same "
-              "exercise.\n\nHand and workspace says with which hand you work, how far the tool moves for your hand's movement, and where "
-              "the middle of the field lies. A familiarisation is recorded, but never counted.");
+    return tr("Here you see what an exercise asks for, what is measured and when it is passed.\n\nEverything is already chosen: press "
+              "Start (or Enter) to begin. Choose another level, or a device, if you want. Demonstrate lets you watch a scripted operator; "
+              "its session does not count for anyone. A file with a recorded movement can be replayed through the same exercise.\n\nHand "
+              "and workspace sets which hand you work with, how far the tool moves when your hand moves, and where the middle of the field "
+              "lies. A familiarisation is recorded, but never counted.");
 }
 
 std::vector<ScreenCommand> ExerciseSetupScreen::commands() {

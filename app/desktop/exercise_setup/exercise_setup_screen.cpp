@@ -75,7 +75,7 @@ ExerciseSetupScreen::ExerciseSetupScreen(AppContext& context, const Place& place
 
 void ExerciseSetupScreen::enter() {
     if (!m_exercise) {
-        m_panel->showEmpty(tr("This exercise is not there"), tr("The content on this station has no exercise of that name."), tr("Home"),
+        m_panel->showEmpty(tr("This exercise does not exist"), tr("The content on this station has no exercise of that name."), tr("Home"),
                            [this] { context().navigator().go(QStringLiteral("home")); });
         return;
     }
@@ -126,7 +126,7 @@ void ExerciseSetupScreen::loadStandings() {
         },
         [this](core::Result<Standings> standings) {
             if (!standings) {
-                m_standing->setText(tr("Your earlier results could not be read; training works all the same."));
+                m_standing->setText(tr("Your earlier results could not be read. You can still train."));
                 m_standing->show();
                 return;
             }

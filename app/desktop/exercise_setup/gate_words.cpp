@@ -33,6 +33,8 @@ QString gateInWords(const scoring::Gate& gate, const QLocale& locale) {
         return Words::tr("%1: from %2 to %3").arg(title, withUnit(*gate.minimum, unit, locale), withUnit(*gate.maximum, unit, locale));
     if (gate.minimum)
         return Words::tr("%1: at least %2").arg(title, withUnit(*gate.minimum, unit, locale));
+    if (gate.maximum == 0.0 && unit == "count")
+        return Words::tr("%1: none").arg(title);
     return Words::tr("%1: at most %2").arg(title, withUnit(gate.maximum.value_or(0.0), unit, locale));
 }
 

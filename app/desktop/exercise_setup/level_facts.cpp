@@ -21,7 +21,7 @@ QString tissueText(const std::string& tissue) {
     if (tissue == "normal")
         return Words::tr("Tissue: normal");
     if (tissue == "tight")
-        return Words::tr("Tissue: tight");
+        return Words::tr("Tissue: tight urethra");
     if (tissue == "stricture")
         return Words::tr("Tissue: with a stricture, a narrow and stiff ring");
     return Words::tr("Tissue: %1").arg(QString::fromStdString(tissue));
@@ -29,13 +29,13 @@ QString tissueText(const std::string& tissue) {
 
 QString depthOfFieldText(const simulation::UrethraInsertionParameters& p) {
     if (p.depthOfFieldFixed)
-        return p.depthOfField ? Words::tr("Depth of field: on, kept on") : Words::tr("Depth of field: off, kept off");
+        return p.depthOfField ? Words::tr("Depth of field: on, fixed") : Words::tr("Depth of field: off, fixed");
     return p.depthOfField ? Words::tr("Depth of field: on, can be switched off") : Words::tr("Depth of field: off, can be switched on");
 }
 
 QString wayText(const simulation::UrethraInsertionParameters& p, const QLocale& locale) {
     const QString goal_mm = locale.toString(qRound(InsertionGauge(p).goal_m() * 1e3));
-    return p.withdraws ? Words::tr("Way: %1 mm in and out again").arg(goal_mm) : Words::tr("Way: %1 mm in").arg(goal_mm);
+    return p.withdraws ? Words::tr("Distance: %1 mm in, then back out").arg(goal_mm) : Words::tr("Distance: %1 mm in").arg(goal_mm);
 }
 
 bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
@@ -43,15 +43,15 @@ bool has(const std::vector<std::string>& cues, const char* cue) { return std::fi
 QString viewText(const std::vector<std::string>& cues) {
     const bool overview = has(cues, "overview");
     if (has(cues, "guidance"))
-        return overview ? Words::tr("Help: the way is marked in the picture, and a second picture shows it from outside")
-                        : Words::tr("Help: the way is marked in the picture");
-    return overview ? Words::tr("Help: a second picture shows the endoscope from outside") : Words::tr("Help: none, the endoscope's picture alone");
+        return overview ? Words::tr("Help: the path is marked in the picture, and a second picture shows it from outside")
+                        : Words::tr("Help: the path is marked in the picture");
+    return overview ? Words::tr("Help: a second picture shows the endoscope from outside") : Words::tr("Help: none, only the endoscope's picture");
 }
 
 QString newtons(double value, const QLocale& locale) { return locale.toString(value, 'g', 3); }
 
 QString trialsText(int trials, double limit_s, const QLocale& locale) {
-    return Words::tr("Trials: %1, of %2 s at most").arg(locale.toString(trials), locale.toString(qRound(limit_s)));
+    return Words::tr("Trials: %1, at most %2 s each").arg(locale.toString(trials), locale.toString(qRound(limit_s)));
 }
 
 QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
@@ -59,12 +59,12 @@ QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& 
     switch (p.task) {
     case simulation::TubeTask::hold:
     case simulation::TubeTask::twoHanded:
-        return Words::tr("Goal: a tension between %1 and %2 N, kept within ±%3 N for %4 s")
+        return Words::tr("Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s")
             .arg(newtons(p.targetLow_N, locale), newtons(p.targetHigh_N, locale), newtons(p.band_N, locale), hold_s);
     case simulation::TubeTask::stretch:
-        return Words::tr("Goal: %1 times its length, kept for %2 s").arg(locale.toString(p.markRatio, 'g', 3), hold_s);
+        return Words::tr("Goal: stretch the tube to %1 times its length and hold it for %2 s").arg(locale.toString(p.markRatio, 'g', 3), hold_s);
     case simulation::TubeTask::transfer:
-        return Words::tr("Goal: its end handed over and held in the target for %1 s").arg(hold_s);
+        return Words::tr("Goal: hand over the end of the tube and hold it in the target for %1 s").arg(hold_s);
     }
     return {};
 }
@@ -79,20 +79,20 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
     const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
     const QString tears = locale.toString(p.tearRatio, 'g', 3);
     facts << (p.tube.stiffening_per_m > 0.0
-                  ? Words::tr("Tube: %1 mm long, stiffer the farther it is stretched, torn at %2 times its length").arg(length_mm, tears)
-                  : Words::tr("Tube: %1 mm long, torn at %2 times its length").arg(length_mm, tears));
+                  ? Words::tr("Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length").arg(length_mm, tears)
+                  : Words::tr("Tube: %1 mm long, tears at %2 times its length").arg(length_mm, tears));
     return facts << trialsText(p.trials, p.trialLimit_s, locale);
 }
 
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
     QStringList facts;
     if (p.task == simulation::HandlingTask::weigh)
-        facts << Words::tr("Goal: the heaviest of %1 objects that look alike, in the dish").arg(locale.toString(p.objects));
+        facts << Words::tr("Goal: put the heaviest of %1 identical-looking objects in the dish").arg(locale.toString(p.objects));
     else
-        facts << Words::tr("Goal: the object in the dish, lifted by %1 mm on the way").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+        facts << Words::tr("Goal: lift the object by %1 mm and put it in the dish").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
     facts << Words::tr("Squeeze: %1 N at most").arg(newtons(p.squeezeLimit_N, locale));
     if (p.organBed)
-        facts << Words::tr("Bed: a soft organ, which gives way");
+        facts << Words::tr("Surface: a soft organ that gives way");
     return facts << trialsText(p.trials, p.trialLimit_s, locale);
 }
 
@@ -105,11 +105,11 @@ QString handsText(const simulation::PalpationParameters& p) {
 QString lumpsText(const simulation::PalpationParameters& p, const QLocale& locale) {
     const int least = p.catchTrials > 0 ? 0 : p.lumpsLow;
     if (least == p.lumpsHigh)
-        return Words::tr("Lumps in a trial: %1").arg(locale.toString(p.lumpsHigh));
+        return Words::tr("Lumps per trial: %1").arg(locale.toString(p.lumpsHigh));
     if (least == 0 && p.lumpsHigh == 1)
-        return Words::tr("Lumps in a trial: one or none");
-    return least == 0 ? Words::tr("Lumps in a trial: none to %1").arg(locale.toString(p.lumpsHigh))
-                      : Words::tr("Lumps in a trial: %1 to %2").arg(locale.toString(least), locale.toString(p.lumpsHigh));
+        return Words::tr("Lumps per trial: one or none");
+    return least == 0 ? Words::tr("Lumps per trial: 0 to %1").arg(locale.toString(p.lumpsHigh))
+                      : Words::tr("Lumps per trial: %1 to %2").arg(locale.toString(least), locale.toString(p.lumpsHigh));
 }
 
 QString reportedText(const simulation::PalpationParameters& p) {
@@ -120,7 +120,7 @@ QString reportedText(const simulation::PalpationParameters& p) {
         asked << Words::tr("how hard");
     if (p.asksConfidence)
         asked << Words::tr("how sure you are");
-    return Words::tr("To be told of each finding: %1").arg(asked.join(QStringLiteral(", ")));
+    return Words::tr("To report for each finding: %1").arg(asked.join(QStringLiteral(", ")));
 }
 
 QStringList palpationFacts(const simulation::PalpationParameters& p, const QLocale& locale) {
@@ -150,7 +150,7 @@ QStringList taskFacts(const catalogue::ExerciseLevel& level, const QLocale& loca
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
     QStringList facts = taskFacts(level, locale);
     if (!level.mounting.empty())
-        facts << Words::tr("Devices with a base stand as this level mounts them; what you set below takes its place");
+        facts << Words::tr("Devices with a base are mounted as this level specifies; your settings below override it");
     return facts;
 }
 

@@ -36,7 +36,7 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
     constexpr double kShift_mm = WorkspaceChoice::kLargestShift_m * 1e3;
-    m_scale = spin(QStringLiteral("setup.scale"), tr("Movement of the tool for that of the hand"), QString(), WorkspaceChoice::kSmallestScale,
+    m_scale = spin(QStringLiteral("setup.scale"), tr("Tool movement per hand movement"), QString(), WorkspaceChoice::kSmallestScale,
                    WorkspaceChoice::kLargestScale, 0.05, *grid);
     m_origin[0] = spin(QStringLiteral("setup.origin_x"), tr("Shift to the right"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
     m_origin[1] = spin(QStringLiteral("setup.origin_y"), tr("Shift away from you"), tr(" mm"), -kShift_mm, kShift_mm, 1.0, *grid);
@@ -48,7 +48,7 @@ WorkspaceBox::WorkspaceBox(const Theme& theme, const QLocale& locale, QWidget* p
     base->setContentsMargins(0, 0, 0, 0);
     base->setColumnStretch(0, 1);
     const double kTurn_deg = std::round(core::degFromRad(WorkspaceChoice::kLargestTurn_rad));
-    m_turn[0] = spin(QStringLiteral("setup.turn"), tr("Turn of the device's base to the left"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
+    m_turn[0] = spin(QStringLiteral("setup.turn"), tr("Rotation of the device base to the left"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
     m_turn[1] = spin(QStringLiteral("setup.tilt"), tr("Tilt of the base away from you"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
     m_turn[2] = spin(QStringLiteral("setup.roll"), tr("Tilt of the base to the right"), tr("°"), -kTurn_deg, kTurn_deg, 1.0, *base);
     rows->addWidget(m_basePart);

@@ -16,7 +16,7 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Who looks after this site?"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("The first person is an administrator: adds people, makes backups, may train as well."),
+    column->addWidget(kit::label(theme, tr("The first person is an administrator, who adds people, makes backups and may train as well."),
                                  TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("first_start.name"));
     m_nameRule = kit::label(theme, tr("A short name without commas, such as \"ada\". It cannot be changed later."), TextStyle::small, "muted");
@@ -55,8 +55,8 @@ void AdministratorPage::renew() {
     form::setKind(m_name, typed && !nameGood ? "bad" : "");
     form::setKind(m_nameRule, typed && !nameGood ? "bad" : "muted");
     m_nameRule->setText(typed && !nameGood
-                            ? tr("This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name "
-                                 "that the program keeps for itself.")
+                            ? tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
+                                 "reserved for the program.")
                                   .arg(QLocale().toString(database::kMaximumNameCharacters))
                             : tr("A short name without commas, such as \"ada\". It cannot be changed later."));
     if (m_passwords->property("name") != m_name->text()) {
@@ -77,7 +77,7 @@ void AdministratorPage::setWorking(bool working) {
     for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_displayName), static_cast<QWidget*>(m_passwords),
                           static_cast<QWidget*>(m_back)})
         part->setEnabled(!working);
-    m_notice->say("info", working ? tr("Making the site …") : QString());
+    m_notice->say("info", working ? tr("Creating the site …") : QString());
     renew();
 }
 

@@ -49,10 +49,10 @@ QString FirstStartScreen::title() const {
 }
 
 QString FirstStartScreen::help() const {
-    return tr("Chiron is a training suite for the sense of touch in minimally invasive surgery.\n\n\"Set up this site\" makes an empty "
+    return tr("Chiron is a training suite for the sense of touch in minimally invasive surgery.\n\n\"Set up this site\" creates an empty "
               "site on this computer and its first administrator, who can add the others. It takes about a minute.\n\n\"Open the "
-              "demonstration site\" makes a separate site with invented people and scripted sessions, to look around. It does not "
-              "touch a site that is set up later; this choice comes back at the next start until one is.");
+              "demonstration site\" creates a separate site with invented people and scripted sessions, so that you can look around. It "
+              "does not affect a site that you set up later. Until you set one up, this choice appears at every start.");
 }
 
 void FirstStartScreen::enter() {
@@ -123,14 +123,14 @@ void FirstStartScreen::showWelcome() {
     auto* setUp = kit::button(theme, tr("Set up this site"), "primary");
     setUp->setObjectName(QStringLiteral("first_start.set_up"));
     connect(setUp, &QPushButton::clicked, this, &FirstStartScreen::showAdministrator);
-    column->addWidget(choice(QStringLiteral("list-add-user"), tr("Start a site of your own"),
+    column->addWidget(choice(QStringLiteral("list-add-user"), tr("Set up your own site"),
                              tr("You become its administrator. People, sessions and scores stay on this computer."), setUp));
     auto* demonstration = kit::button(theme, tr("Open the demonstration site"));
     demonstration->setObjectName(QStringLiteral("first_start.demonstration"));
     demonstration->setVisible(!context().site().isOpen());
     connect(demonstration, &QPushButton::clicked, this, &FirstStartScreen::showDemonstration);
     auto* second = choice(QStringLiteral("view-preview"), tr("Look around first"),
-                          tr("Invented people and scripted sessions at every level. Making it takes about a minute, once."), demonstration);
+                          tr("Invented people and scripted sessions at every level. Creating them takes about a minute, only once."), demonstration);
     second->setVisible(!context().site().isOpen()); // an empty site is open: it wants its administrator
     column->addWidget(second);
     setPage(page);
@@ -171,7 +171,7 @@ void FirstStartScreen::siteMade(const AdministratorRequest& request, core::Resul
         m_administrator->setWorking(false);
     if (!made) {
         if (m_administrator)
-            m_administrator->showProblem(tr("The site was not made.\n%1").arg(inWords(made.error())));
+            m_administrator->showProblem(tr("The site was not created.\n%1").arg(inWords(made.error())));
         return;
     }
     m_actor = made->actor;
@@ -224,7 +224,7 @@ void FirstStartScreen::showDemonstration() {
         [file = file.toStdString(), options = context().site().options()](WorkToken& work) { return makeDemonstration(file, options, work); },
         [this](core::Result<MadeSite> made) { demonstrationMade(std::move(made)); });
     panel->showLoading(QFileInfo::exists(file) ? tr("Opening the demonstration site …")
-                                               : tr("Making the demonstration site: people, and scripted sessions at every level …"),
+                                               : tr("Creating the demonstration site: people, and scripted sessions at every level …"),
                        m_work);
 }
 
@@ -235,7 +235,7 @@ void FirstStartScreen::demonstrationMade(core::Result<MadeSite> made) {
         if (made.error().code == core::ErrorCode::cancelled) {
             showWelcome();
             enter();
-            context().messages().information(tr("The demonstration was stopped; what had been made of it is removed."));
+            context().messages().information(tr("Creation of the demonstration site was stopped; what had been created was removed."));
         } else if (m_progress) {
             m_progress->showError(tr("The demonstration site could not be opened."), made.error(), [this] { showDemonstration(); });
             m_back->show();

@@ -82,7 +82,7 @@ std::vector<CommandGroup> commandsNow(AppContext& context, Screen* screen, const
     if (screen && !screen->commands().empty())
         groups.push_back({screen->title(), screen->commands()});
     if (context.loggedIn())
-        groups.push_back({words(QT_TRANSLATE_NOOP("Commands", "Places")), places(context)});
+        groups.push_back({words(QT_TRANSLATE_NOOP("Commands", "Screens")), places(context)});
     groups.push_back({words(QT_TRANSLATE_NOOP("Commands", "Program")), program(context, window)});
     return groups;
 }

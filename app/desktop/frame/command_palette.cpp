@@ -38,7 +38,7 @@ CommandPalette::CommandPalette(const Theme& theme, std::vector<CommandGroup> gro
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("palette.list"));
     m_list->setAccessibleName(tr("Commands found"));
-    m_nothing = kit::label(theme, tr("No command has these letters. Try fewer, or another word."), TextStyle::body, "muted");
+    m_nothing = kit::label(theme, tr("No matching command. Try fewer letters or another word."), TextStyle::body, "muted");
     column->addWidget(m_field);
     column->addWidget(m_list, 1);
     column->addWidget(m_nothing);

@@ -26,7 +26,7 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
     m_actions.palette = [this] { showCommandPalette(); };
     m_actions.shortcuts = [this] { showShortcuts(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this); };
     m_actions.help = [this] {
-        if (m_screen)
+        if (m_screen && !m_screen->helpItself())
             showHelp(m_context.theme(), *m_screen, this);
     };
     m_actions.close = [this] { close(); };

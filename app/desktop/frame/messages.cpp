@@ -17,26 +17,28 @@ QString inWords(const core::Error& error) {
         advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
         break;
     case core::ErrorCode::notFound:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It is no longer there, or was never made. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It no longer exists or was never created. Nothing was changed."));
         break;
     case core::ErrorCode::storage:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The storage refused it. What was recorded before is kept; check the free space and try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be saved. What was recorded before is kept; check the free space and "
+                                                       "try again."));
         break;
     case core::ErrorCode::locked:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Another program is using this database for writing. Close it there, then try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Another program is writing to this database. Close the database there, then try "
+                                                       "again."));
         break;
     case core::ErrorCode::device:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The device did not answer as it should. Check its cable and power, then try again."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The device did not respond correctly. Check its cable and power, then try again."));
         break;
     case core::ErrorCode::cancelled:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It was stopped before the end. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The operation was stopped before it finished. Nothing was changed."));
         break;
     case core::ErrorCode::doesNotHold:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "What was checked does not hold."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The check found errors."));
         break;
     case core::ErrorCode::wrongUse:
     case core::ErrorCode::badInput:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Something in what was given is not as expected. Nothing was changed."));
+        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The input is not valid. Nothing was changed."));
         break;
     }
     return QCoreApplication::translate("ErrorWords", "%1\nDetails: %2").arg(advice, QString::fromStdString(error.message));

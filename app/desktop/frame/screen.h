@@ -39,6 +39,8 @@ public:
     virtual std::vector<ScreenCommand> commands() { return {}; }
     /// Translated help on F1: what this screen is for and how to use it. A few plain paragraphs, separated by blank lines.
     virtual QString help() const = 0;
+    /// F1, before the help is shown: true where the screen has shown something better itself.
+    virtual bool helpItself() { return false; }
 
 protected:
     AppContext& context() const noexcept { return m_context; }

@@ -54,7 +54,8 @@ void ExercisesScreen::load() {
             }
             const catalogue::Catalogue& catalogue = context().site().catalogue();
             if (catalogue.exercises().empty()) {
-                m_panel->showEmpty(tr("There are no exercises"), tr("The content folder of this site holds none. Ask an administrator."));
+                m_panel->showEmpty(tr("There are no exercises"), tr("The content folder of this site contains no exercises. Ask an "
+                                                                    "administrator."));
                 return;
             }
             const auto standings = session::levelStandings(catalogue, *own);

@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_service.h"
 #include "database/repositories/session_reader.h"
+#include "desktop/playback/playback_data.h"
 #include "desktop/sessions/session_words.h"
 #include "recording/crash_ring.h"
 #include "session/backup_list.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int kNewest = 300;        // among them the trainer's list is made
 constexpr std::size_t kShown = 8;   // lines of a list on the home screen
 constexpr std::size_t kOwnShown = 5;
+constexpr std::size_t kLookedThrough = 50; // of the person's own sessions, for comments
 
 using database::Role;
 using database::SessionFilter;
@@ -33,7 +35,21 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
     return rows;
 }
 
-core::Result<void> readOwn(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readCommented(database::Connection& connection, const std::vector<database::SessionSummary>& own, const HomeQuestion& question,
+                                 HomeData& data) {
+    for (std::size_t i = 0; i < std::min(own.size(), kLookedThrough); ++i) {
+        const auto comments = loadComments(connection, question.actor, own[i].id);
+        if (!comments)
+            return tl::unexpected(comments.error());
+        const auto latest = std::find_if(comments->rbegin(), comments->rend(),
+                                         [&](const NamedComment& named) { return named.comment.author != question.actor.personId(); });
+        if (latest != comments->rend())
+            data.commented.push_back({makeSessionRow(own[i], question.titles), latest->author, static_cast<int>(comments->size())});
+    }
+    return {};
+}
+
+core::Result<void> readOwn(database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
     SessionFilter filter;
     filter.person = question.actor.personId();
     filter.newestFirst = true;
@@ -42,6 +58,8 @@ core::Result<void> readOwn(SessionReader& reader, const HomeQuestion& question, 
         return tl::unexpected(own.error());
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
+    if (auto read = readCommented(connection, *own, question, data); !read)
+        return read;
     data.own = rowsOf(std::move(*own), question.titles, kOwnShown);
     return {};
 }
@@ -124,7 +142,7 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
     HomeData data;
     core::Result<void> done;
     if (roles.contains(Role::trainee))
-        done = readOwn(reader, question, data);
+        done = readOwn(**connection, reader, question, data);
     if (done && roles.contains(Role::trainer))
         done = readForTrainer(reader, question, data);
     if (done && roles.contains(Role::admin))

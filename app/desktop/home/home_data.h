@@ -29,10 +29,18 @@ struct RecoveredRow {
     std::string problem; ///< empty: all of it is there
 };
 
+/// What others wrote about a session of this person.
+struct CommentedSession {
+    SessionRow row;
+    std::string author; ///< of the latest
+    int comments = 0;   ///< on the session, everybody's
+};
+
 /// Everything that a home screen shows, as it was when asked for.
 struct HomeData {
     std::vector<session::LevelStanding> standings; ///< of the person, where trainee
     std::vector<SessionRow> own;                   ///< latest first, some
+    std::vector<CommentedSession> commented;       ///< of the person's latest sessions those that others commented on, latest first
     std::vector<SessionRow> toLook;                ///< for a trainer: what asks for attention first
     std::vector<RecentPerson> people;              ///< for a trainer, latest first
     std::vector<RecoveredRow> recovered;

@@ -11,6 +11,7 @@
 #include "desktop/widgets/tile_button.h"
 
 #include <QHBoxLayout>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -25,10 +26,23 @@ QString textIn(const catalogue::Translated& text, const AppContext& context) {
 void HomeScreen::addTrainee(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     column.addWidget(continueCard(home));
-    column.addWidget(kit::label(theme, tr("Exercises"), TextStyle::title));
-    for (const catalogue::Exercise& exercise : context().site().catalogue().exercises())
-        column.addWidget(new ExerciseCard(context(), exercise, home.standings));
     column.addWidget(progressCard(home));
+    auto* all = opener(tr("Choose another exercise"), QStringLiteral("exercises"), {}, "");
+    all->setObjectName(QStringLiteral("home.exercises"));
+    all->setIcon(theme.icon(QStringLiteral("view-list-icons")));
+    column.addWidget(all, 0, Qt::AlignLeft);
+}
+
+// What came of the last session of this exercise: where "next" comes from.
+QString HomeScreen::lastResult(const HomeData& home, const session::LevelStanding& next) const {
+    const auto row = std::find_if(home.own.begin(), home.own.end(), [&](const SessionRow& each) { return each.summary.exercise == next.exercise; });
+    if (row == home.own.end())
+        return {};
+    const database::SessionSummary& summary = row->summary;
+    const bool ended = summary.state == database::SessionState::completed;
+    return tr("Last time: level %1, %2, %3")
+        .arg(context().locale().toString(summary.level), ended ? SessionWords::outcome(SessionWords::outcomeOf(summary)) : SessionWords::state(summary.state),
+             SessionWords::ago(SessionWords::timeOf(summary.startedUtc), QDateTime::currentDateTimeUtc(), context().locale()));
 }
 
 QWidget* HomeScreen::continueCard(const HomeData& home) {
@@ -38,7 +52,7 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
     const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
     if (!level) {
         box.layout->addWidget(kit::label(theme, tr("Every level is passed"), TextStyle::title));
-        box.layout->addWidget(kit::label(theme, tr("Well done. Choose any exercise below to keep your hand in.")));
+        box.layout->addWidget(kit::label(theme, tr("Well done. Choose any exercise to stay in practice.")));
         return box.frame;
     }
     auto* row = new QHBoxLayout;
@@ -47,13 +61,18 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
         row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
     auto* words = new QVBoxLayout;
     words->setSpacing(theme.px(6));
-    words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Go on where you were") : tr("Your next step"), TextStyle::small, "muted"));
+    words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Continue where you left off") : tr("Your next step"), TextStyle::small, "muted"));
     const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
     words->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise ? textIn(exercise->title, context()) : QString(),
                                                                   context().locale().toString(level->number), textIn(level->title, context())),
                                 TextStyle::title));
-    words->addWidget(kit::label(theme, textIn(level->objective, context())));
+    words->addWidget(kit::label(theme, textIn(level->goal.empty() ? level->objective : level->goal, context())));
     words->addWidget(kit::label(theme, standingWords(*next), TextStyle::small, "muted"));
+    if (const QString last = lastResult(home, *next); !last.isEmpty()) {
+        auto* line = kit::label(theme, last);
+        line->setObjectName(QStringLiteral("home.last"));
+        words->addWidget(line);
+    }
     auto* go = opener(tr("Continue"), QStringLiteral("exercise_setup"),
                       {{QStringLiteral("exercise"), QString::fromStdString(next->exercise)}, {QStringLiteral("level"), next->level}}, "primary");
     go->setObjectName(QStringLiteral("home.continue"));
@@ -74,7 +93,7 @@ QWidget* HomeScreen::progressCard(const HomeData& home) {
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("My progress"), TextStyle::title));
     if (home.own.empty()) {
-        box.layout->addWidget(kit::label(theme, tr("Nothing is recorded yet. Your first session will be here as soon as it has ended."),
+        box.layout->addWidget(kit::label(theme, tr("Nothing recorded yet. Your first session appears here once it has ended."),
                                          TextStyle::body, "muted"));
         return box.frame;
     }
@@ -88,9 +107,9 @@ QWidget* HomeScreen::progressCard(const HomeData& home) {
 void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Sessions to look at"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Sessions to review"), TextStyle::title));
     if (home.toLook.empty())
-        box.layout->addWidget(kit::label(theme, tr("Nobody has trained yet. Sessions of trainees will be here, those that broke off first."),
+        box.layout->addWidget(kit::label(theme, tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first."),
                                          TextStyle::body, "muted"));
     else
         box.layout->addWidget(new SessionLines(context(), home.toLook, true));
@@ -105,7 +124,7 @@ void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
 QWidget* HomeScreen::peopleCard(const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Who trained lately"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Recent training"), TextStyle::title));
     const QDateTime now = QDateTime::currentDateTimeUtc();
     for (const RecentPerson& person : home.people) {
         auto* button = new TileButton(theme);
@@ -130,7 +149,8 @@ void HomeScreen::addResearcher(QVBoxLayout& column) {
                                tr("Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants."), "info", {},
                                tr("Open the studies")));
     column.addWidget(stateCard(QStringLiteral("study_run"), tr("Run"),
-                               tr("Take a participant through a study, by code and in their own order. What was interrupted goes on where it stopped."), "info", {},
+                               tr("Guide a participant through a study, by code and in their own order. Interrupted runs continue where "
+                                  "they stopped."), "info", {},
                                tr("Run a study")));
     column.addWidget(stateCard(QStringLiteral("study_data"), tr("Data"),
                                tr("Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports."), "info", {},
@@ -170,14 +190,14 @@ void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home) {
     const StorageNotice backup = StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
     const bool first = !disk.isGood();
     column.addWidget(stateCard(QStringLiteral("storage"), tr("Storage"),
-                               tr("The database takes %1; %2 are free.")
+                               tr("The database uses %1; %2 is free.")
                                    .arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
                                first ? disk.kind : backup.kind, first ? disk.text : backup.text, tr("Open storage")));
     const char* kind = home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good";
     const QString loop = !home.lastLoopTimed       ? QString()
                          : home.lastLoopPriority ? tr("The last session ran with real-time priority.")
-                                                 : tr("The last session ran without real-time priority: touch may be less smooth than it could be.");
-    column.addWidget(stateCard(QStringLiteral("station"), tr("Station"), tr("Devices, punctuality of the force loop, room for recordings."), kind,
+                                                 : tr("The last session ran without real-time priority: forces may feel less smooth.");
+    column.addWidget(stateCard(QStringLiteral("station"), tr("Station"), tr("Devices, timing of the force loop, free space for recordings."), kind,
                                loop, tr("Open the station check")));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/home/home_screen.h"
 
+#include "desktop/debrief/debrief_data.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/home/exercise_card.h"
 #include "desktop/home/session_lines.h"
@@ -23,10 +24,10 @@ QString HomeScreen::title() const {
 }
 
 QString HomeScreen::help() const {
-    return tr("What is next for you, by what you are here for.\n\nTrainees continue with the next level by one button, choose any "
-              "level from the exercises, and see their latest results. Trainers see the sessions that ask to be looked at, those that "
-              "broke off or were not passed first, and who trained lately. Administrators see whether people, storage and station are "
-              "in order.\n\nThe list on the left leads everywhere else; Ctrl+K finds any command by its name.");
+    return tr("Your next step, depending on your role.\n\nTrainees continue with the next level at the press of a button, choose any level "
+              "from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones "
+              "first, and who trained recently. Administrators see whether people, storage and station are in order.\n\nThe list on the "
+              "left leads to all other screens; Ctrl+K finds any command by its name.");
 }
 
 std::vector<ScreenCommand> HomeScreen::commands() {
@@ -40,7 +41,7 @@ void HomeScreen::enter() {
 }
 
 void HomeScreen::load() {
-    m_panel->showLoading(tr("Looking what is next …"));
+    m_panel->showLoading(tr("Finding your next step …"));
     DesktopSite& site = context().site();
     HomeQuestion question{context().actor(), exerciseTitles(site.catalogue(), context().language()), site.catalogue(), site.recovered(),
                           site.file().toStdString(), backupPlace(context()).toStdString()};
@@ -50,7 +51,7 @@ void HomeScreen::load() {
             if (home)
                 show(*home);
             else
-                m_panel->showError(tr("The home screen could not be put together."), home.error(), [this] { load(); });
+                m_panel->showError(tr("The home screen could not be loaded."), home.error(), [this] { load(); });
         });
 }
 
@@ -60,6 +61,7 @@ void HomeScreen::show(const HomeData& home) {
     QVBoxLayout& column = *page->column();
     column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(context().actor().name())), TextStyle::heading));
     addRecovered(column, home);
+    addCommented(column, home);
     if (context().has(database::Role::trainee))
         addTrainee(column, home);
     if (context().has(database::Role::trainer))
@@ -84,24 +86,44 @@ QPushButton* HomeScreen::opener(const QString& text, const QString& screen, cons
     return button;
 }
 
+// What has not been read yet, until its debrief was opened.
+void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
+    const Theme& theme = context().theme();
+    for (const CommentedSession& commented : home.commented) {
+        const database::SessionSummary& session = commented.row.summary;
+        if (context().settings().ofPerson(context().actor().personId(), commentsSeenKey(session.id), 0).toInt() >= commented.comments)
+            continue;
+        const QString author = commented.author.empty() ? tr("Somebody") : QString::fromStdString(commented.author);
+        auto* notice = kit::notice(theme, "info", tr("%1 commented on your session %2 (%3, level %4).")
+                                                      .arg(author, QString::number(session.id), commented.row.exercise, context().locale().toString(session.level)));
+        notice->setObjectName(QStringLiteral("home.commented.%1").arg(session.id));
+        auto* open = kit::button(theme, tr("Read"));
+        connect(open, &QPushButton::clicked, this, [this, id = session.id] {
+            context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
+        });
+        notice->layout()->addWidget(open);
+        column.addWidget(notice);
+    }
+}
+
 void HomeScreen::addRecovered(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     for (const RecoveredRow& recovered : home.recovered) {
         const database::SessionSummary& session = recovered.row.summary;
         const bool whole = recovered.problem.empty();
         const QString text =
-            whole ? tr("The program ended unexpectedly during session %1 (%2, %3). It was brought in as interrupted: %n sample(s) are "
-                       "kept and can be played back. It does not count.",
+            whole ? tr("The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n sample(s) were "
+                       "kept and can be played back. The session does not count.",
                        nullptr, static_cast<int>(session.frames))
                         .arg(session.id)
                         .arg(recovered.row.person, recovered.row.exercise)
-                  : tr("The program ended unexpectedly during session %1 (%2, %3), and not all of it could be brought in: %4")
+                  : tr("The program ended unexpectedly during session %1 (%2, %3). The session could not be fully recovered: %4")
                         .arg(session.id)
                         .arg(recovered.row.person, recovered.row.exercise, QString::fromStdString(recovered.problem));
         auto* notice = kit::notice(theme, whole ? "info" : "warning", text);
         notice->setObjectName(QStringLiteral("home.recovered.%1").arg(session.id));
         if (session.state != database::SessionState::running) {
-            auto* open = kit::button(theme, tr("Look at it"));
+            auto* open = kit::button(theme, tr("View"));
             connect(open, &QPushButton::clicked, this, [this, id = session.id] {
                 context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), static_cast<qint64>(id)}});
             });

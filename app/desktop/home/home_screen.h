@@ -27,11 +27,13 @@ private:
     void load();
     void show(const HomeData& home);
     void addRecovered(QVBoxLayout& column, const HomeData& home);
+    void addCommented(QVBoxLayout& column, const HomeData& home);
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);
     void addAdmin(QVBoxLayout& column, const HomeData& home);
     QWidget* continueCard(const HomeData& home);
+    QString lastResult(const HomeData& home, const session::LevelStanding& next) const; ///< empty: none yet
     QWidget* progressCard(const HomeData& home);
     QWidget* peopleCard(const HomeData& home);
     /// A card that says how something is and opens its screen.

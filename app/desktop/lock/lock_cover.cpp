@@ -22,7 +22,8 @@ void addHead(const Theme& theme, QVBoxLayout& column, const QString& loginName) 
     auto* heading = kit::label(theme, LockCover::tr("Locked"), TextStyle::heading);
     heading->setAlignment(Qt::AlignCenter);
     column.addWidget(heading);
-    auto* words = kit::label(theme, LockCover::tr("%1 is logged in. Everything goes on and is kept; it is only covered.").arg(loginName), TextStyle::body, "muted");
+    auto* words = kit::label(theme, LockCover::tr("%1 is logged in. Everything keeps running and nothing is lost; only the screen is "
+                                                  "covered.").arg(loginName), TextStyle::body, "muted");
     words->setAlignment(Qt::AlignCenter);
     column.addWidget(words);
 }

@@ -77,8 +77,8 @@ QString LoginScreen::title() const {
 
 QString LoginScreen::help() const {
     return tr("Type a few letters of your name, or choose it in the list, then enter your password.\n\nAfter three wrong passwords the "
-              "account rests for a moment before the next attempt; the button counts the seconds. Nothing is lost by it.\n\nForgot "
-              "your password? An administrator can give you a new one. The first administrator has a recovery code.");
+              "account is locked for a short time; the button counts down the seconds. No data are lost.\n\nForgot your password? An "
+              "administrator can give you a new one. The first administrator has a recovery code.");
 }
 
 void LoginScreen::enter() {
@@ -109,7 +109,7 @@ void LoginScreen::loadNames() {
 
 void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> names) {
     if (!names) {
-        m_site->showError(tr("The names could not be read."), names.error(), [this] {
+        m_site->showError(tr("The list of names could not be read."), names.error(), [this] {
             m_site->showLoading(tr("Opening the site …"));
             loadNames();
         });
@@ -122,7 +122,7 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
     makeForm();
     m_form->setNames(*names);
     if (context().site().database().isDemonstration())
-        m_form->showDemonstrationHint(tr("This is a demonstration: choose anybody. The password of all of them is %1")
+        m_form->showDemonstrationHint(tr("This is a demonstration: choose anyone. The password for everyone is %1")
                                           .arg(QString::fromLatin1(session::kDemoPassword)));
     m_site->showContent();
     m_form->focusFirst();

@@ -12,7 +12,7 @@ NewPasswordPage::NewPasswordPage(const Theme& theme, const QString& loginName, Q
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Choose a password of your own"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("Your present password was set by somebody else. From the next login on, only the new one counts."),
+    column->addWidget(kit::label(theme, tr("Your current password was set by someone else. From your next login, only the new one is valid."),
                                  TextStyle::body, "muted"));
     m_passwords = new PasswordFields(theme, QStringLiteral("change"));
     m_passwords->setLoginName(loginName);

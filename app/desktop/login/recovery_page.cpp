@@ -17,8 +17,8 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Forgot your password?"), TextStyle::heading));
-    column->addWidget(kit::notice(theme, "info", tr("Ask an administrator of this site: under People, \"Reset password\" gives you a new one "
-                                                    "to log in with. Your sessions and scores are kept.")));
+    column->addWidget(kit::notice(theme, "info", tr("Ask an administrator of this site. Under People, they can give you a new password "
+                                                    "with \"Reset password\". Your sessions and scores are kept.")));
     column->addWidget(kit::label(theme, tr("The first administrator can use the recovery code that was shown when the site was set up."),
                                  TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("recovery.name"));

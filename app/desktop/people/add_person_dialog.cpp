@@ -16,7 +16,7 @@ namespace chiron::desktop {
 AddPersonDialog::AddPersonDialog(AppContext& context, QWidget* parent)
     : FormDialog(context, QStringLiteral("add_person"), tr("Add a person"), parent) {
     m_name = form::textField(theme(), column(), tr("Login name"), QStringLiteral("add_person.name"));
-    m_nameRule = kit::label(theme(), tr("Without commas. It cannot be changed later."), TextStyle::small, "muted");
+    m_nameRule = kit::label(theme(), tr("No commas. It cannot be changed later."), TextStyle::small, "muted");
     column()->addWidget(m_nameRule);
     m_fullName = form::textField(theme(), column(), tr("Full name (may be left empty)"), QStringLiteral("add_person.full_name"));
     m_roles = new RoleChoice(theme(), QStringLiteral("add_person"), {database::Role::trainee});
@@ -37,10 +37,10 @@ void AddPersonDialog::renew() {
     const bool bad = !good && !m_name->text().isEmpty();
     form::setKind(m_name, bad ? "bad" : "");
     form::setKind(m_nameRule, bad ? "bad" : "muted");
-    m_nameRule->setText(bad ? tr("This name cannot be used: no commas, no spaces at the ends, at most %1 characters, and not a name that "
-                                 "the program keeps for itself.")
+    m_nameRule->setText(bad ? tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
+                                 "reserved for the program.")
                                   .arg(QLocale().toString(database::kMaximumNameCharacters))
-                            : tr("Without commas. It cannot be changed later."));
+                            : tr("No commas. It cannot be changed later."));
     setAcceptable(good && !m_roles->roles().empty() && m_password->isGood());
 }
 
@@ -61,7 +61,7 @@ void AddPersonDialog::added(const core::Result<database::PersonId>& id, const QS
     if (!id) {
         // Name and password were checked while they were typed, so what is left of bad input is a name that is taken.
         say("bad", id.error().code == core::ErrorCode::badInput
-                       ? tr("%1 was not added: somebody has this name already. Names differ by more than capital letters.").arg(name)
+                       ? tr("%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.").arg(name)
                        : tr("%1 was not added.\n%2").arg(name, inWords(id.error())));
         return;
     }

@@ -30,8 +30,9 @@ EraseDialog::EraseDialog(AppContext& context, database::Person person, QWidget* 
     const QString name = QString::fromStdString(m_person.name);
     column()->addWidget(kit::notice(theme(), "bad", tr("This cannot be undone. Disabling the account keeps everything and can be undone.")));
     column()->addWidget(kit::label(theme(), tr("Overwritten: name, code, password, comments and reasons in free text."), TextStyle::body));
-    column()->addWidget(kit::label(theme(), tr("Kept without a name: sessions, scores, and that an erasure took place, when and why. Backups made "
-                                               "before still hold the person until they are deleted; a restore erases the person again."),
+    column()->addWidget(kit::label(theme(), tr("Kept without a name: sessions, scores, and a note of when and why the person was erased. "
+                                               "Earlier backups still contain the person until they are deleted; restoring one erases the "
+                                               "person again."),
                                    TextStyle::body));
     m_reason = form::textField(theme(), column(), tr("Reason (kept)"), QStringLiteral("erase.reason"));
     m_withdraw = new QCheckBox(tr("Consent is withdrawn: overwrite the recordings too"));
@@ -39,11 +40,11 @@ EraseDialog::EraseDialog(AppContext& context, database::Person person, QWidget* 
     column()->addWidget(m_withdraw);
     m_typedName = form::textField(theme(), column(), tr("Type the login name to confirm: %1").arg(name), QStringLiteral("erase.name"));
     m_password = form::passwordField(theme(), column(), tr("Your own password"), QStringLiteral("erase.password"));
-    setAccept(tr("Erase for ever"), "danger");
+    setAccept(tr("Erase permanently"), "danger");
     m_wait = new WaitCountdown(this);
     connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
-        setAccept(tr("Erase for ever"), "danger");
+        setAccept(tr("Erase permanently"), "danger");
         renew();
     });
     for (QLineEdit* field : {m_reason, m_typedName, m_password})
@@ -75,7 +76,7 @@ void EraseDialog::submit() {
 void EraseDialog::refused(const database::Refusal& refusal) {
     setWorking(false);
     m_password->clear();
-    say("warning", tr("Nobody was erased: this is not your password.\n%1").arg(refusalWords(refusal)));
+    say("warning", tr("Wrong password. Nobody was erased.\n%1").arg(refusalWords(refusal)));
     m_wait->start(refusal.wait_ns);
     renew();
 }
@@ -85,16 +86,16 @@ void EraseDialog::finished(const core::Result<void>& done) {
     const QString name = QString::fromStdString(m_person.name);
     if (done) {
         emit changed();
-        context().messages().done(tr("%1 is erased. Sessions and scores are kept without a name.").arg(name));
+        context().messages().done(tr("%1 was erased. Sessions and scores are kept without a name.").arg(name));
         accept();
         return;
     }
     if (done.error().code == core::ErrorCode::wrongUse) {
-        say("bad", tr("%1 cannot be erased now: nobody can erase themselves, and no session may be running.").arg(name));
+        say("bad", tr("%1 cannot be erased now. You cannot erase yourself, and no session may be running.").arg(name));
     } else if (done.error().code == core::ErrorCode::storage) {
         emit changed(); // the list shows how far it came
-        say("bad", tr("The erasure of %1 is not complete: old copies may still lie in the file. Press the button again; it goes on where it "
-                      "stopped.\n%2")
+        say("bad", tr("The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where "
+                      "it stopped.\n%2")
                        .arg(name, inWords(done.error())));
     } else {
         say("bad", tr("%1 was not erased.\n%2").arg(name, inWords(done.error())));

@@ -15,8 +15,8 @@ PasswordChoice::PasswordChoice(const Theme& theme, const QString& prefix, QWidge
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(6));
-    column->addWidget(kit::label(theme, tr("First password"), TextStyle::label));
-    m_generate = new QRadioButton(tr("Make one up (shown once)"));
+    column->addWidget(kit::label(theme, tr("Initial password"), TextStyle::label));
+    m_generate = new QRadioButton(tr("Generate one (shown once)"));
     m_generate->setObjectName(prefix + QStringLiteral(".generate"));
     m_generate->setChecked(true);
     m_type = new QRadioButton(tr("Type one"));

@@ -72,7 +72,7 @@ std::vector<ScreenCommand> PeopleScreen::commands() {
     withPerson(tr("Change roles"), &PeopleScreen::editRoles);
     withPerson(tr("Reset password"), &PeopleScreen::resetPassword);
     withPerson(tr("Disable or enable"), &PeopleScreen::toggleEnabled);
-    withPerson(tr("Export everything held"), &PeopleScreen::askExport);
+    withPerson(tr("Export all data"), &PeopleScreen::askExport);
     withPerson(tr("Erase"), &PeopleScreen::erase);
     return list;
 }
@@ -116,25 +116,25 @@ void PeopleScreen::setEnabledOf(const database::Person& person, bool enabled) {
                 load();
                 context().messages().tell({MessageKind::done,
                                            enabled ? tr("%1 can log in again.").arg(name)
-                                                   : tr("%1 can no longer log in. What was recorded is kept.").arg(name),
+                                                   : tr("%1 can no longer log in. Recorded data are kept.").arg(name),
                                            tr("Undo"),
                                            [self = QPointer<PeopleScreen>(this), person, enabled] {
                                                if (self)
                                                    self->setEnabledOf(person, !enabled);
                                            }});
             } else if (done.error().code == core::ErrorCode::wrongUse) { // the one rule that it can break
-                context().messages().warning(tr("%1 stays enabled: a site needs an administrator who can log in. Make another person an "
-                                                "administrator first.")
+                context().messages().warning(tr("%1 stays enabled: the site needs at least one administrator who can log in. Make another "
+                                                "person an administrator first.")
                                                  .arg(name));
             } else {
-                context().messages().error(tr("The account of %1 is as it was.").arg(name), done.error());
+                context().messages().error(tr("The account of %1 was not changed.").arg(name), done.error());
             }
         });
 }
 
 void PeopleScreen::askExport() {
     const QString name = QString::fromStdString(chosen()->name);
-    askFile(this, tr("Export everything held about %1").arg(name), QFileDialog::AcceptSave, name + QStringLiteral(".json"), tr("JSON (*.json)"),
+    askFile(this, tr("Export all data about %1").arg(name), QFileDialog::AcceptSave, name + QStringLiteral(".json"), tr("JSON (*.json)"),
             [this](const QString& file) { exportTo(file); });
 }
 
@@ -148,7 +148,7 @@ void PeopleScreen::exportTo(const QString& file) {
         [database, actor = context().actor(), id = m_chosen, file](WorkToken&) { return writeExport(*database, actor, id, file); },
         [this, name, file](core::Result<void> done) {
             if (done)
-                context().messages().done(tr("Everything held about %1 is in %2.").arg(name, QDir::toNativeSeparators(file)));
+                context().messages().done(tr("All data about %1 were exported to %2.").arg(name, QDir::toNativeSeparators(file)));
             else
                 context().messages().error(tr("Nothing was exported about %1.").arg(name), done.error());
         });

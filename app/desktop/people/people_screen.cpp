@@ -40,10 +40,10 @@ QString PeopleScreen::title() const {
 
 QString PeopleScreen::help() const {
     return tr("Everybody who has an account on this site.\n\nChoose a person in the list, then an action below it. Changing roles and "
-              "disabling take effect at once and can be undone. A new password has to be changed by its owner at the next login.\n\n"
-              "\"Import roster\" reads a CSV file with the columns name, display_name, roles and password, and shows first what it "
-              "would do: everybody in it is added, or nobody.\n\n\"Export\" writes everything that is held about a person to one file. "
-              "\"Erase\" overwrites who the person was, for ever.");
+              "disabling take effect at once and can be undone. A person who gets a new password has to change it at the next "
+              "login.\n\n\"Import roster\" reads a CSV file with the columns name, display_name, roles and password, and first shows what "
+              "will happen: either everybody in the file is added, or nobody.\n\n\"Export all data\" writes all data about a person to one "
+              "file. \"Erase\" permanently removes a person's identity.");
 }
 
 QWidget* PeopleScreen::headRow() {
@@ -104,7 +104,7 @@ QWidget* PeopleScreen::listPart() {
     m_panel->setObjectName(QStringLiteral("people.panel"));
     m_panel->setMinimumHeight(theme.px(kListHeight));
     m_panel->setContent(m_table);
-    m_panel->showLoading(tr("Reading the people …"));
+    m_panel->showLoading(tr("Reading the list of people …"));
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) { m_found->setFilterFixedString(text.trimmed()); });
     connect(m_search, &QLineEdit::returnPressed, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
@@ -134,7 +134,7 @@ QWidget* PeopleScreen::actionPart() {
     m_roles = add(tr("Change roles"), QStringLiteral("user-properties"), "people.roles", &PeopleScreen::editRoles);
     m_reset = add(tr("Reset password"), QStringLiteral("dialog-password"), "people.reset", &PeopleScreen::resetPassword);
     m_enable = add(tr("Disable"), QStringLiteral("dialog-cancel"), "people.enable", &PeopleScreen::toggleEnabled);
-    m_export = add(tr("Export everything held"), QStringLiteral("document-export"), "people.export", &PeopleScreen::askExport);
+    m_export = add(tr("Export all data"), QStringLiteral("document-export"), "people.export", &PeopleScreen::askExport);
     m_erase = add(tr("Erase"), QStringLiteral("edit-delete"), "people.erase", &PeopleScreen::erase, "danger");
     box.layout->addWidget(buttons);
     return box.frame;
@@ -154,8 +154,8 @@ void PeopleScreen::load() {
 
 void PeopleScreen::loaded(core::Result<std::vector<database::Person>> people) {
     if (!people) {
-        m_panel->showError(tr("The people could not be read."), people.error(), [this] {
-            m_panel->showLoading(tr("Reading the people …"));
+        m_panel->showError(tr("The list of people could not be read."), people.error(), [this] {
+            m_panel->showLoading(tr("Reading the list of people …"));
             load();
         });
         return;

@@ -11,7 +11,7 @@ namespace chiron::desktop {
 ResetPasswordDialog::ResetPasswordDialog(AppContext& context, database::Person person, QWidget* parent)
     : FormDialog(context, QStringLiteral("reset"), tr("New password for %1").arg(QString::fromStdString(person.name)), parent),
       m_person(std::move(person)) {
-    column()->addWidget(kit::label(theme(), tr("The present password stops working at once. Sessions and scores are kept."), TextStyle::body, "muted"));
+    column()->addWidget(kit::label(theme(), tr("The current password stops working at once. Sessions and scores are kept."), TextStyle::body, "muted"));
     m_password = new PasswordChoice(theme(), QStringLiteral("reset"));
     m_password->setLoginName(QString::fromStdString(m_person.name));
     column()->addWidget(m_password);
@@ -33,7 +33,7 @@ void ResetPasswordDialog::submit() {
             setWorking(false);
             const QString name = QString::fromStdString(m_person.name);
             if (!done) {
-                say("bad", tr("The password of %1 is as it was.\n%2").arg(name, inWords(done.error())));
+                say("bad", tr("The password of %1 was not changed.\n%2").arg(name, inWords(done.error())));
                 return;
             }
             emit changed();

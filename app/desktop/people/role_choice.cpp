@@ -13,13 +13,13 @@ namespace {
 QString permits(database::Role role) {
     switch (role) {
     case database::Role::trainee:
-        return RoleChoice::tr("Trains, and sees own results");
+        return RoleChoice::tr("Trains and sees their own results");
     case database::Role::trainer:
         return RoleChoice::tr("Sees everybody's sessions, comments and voids them");
     case database::Role::researcher:
         return RoleChoice::tr("Sees sessions by code, without names");
     case database::Role::admin:
-        return RoleChoice::tr("Looks after people, storage and the station");
+        return RoleChoice::tr("Manages people, storage and the station");
     }
     return {};
 }
@@ -30,7 +30,7 @@ RoleChoice::RoleChoice(const Theme& theme, const QString& prefix, const database
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(4));
-    column->addWidget(kit::label(theme, tr("Roles (one at least)"), TextStyle::label));
+    column->addWidget(kit::label(theme, tr("Roles (at least one)"), TextStyle::label));
     for (const database::Role role : database::kAllRoles) {
         auto* box = new QCheckBox(roleName(role));
         const std::string_view word = database::token(role);

@@ -13,7 +13,7 @@ RolesDialog::RolesDialog(AppContext& context, database::Person person, QWidget* 
       m_person(std::move(person)) {
     m_roles = new RoleChoice(theme(), QStringLiteral("roles"), m_person.roles);
     column()->addWidget(m_roles);
-    column()->addWidget(kit::label(theme(), tr("It takes effect at once, also for somebody who is logged in."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(), tr("The change takes effect at once, even for people who are logged in."), TextStyle::small, "muted"));
     setAccept(tr("Save"));
     connect(m_roles, &RoleChoice::changed, this, [this] { setAcceptable(!m_roles->roles().empty() && m_roles->roles() != m_person.roles); });
 }
@@ -34,7 +34,8 @@ void RolesDialog::submit() {
                 context().messages().done(tr("The roles of %1 are changed.").arg(name));
                 accept();
             } else if (done.error().code == core::ErrorCode::wrongUse) { // the one rule that a choice of roles can break
-                say("bad", tr("%1 stays an administrator: a site needs one who can log in. Make another person an administrator first.").arg(name));
+                say("bad", tr("%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator "
+                              "first.").arg(name));
             } else {
                 say("bad", tr("The roles of %1 were not changed.\n%2").arg(name, inWords(done.error())));
             }

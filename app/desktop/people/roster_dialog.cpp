@@ -63,7 +63,7 @@ void RosterDialog::showRoster(const database::Roster& roster) {
 }
 
 QWidget* RosterDialog::problemList(const database::Roster& roster) const {
-    QStringList lines{tr("Nothing can be imported yet: put these lines right in the file, then choose it again.")};
+    QStringList lines{tr("Nothing can be imported yet: correct these lines in the file, then choose it again.")};
     for (std::size_t i = 0; i < std::min(roster.problems.size(), kMostProblems_shown); ++i)
         lines << rosterProblemWords(roster.problems[i]);
     if (roster.problems.size() > kMostProblems_shown)

@@ -23,9 +23,9 @@ QString faultWords(const database::RosterProblem& problem) {
     case RosterFault::tooManyLines:
         return words(QT_TRANSLATE_NOOP("RosterWords", "too many lines, %1 at most")).arg(locale.toString(value.toInt()));
     case RosterFault::nobody:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "a heading line and at least one person are needed"));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "a header line and at least one person are needed"));
     case RosterFault::unknownColumn:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "the column \"%1\" is not known, or is there twice")).arg(value);
+        return words(QT_TRANSLATE_NOOP("RosterWords", "the column \"%1\" is unknown or appears twice")).arg(value);
     case RosterFault::columnMissing:
         return words(QT_TRANSLATE_NOOP("RosterWords", "the columns name, roles and password are needed"));
     case RosterFault::fieldCount:
@@ -37,12 +37,13 @@ QString faultWords(const database::RosterProblem& problem) {
     case RosterFault::displayName:
         return words(QT_TRANSLATE_NOOP("RosterWords", "the full name is too long"));
     case RosterFault::password:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "the password needs %1 characters, %2 different ones, and must not be the name"))
+        return words(QT_TRANSLATE_NOOP("RosterWords", "the password needs at least %1 characters, %2 of them different, and must not be "
+                                                      "the name"))
             .arg(locale.toString(database::kMinimumPasswordCharacters), locale.toString(database::kMinimumDifferentCharacters));
     case RosterFault::nameTwice:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" is in line %2 already")).arg(value, locale.toString(problem.other));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" is already in line %2")).arg(value, locale.toString(problem.other));
     case RosterFault::nameTaken:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" is on this site already")).arg(value);
+        return words(QT_TRANSLATE_NOOP("RosterWords", "\"%1\" already exists at this site")).arg(value);
     }
     return {};
 }

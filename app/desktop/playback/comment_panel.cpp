@@ -42,7 +42,7 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
     m_text = new QPlainTextEdit;
     m_text->setObjectName(QStringLiteral("playback.comment_text"));
     m_text->setAccessibleName(tr("New comment"));
-    m_text->setPlaceholderText(tr("What is to be seen here?"));
+    m_text->setPlaceholderText(tr("What do you see here?"));
     m_text->setTabChangesFocus(true);
     m_text->setFixedHeight(m_theme.px(72));
     m_add = kit::button(m_theme, {}, "", QStringLiteral("edit-comment"));

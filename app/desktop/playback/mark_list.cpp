@@ -19,7 +19,7 @@ MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<sessio
     column->setSpacing(theme.px(6));
     m_penaltiesOnly = new QCheckBox(tr("Penalties only"));
     m_penaltiesOnly->setObjectName(QStringLiteral("playback.penalties_only"));
-    m_contacts = new QCheckBox(tr("Contacts too"));
+    m_contacts = new QCheckBox(tr("Include contacts"));
     m_contacts->setObjectName(QStringLiteral("playback.contacts"));
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("playback.marks"));
@@ -28,7 +28,7 @@ MarkList::MarkList(const Theme& theme, const QLocale& locale, std::vector<sessio
     m_list->setTextElideMode(Qt::ElideNone);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
-    m_none = kit::label(theme, tr("Nothing of this kind happened."), TextStyle::body, "muted");
+    m_none = kit::label(theme, tr("No events of this kind."), TextStyle::body, "muted");
     auto* filters = new ResponsiveRow(theme.px(260), theme.px(2));
     filters->add(m_penaltiesOnly);
     filters->add(m_contacts);

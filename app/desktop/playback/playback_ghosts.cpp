@@ -28,7 +28,7 @@ void PlaybackScreen::loadGhosts() {
             if (candidates)
                 showGhosts(*candidates);
             else
-                context().messages().error(tr("Sessions to compare with could not be listed."), candidates.error());
+                context().messages().error(tr("The sessions for comparison could not be loaded."), candidates.error());
         });
 }
 

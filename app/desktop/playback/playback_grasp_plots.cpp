@@ -92,7 +92,7 @@ void PlaybackPlots::putGrasp() {
     view->addHatchedSpans(tr("paused"), m_series.paused);
     slim(*view, {});
     view->setYAxis({QString(), 0.0, {}});
-    view->setTitle(tension ? tr("Tension (N), dashed: the band asked for") : tr("Squeeze (N)"));
+    view->setTitle(tension ? tr("Tension (N), dashed: target band") : tr("Squeeze (N)"));
     view->setLegendShown(false);
     put(std::move(view), m_held, "playback.grasp_plot", kGraspHeight_px);
 }
@@ -110,7 +110,7 @@ void PlaybackPlots::putRetraction() {
     view->addHatchedSpans(tr("paused"), m_series.paused);
     slim(*view, {});
     view->setYAxis({QString(), 0.0, {}});
-    view->setTitle(tr("Pull on the fold (N), dashed: its band"));
+    view->setTitle(tr("Pull on the fold (N), dashed: target band"));
     view->setLegendShown(false);
     put(std::move(view), m_retraction, "playback.retraction_plot", kGraspHeight_px);
 }
@@ -120,12 +120,12 @@ void PlaybackPlots::putEnergy() {
     const session::PlaybackQuantity* held = m_track.quantity("energy_stored_J");
     if (!m_grasp || !in || !held || in->values.empty() || held->values.size() != in->values.size())
         return;
-    auto view = empty(tr("Energy that the hand put in and that the object holds"));
+    auto view = empty(tr("Energy supplied by the hand and stored in the object"));
     const std::vector<report::TimeSpan> excess = made(m_series.t_s, in->values, held->values);
     if (!excess.empty())
-        view->addHatchedSpans(tr("more held than put in"), excess);
-    view->addLine(tr("put in"), m_series.t_s, scaled(in->values, 1e3), report::PlotStyle::dashedB);
-    view->addLine(tr("held"), m_series.t_s, scaled(held->values, 1e3), report::PlotStyle::solidA);
+        view->addHatchedSpans(tr("more stored than supplied"), excess);
+    view->addLine(tr("supplied"), m_series.t_s, scaled(in->values, 1e3), report::PlotStyle::dashedB);
+    view->addLine(tr("stored"), m_series.t_s, scaled(held->values, 1e3), report::PlotStyle::solidA);
     slim(*view, {});
     view->setYAxis({QString(), {}, {}});
     view->setTitle(tr("Energy (mJ)"));

@@ -32,11 +32,11 @@ QWidget* PlaybackScreen::palpationRow() {
         connect(box, &QCheckBox::toggled, this, take);
         row->add(box);
     };
-    add("truth", tr("Show the lumps"), tr("Where the lumps were, and what became of the findings"), true,
+    add("truth", tr("Show the lumps"), tr("Where the lumps were, and how the findings were scored"), true,
         [](PalpationLook& look, bool on) { look.truth = on; });
-    add("whole_trial", tr("Map of the whole trial"), tr("Off: the map as it was at this moment"), false,
+    add("whole_trial", tr("Map of the whole trial"), tr("Off: the map up to this moment"), false,
         [](PalpationLook& look, bool on) { look.wholeTrial = on; });
-    add("force_map", tr("Map: how hard"), tr("On: how hard was pressed. Off: where was searched."), false,
+    add("force_map", tr("Force map"), tr("On: how hard the tissue was pressed. Off: where it was searched."), false,
         [](PalpationLook& look, bool on) { look.map = on ? core::SurfaceMapKind::force : core::SurfaceMapKind::coverage; });
     return row;
 }
@@ -57,9 +57,9 @@ QString PlaybackScreen::palpationReadout(const session::PlaybackView& view) cons
     const double squeeze_N = std::max(cues.squeeze_N[0], cues.squeeze_N[1]);
     const QString squeeze =
         squeeze_N > 0.0 ? QStringLiteral(" · ") + tr("squeeze %1").arg(report::formatValue(squeeze_N, QStringLiteral("N"), locale)) : QString();
-    return (view.moment.paused ? tr("Trial %1 · %7 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6")
+    return (view.moment.paused ? tr("Trial %1 · %7 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6")
                                     .arg(trial, force, lean, depth, searched, findings, stillWords(view.moment))
-                              : tr("Trial %1 · force %2 · lean %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings)) +
+                              : tr("Trial %1 · force %2 · tilt %3° · depth %4 · searched %5 % · findings %6").arg(trial, force, lean, depth, searched, findings)) +
            squeeze;
 }
 

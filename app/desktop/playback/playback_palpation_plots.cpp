@@ -35,14 +35,14 @@ bool PlaybackPlots::addFingers(report::PlotView& view, const char* before, const
 void PlaybackPlots::putPalpation() {
     if (!m_track.quantity("lean_0_rad"))
         return;
-    auto lean = empty(tr("Lean of the force"));
+    auto lean = empty(tr("Tilt of the force"));
     if (!addFingers(*lean, "lean_", "_rad", 180.0 / std::numbers::pi))
         return;
-    lean->addLimit(tr("farthest that the platform leans"), kLeanLimit_deg);
+    lean->addLimit(tr("maximum tilt of the platform"), kLeanLimit_deg);
     lean->addHatchedSpans(tr("paused"), m_series.paused);
     slim(*lean, {});
     lean->setYAxis({QString(), 0.0, 90.0});
-    lean->setTitle(tr("Lean (°), line: as far as the platform leans"));
+    lean->setTitle(tr("Tilt (°), line: limit of the platform"));
     lean->setLegendShown(m_track.toolCount > 1);
     put(std::move(lean), m_lean, "playback.lean_plot", kHeight_px);
     auto depth = empty(tr("Depth of the fingers"));

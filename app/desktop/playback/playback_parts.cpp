@@ -166,10 +166,10 @@ QWidget* PlaybackScreen::ghostBox() {
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(2));
-    auto* label = kit::label(theme, tr("Second session beside it"), TextStyle::label);
+    auto* label = kit::label(theme, tr("Second session alongside"), TextStyle::label);
     m_ghostChoice = new QComboBox;
     m_ghostChoice->setObjectName(QStringLiteral("playback.ghost"));
-    m_ghostChoice->setAccessibleName(tr("Second session beside it"));
+    m_ghostChoice->setAccessibleName(tr("Second session alongside"));
     m_ghostChoice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_ghostChoice->addItem(tr("None"), qlonglong(0));
     label->setBuddy(m_ghostChoice);

@@ -38,18 +38,19 @@ QString PlaybackScreen::title() const {
 }
 
 QString PlaybackScreen::help() const {
-    return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys go one picture on or back, with Shift one "
-              "second, with Ctrl to the next or last event; Home and End go to the ends. A click in a plot goes there too.\n\nPauses are hatched. "
-              "Triangles on the time bar are penalties, flags are answers, squares below it are comments.\n\nChoose a second session "
-              "to see it beside this one: each of its trials starts when the trial here starts, and it is drawn in the same place.");
+    return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys move one frame forward or back, with Shift one "
+              "second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps "
+              "to that time.\n\nPauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are "
+              "comments.\n\nChoose a second session to see it beside this one: each of its trials starts together with the trial here and "
+              "is drawn in the same place.");
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {
     return {{tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
-            {tr("One picture on"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
-            {tr("One picture back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
+            {tr("One frame forward"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
+            {tr("One frame back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
             {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
-            {tr("Last event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
+            {tr("Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
             {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
             {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
 }
@@ -89,7 +90,7 @@ void PlaybackScreen::load() {
 void PlaybackScreen::showData(PlaybackData loaded) {
     const auto toDebrief = [this] { context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}}); };
     if (loaded.record.summary.recordingErased)
-        return m_panel->showEmpty(tr("The recording was erased"), tr("It was withdrawn at the person's wish. The scores are kept."), tr("Open the debrief"), toDebrief);
+        return m_panel->showEmpty(tr("The recording was erased"), tr("It was erased at the person's request. The scores are kept."), tr("Open the debrief"), toDebrief);
     if (loaded.track.empty())
         return m_panel->showEmpty(tr("Nothing was recorded"), tr("This session ended before its first sample. It is kept and listed."), tr("Open the debrief"), toDebrief);
     m_data = std::move(loaded);
@@ -125,12 +126,23 @@ void PlaybackScreen::showMoment(double t_s) {
         auto state = sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s, m_data->grasp ? &*m_data->grasp : nullptr);
         if (m_data->palpation)
             m_data->palpation->showIn(state, m_data->track, t_s, m_palpationLook);
+        state.note = captionAt(t_s);
         m_scene->show(state);
     }
     const session::PlaybackView view = m_data->track.at(t_s);
     m_readout->setText(readoutText(view));
     if (!m_clock.playing())
         notePlace();
+}
+
+// What led here is said where it happened, and for as long as it takes to read it.
+scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
+    constexpr double kSaid_s = 2.0;
+    const QString caption = place().parameters.value(QStringLiteral("caption")).toString();
+    const double from_s = place().parameters.value(QStringLiteral("caption_s")).toDouble();
+    if (caption.isEmpty() || t_s < from_s - 0.5 * PlaybackClock::kStep_s || t_s > from_s + kSaid_s)
+        return {};
+    return {scene3d::SceneNote::Kind::said, caption, {}};
 }
 
 void PlaybackScreen::setDepthOfField(bool on) {
@@ -248,7 +260,7 @@ void PlaybackScreen::addComment(const QString& text) {
         },
         [this](core::Result<std::int64_t> added) {
             if (!added)
-                return context().messages().error(tr("The comment was not stored. Its text is still there."), added.error());
+                return context().messages().error(tr("The comment was not saved. Its text is still here."), added.error());
             m_comments->clearDraft();
             loadComments();
         });

@@ -4,6 +4,7 @@
 #include "desktop/frame/screen.h"
 #include "desktop/playback/playback_clock.h"
 #include "desktop/playback/playback_data.h"
+#include "desktop/scene3d/scene_note.h"
 
 #include <memory>
 #include <optional>
@@ -26,7 +27,7 @@ class StatePanel;
 class WorkToken;
 
 /// A stored session played back: scene, scrubber, force and speed under one cursor, what happened, comments at a moment, a second
-/// session as a ghost. Trainers declare a session void here. Place: {session, at_s, ghost}. GUI thread.
+/// session as a ghost. Trainers declare a session void here. Place: {session, at_s, ghost}, and a caption with its moment. GUI thread.
 class PlaybackScreen final : public Screen {
     Q_OBJECT
 public:
@@ -59,6 +60,7 @@ private:
     QWidget* readoutRow();
     QWidget* palpationRow();
     QString palpationReadout(const session::PlaybackView& view) const;
+    scene3d::SceneNote captionAt(double t_s) const;
     static QString stillWords(const session::PlaybackMoment& moment);
     QString readoutText(const session::PlaybackView& view) const;
     void setDepthOfField(bool on);

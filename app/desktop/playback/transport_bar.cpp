@@ -46,12 +46,12 @@ void TransportBar::buildButtons(QLayout& row) {
         return button;
     };
     add("playback.begin", "media-skip-backward", tr("To the beginning (Home)"), [this] { m_clock.seek(0.0); });
-    add("playback.back", "media-seek-backward", tr("One picture back (Left)"), [this] { m_clock.step(-1); });
+    add("playback.back", "media-seek-backward", tr("One frame back (Left)"), [this] { m_clock.step(-1); });
     m_play = kit::button(m_theme, tr("Play"), "primary", QStringLiteral("media-playback-start"));
     m_play->setObjectName(QStringLiteral("playback.play"));
     connect(m_play, &QPushButton::clicked, this, [this] { m_clock.toggle(); });
     row.addWidget(m_play);
-    add("playback.on", "media-seek-forward", tr("One picture on (Right)"), [this] { m_clock.step(1); });
+    add("playback.on", "media-seek-forward", tr("One frame forward (Right)"), [this] { m_clock.step(1); });
     add("playback.end", "media-skip-forward", tr("To the end (End)"), [this] { m_clock.seek(m_clock.duration_s()); });
 }
 

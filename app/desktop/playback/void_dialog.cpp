@@ -16,9 +16,9 @@ VoidDialog::VoidDialog(const Theme& theme, QWidget* parent) : QDialog(parent), m
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Declare this session void?"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Recording, scores and comments stay and can still be looked at. The session no longer counts for "
-                                           "anything: no gate, no curve, no certificate. Your name and the reason are kept with it, and it "
-                                           "cannot be taken back.")));
+    column->addWidget(kit::label(theme, tr("Recording, scores and comments stay and can still be viewed. The session no longer counts for "
+                                           "anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This "
+                                           "cannot be undone.")));
     auto* label = kit::label(theme, tr("Reason (the trainee can read it)"), TextStyle::label);
     label->setBuddy(m_reason);
     column->addWidget(label);

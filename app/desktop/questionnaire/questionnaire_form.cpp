@@ -29,8 +29,8 @@ QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale, 
 void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
     const kit::Box box = kit::box(m_theme);
     const QString words = study_words::text(item.text, m_language);
-    box.layout->addWidget(kit::label(m_theme, item.required ? words : tr("%1 (may be left out)").arg(words), TextStyle::strong));
-    Item added{&item, kit::label(m_theme, tr("Please answer this one."), TextStyle::small, "bad"), nullptr, {}};
+    box.layout->addWidget(kit::label(m_theme, item.required ? words : tr("%1 (optional)").arg(words), TextStyle::strong));
+    Item added{&item, kit::label(m_theme, tr("Please answer this question."), TextStyle::small, "bad"), nullptr, {}};
     const QString name = QStringLiteral("questionnaire.%1").arg(QString::fromStdString(item.id));
     switch (item.kind) {
     case QuestionnaireItem::Kind::likert:

@@ -25,8 +25,9 @@ QuestionnaireScreen::QuestionnaireScreen(AppContext& context, const Place& place
 QString QuestionnaireScreen::title() const { return tr("Questionnaire"); }
 
 QString QuestionnaireScreen::help() const {
-    return tr("A participant answers these questions once.\n\nTab goes from question to question, the arrow keys move within a scale, Space chooses. "
-              "What must be answered is marked when it is missing. The answers are stored under the participant's code as soon as they are handed in.");
+    return tr("Each participant answers these questions once.\n\nPress Tab to move from question to question, the arrow keys to move along "
+              "a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the "
+              "participant's code as soon as they are submitted.");
 }
 
 void QuestionnaireScreen::enter() { load(); }
@@ -53,7 +54,7 @@ void QuestionnaireScreen::loaded(const core::Result<OpenStudy>& study) {
                 build(questionnaire);
             return;
         }
-    m_panel->showError(tr("There is no such questionnaire"), {core::ErrorCode::notFound, m_code.toStdString() + ", " + m_questionnaire});
+    m_panel->showError(tr("This questionnaire does not exist"), {core::ErrorCode::notFound, m_code.toStdString() + ", " + m_questionnaire});
 }
 
 void QuestionnaireScreen::build(const psychophysics::Questionnaire& questionnaire) {
@@ -65,7 +66,7 @@ void QuestionnaireScreen::build(const psychophysics::Questionnaire& questionnair
     page->column()->addWidget(m_form);
     m_notice = new NoticeArea(theme);
     page->column()->addWidget(m_notice);
-    m_submit = kit::button(theme, tr("Hand in"), "primary", QStringLiteral("dialog-ok-apply"));
+    m_submit = kit::button(theme, tr("Submit"), "primary", QStringLiteral("dialog-ok-apply"));
     m_submit->setObjectName(QStringLiteral("questionnaire.submit"));
     connect(m_submit, &QPushButton::clicked, this, &QuestionnaireScreen::submit);
     page->column()->addWidget(m_submit, 0, Qt::AlignLeft);
@@ -83,7 +84,7 @@ void QuestionnaireScreen::submit() {
         [this](const core::Result<void>& done) {
             m_submit->setEnabled(true);
             if (!done) {
-                m_notice->say("bad", tr("The answers were not stored. They are still here.\n%1").arg(inWords(done.error())));
+                m_notice->say("bad", tr("The answers were not stored. They are still on this page.\n%1").arg(inWords(done.error())));
                 return;
             }
             m_stored = true;
@@ -95,7 +96,7 @@ void QuestionnaireScreen::submit() {
 bool QuestionnaireScreen::mayLeave() {
     if (m_stored || !m_form || m_form->answered() == 0)
         return true;
-    QMessageBox box(QMessageBox::Question, title(), tr("Leave without handing in?"), QMessageBox::NoButton, window());
+    QMessageBox box(QMessageBox::Question, title(), tr("Leave without submitting?"), QMessageBox::NoButton, window());
     box.setInformativeText(tr("The answers on this page are not stored yet."));
     QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
     QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);

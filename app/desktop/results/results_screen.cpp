@@ -39,10 +39,10 @@ QString ResultsScreen::title() const {
 }
 
 QString ResultsScreen::help() const {
-    return tr("Every session you did, and how you are getting on.\n\nChoose an exercise, a level and what is to be drawn. The curve has a "
-              "point for each completed attempt; force that was felt and force that was only shown are lines of their own and are "
-              "never compared. The line across is the pass mark, the band what others reached.\n\nReturn or a double click opens an "
-              "attempt. \"Export my data\" writes everything that is held about you into a folder of your choice.");
+    return tr("All your sessions, and your progress.\n\nChoose an exercise, a level and a metric. The curve has a point for each completed "
+              "attempt. Attempts with felt force and attempts with force shown only have separate lines and are never compared. The "
+              "horizontal line is the pass mark; the band shows what others reached.\n\nPress Return or double-click to open an attempt. "
+              "\"Export my data\" writes everything that is stored about you to a folder of your choice.");
 }
 
 std::vector<ScreenCommand> ResultsScreen::commands() {
@@ -239,7 +239,7 @@ void ResultsScreen::openSession(database::SessionId session) {
 }
 
 void ResultsScreen::askExport() {
-    auto* dialog = new QFileDialog(this, tr("Where should your data go?"));
+    auto* dialog = new QFileDialog(this, tr("Choose a folder for your data"));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

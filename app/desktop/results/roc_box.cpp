@@ -31,8 +31,8 @@ QString rocSummary(const session::PooledDetection& pooled, bool felt, const scor
 
 std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale) {
     auto view = std::make_unique<report::PlotView>(plotThemeOf(theme, locale));
-    view->setTitle(Words::tr("Hits over false alarms, from certain to a guess"));
-    view->setAccessibleName(Words::tr("Hits over false alarms, from certain to a guess"));
+    view->setTitle(Words::tr("Hits against false alarms, from certain to a guess"));
+    view->setAccessibleName(Words::tr("Hits against false alarms, from certain to a guess"));
     view->setXAxis({Words::tr("False alarm rate"), 0.0, 1.0});
     view->setYAxis({Words::tr("Hit rate"), 0.0, 1.0});
     std::vector<double> x;
@@ -54,7 +54,7 @@ RocBox::RocBox(const Theme& theme, const QLocale& locale, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_panel(new StatePanel(theme)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(kit::label(theme, tr("How sure, and how right"), TextStyle::title));
+    column->addWidget(kit::label(theme, tr("Confidence and accuracy (ROC)"), TextStyle::title));
     m_panel->setMinimumHeight(theme.px(kHeight_px));
     column->addWidget(m_panel);
 }

@@ -5,6 +5,7 @@
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
 #include "desktop/scene3d/palpation/palpation_dial.h"
+#include "desktop/scene3d/scene_note_painter.h"
 
 #include <QPainter>
 #include <QTimer>
@@ -185,6 +186,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
         paintPanel(painter, above);
         paintPanel(painter, side);
     }
+    SceneNotePainter(m_setup).paint(painter, QRectF(rect()), 1.0, m_state.note);
     ++m_frames;
     if (m_firstFrame)
         QTimer::singleShot(0, this, std::exchange(m_firstFrame, nullptr));

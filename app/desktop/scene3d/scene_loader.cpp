@@ -38,11 +38,11 @@ ScenePlugin findPlugin() {
     if (qEnvironmentVariableIsSet("CHIRON_NO_3D"))
         return {nullptr,
                 words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                        "Drawn in two dimensions: 3D is switched off on this station."))};
+                                        "Shown in 2D: 3D is switched off on this station."))};
     const QString platform = QGuiApplication::platformName();
     if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") || !hasOpenGl())
         return {nullptr, words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                                 "Drawn in two dimensions: OpenGL is not available here."))};
+                                                 "Shown in 2D: OpenGL is not available here."))};
     const QString named = qEnvironmentVariable("CHIRON_PLUGINS");
     return loadScenePlugin(named.isEmpty() ? QCoreApplication::applicationDirPath() : named);
 }
@@ -54,22 +54,21 @@ ScenePlugin loadScenePlugin(const QString& folder) {
     if (!QFile::exists(file))
         return {nullptr,
                 words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                        "Drawn in two dimensions: the 3D part of Chiron is not installed."))};
+                                        "Shown in 2D: the 3D part of Chiron is not installed."))};
     QLibrary library(file);
     library.setLoadHints(QLibrary::PreventUnloadHint); // Qt3D cannot be unloaded safely
     if (!library.load())
         return {nullptr,
                 words(QT_TRANSLATE_NOOP(
                           "chiron::scene3d::SceneLoader",
-                          "Drawn in two dimensions: the 3D part of Chiron could not be loaded (%1)."))
+                          "Shown in 2D: the 3D part of Chiron could not be loaded (%1)."))
                     .arg(library.errorString())};
     const auto abi = reinterpret_cast<SceneAbiFunction>(library.resolve(kSceneAbiSymbol));
     const auto make = reinterpret_cast<SceneMakeFunction>(library.resolve(kSceneMakeSymbol));
     if (!abi || !make || sceneAbi() != abi())
         return {nullptr, words(QT_TRANSLATE_NOOP(
                              "chiron::scene3d::SceneLoader",
-                             "Drawn in two dimensions: the 3D part belongs to another version of Chiron. "
-                             "Installing Chiron again repairs this."))};
+                             "Shown in 2D: the 3D part belongs to another version of Chiron. Reinstall Chiron to fix this."))};
     return {make, {}};
 }
 
@@ -83,7 +82,7 @@ LoadedScene makeSceneView(const SceneSetup& setup, QWidget* parent) {
         if (std::unique_ptr<ISceneView> view{plugin.make(&setup, parent)})
             return {std::move(view), {}};
         plugin.why = words(QT_TRANSLATE_NOOP("chiron::scene3d::SceneLoader",
-                                             "Drawn in two dimensions: this exercise has no 3D scene."));
+                                             "Shown in 2D: this exercise has no 3D scene."));
     }
     return {makeFlatSceneView(setup, plugin.why, parent), plugin.why};
 }

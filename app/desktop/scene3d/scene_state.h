@@ -6,6 +6,7 @@
 #include "core/haptic_frame.h"
 #include "core/laparoscopy_cues.h"
 #include "core/palpation_cues.h"
+#include "desktop/scene3d/scene_note.h"
 
 #include <array>
 #include <cstdint>
@@ -53,6 +54,7 @@ struct SceneState {
     core::SurfaceMapKind mapKind = core::SurfaceMapKind::coverage;
     std::array<core::FindingOutcome, core::kMaxFindings> outcome{}; ///< palpation, playback: of each finding
     std::uint8_t lumpsMissed = 0; ///< palpation, playback: one bit a lump of the cues that nobody found
+    SceneNote note; ///< over everything else
     double time_s = 0.0;
 };
 

@@ -56,7 +56,7 @@ SessionFilterBar::SessionFilterBar(const Theme& theme, const catalogue::Catalogu
     flow->addWidget(m_search);
     buildChoices(catalogue, language);
     buildPeriod(theme);
-    m_archived = new QCheckBox(tr("Archived too"));
+    m_archived = new QCheckBox(tr("Include archived"));
     m_archived->setObjectName(QStringLiteral("sessions.archived"));
     connect(m_archived, &QCheckBox::toggled, this, &SessionFilterBar::read);
     flow->addWidget(m_archived);
@@ -84,8 +84,8 @@ QComboBox* SessionFilterBar::choice(const QString& name, const QString& any, con
 
 void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const QString& language) {
     m_person = choice(QStringLiteral("person"), tr("Everybody"), tr("Person"));
-    m_exercise = choice(QStringLiteral("exercise"), tr("Every exercise"), tr("Exercise"));
-    m_level = choice(QStringLiteral("level"), tr("Every level"), tr("Level"));
+    m_exercise = choice(QStringLiteral("exercise"), tr("All exercises"), tr("Exercise"));
+    m_level = choice(QStringLiteral("level"), tr("All levels"), tr("Level"));
     std::size_t levels = 0;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
         m_exercise->addItem(QString::fromStdString(catalogue::textIn(exercise.title, language.toStdString())),
@@ -94,11 +94,11 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
     }
     for (int level = 1; level <= static_cast<int>(levels); ++level)
         m_level->addItem(tr("Level %1").arg(level), level);
-    m_state = choice(QStringLiteral("state"), tr("Every state"), tr("State"));
+    m_state = choice(QStringLiteral("state"), tr("All states"), tr("State"));
     using enum database::SessionState;
     for (const database::SessionState state : {running, completed, stopped, interrupted, incomplete, faulted, voided})
         m_state->addItem(SessionWords::state(state), static_cast<int>(state));
-    m_outcome = choice(QStringLiteral("outcome"), tr("Every result"), tr("Result"));
+    m_outcome = choice(QStringLiteral("outcome"), tr("All results"), tr("Result"));
     for (const Outcome outcome : {Outcome::passed, Outcome::notPassed, Outcome::notScored, Outcome::practice})
         m_outcome->addItem(SessionWords::outcome(outcome), static_cast<int>(outcome));
     m_device = choice(QStringLiteral("device"), tr("Felt and shown"), tr("Force"));

@@ -58,7 +58,8 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
         return picture(row, index.column());
     case Qt::ToolTipRole:
-        return row.summary.sealed && index.column() == length ? QVariant(tr("How long a sitting of a blinded study took is told once the study is unblinded.")) : QVariant();
+        return row.summary.sealed && index.column() == length ? QVariant(tr("The length of a session in a blinded study is shown once the "
+                                                                            "study is unblinded.")) : QVariant();
     case Qt::TextAlignmentRole:
         if (index.column() == number || index.column() == level || index.column() == length)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);

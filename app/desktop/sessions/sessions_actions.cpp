@@ -63,7 +63,7 @@ void SessionsScreen::selectSomething() {
         m_wanted = wanted; // it may be among those that have not come yet
 }
 
-QString SessionsScreen::sealedWords() { return tr("A sitting of a blinded study can be looked at once the study is unblinded."); }
+QString SessionsScreen::sealedWords() { return tr("A session of a blinded study can be opened once the study is unblinded."); }
 
 void SessionsScreen::showActions() {
     const SessionRow* row = m_panel->state() == StatePanel::State::content ? selected() : nullptr;

@@ -93,10 +93,10 @@ QString SessionsScreen::title() const {
 }
 
 QString SessionsScreen::help() const {
-    return tr("Every session that was recorded on this site, newest first.\n\nType in the search field or choose from the lists "
-              "beside it to narrow the list; the filters stay when you come back. Click a column's head to sort by it.\n\nEnter or a "
-              "double click opens the debrief of the selected session, Ctrl+P plays it. Void takes a session out of every count, "
-              "with a reason, and keeps it. Archive takes it out of the usual lists and can be undone.");
+    return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from the lists beside it to narrow "
+              "the list; the filters stay when you come back. Click a column header to sort by it.\n\nPress Return or double-click to open "
+              "the debrief of the selected session, Ctrl+P to play it back. \"Void\" asks for a reason and takes a session out of every "
+              "count; the recording is kept. \"Archive\" takes it out of the usual lists and can be undone.");
 }
 
 QWidget* SessionsScreen::buildHead() {

@@ -16,8 +16,8 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Void session %1 of %2?").arg(session).arg(person), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("It stays in the list with its recording and its scores, but no longer counts for anything. "
-                                           "That it was voided, by whom and why is kept and cannot be taken back.")));
+    column->addWidget(kit::label(theme, tr("It stays in the list with its recording and its scores, but no longer counts for anything. Who "
+                                           "voided it and why is recorded. This cannot be undone.")));
     auto* label = kit::label(theme, tr("Reason"), TextStyle::label);
     m_reason = new QPlainTextEdit;
     m_reason->setObjectName(QStringLiteral("void.reason"));

@@ -101,7 +101,7 @@ QWidget* SettingsScreen::soundBox() {
     box.layout->addWidget(check);
     const std::vector<Choice> cues{{QStringLiteral("contact"), tr("A click when contact begins")},
                                    {QStringLiteral("force"), tr("A tone that rises with force")},
-                                   {QStringLiteral("lean"), tr("Brighter when force leans")},
+                                   {QStringLiteral("lean"), tr("A brighter tone when force is tilted")},
                                    {QStringLiteral("warning"), tr("A warning over the limit")}};
     for (const Choice& cue : cues) {
         auto* one = new QCheckBox(cue.text);
@@ -113,7 +113,8 @@ QWidget* SettingsScreen::soundBox() {
         box.layout->addWidget(one);
     }
     connect(check, &QCheckBox::toggled, this, [this](bool on) { context().settings().setSound(on); });
-    box.layout->addWidget(kit::label(context().theme(), tr("What can be heard is shown too. The force behind it is recorded, heard or not."), TextStyle::small, "muted"));
+    box.layout->addWidget(kit::label(context().theme(), tr("Everything that can be heard is also shown. The force behind it is recorded "
+                                                           "even when the sound is off."), TextStyle::small, "muted"));
     return box.frame;
 }
 

@@ -26,11 +26,11 @@ LoadedSound loadSound() {
     QLibrary library(folder.filePath(QLatin1String(kSoundPluginFile)));
     library.setLoadHints(QLibrary::PreventUnloadHint); // its threads may still be ending when the program does
     if (!QFile::exists(library.fileName()) || !library.load())
-        return silent(Words::tr("The sound part of Chiron is not installed. Everything that can be heard is also shown."));
+        return silent(Words::tr("The sound module of Chiron is not installed. Everything that can be heard is also shown."));
     const auto abi = reinterpret_cast<SoundAbiFunction>(library.resolve(kSoundAbiSymbol));
     const auto make = reinterpret_cast<SoundMakeFunction>(library.resolve(kSoundMakeSymbol));
     if (!abi || !make || soundAbi() != abi())
-        return silent(Words::tr("The sound part belongs to another version of Chiron. Everything that can be heard is also shown."));
+        return silent(Words::tr("The sound module belongs to another version of Chiron. Everything that can be heard is also shown."));
     std::unique_ptr<ISoundOutput> output(make());
     if (!output)
         return silent(Words::tr("This station has no sound output. Everything that can be heard is also shown."));

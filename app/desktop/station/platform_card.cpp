@@ -23,7 +23,8 @@ PlatformCard::PlatformCard(const Theme& theme, const QLocale& locale, bool mayRu
     column->setContentsMargins(theme.px(16), theme.px(14), theme.px(16), theme.px(14));
     column->setSpacing(theme.px(8));
     column->addWidget(kit::label(theme, tr("Fingertip platform"), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Verification of the simulated platform: the published sine and orientations, steps of force, and the most that the pad gets, on eight simulated fingers."),
+    column->addWidget(kit::label(theme, tr("Verification of the simulated platform: the published sine and orientations, force steps, and "
+                                           "the maximum force on the finger pad, on eight simulated fingers."),
                                  TextStyle::body, "muted"));
     m_results->setSpacing(theme.px(8));
     column->addLayout(m_results);
@@ -59,7 +60,7 @@ void PlatformCard::setReady(bool ready) {
 
 void PlatformCard::showStopped() {
     clear();
-    m_results->addWidget(kit::label(m_theme, tr("The verification was stopped before its end."), TextStyle::body, "muted"));
+    m_results->addWidget(kit::label(m_theme, tr("The verification was stopped before it finished."), TextStyle::body, "muted"));
 }
 
 void PlatformCard::showError(const core::Error& error) {

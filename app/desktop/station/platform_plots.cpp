@@ -33,18 +33,18 @@ std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check, c
     auto view = titled(Words::tr("Force over three cycles"), look);
     view->setXAxis({Words::tr("Time (s)"), {}, {}});
     view->setYAxis({Words::tr("Force (N)"), {}, {}});
-    view->addLine(Words::tr("sensed"), series.time_s, series.measured_N, report::PlotStyle::solidA);
-    view->addLine(Words::tr("on the pad"), series.time_s, series.true_N, report::PlotStyle::dottedC);
-    view->addLine(Words::tr("wanted"), series.time_s, series.reference_N, report::PlotStyle::dashedB);
+    view->addLine(Words::tr("measured"), series.time_s, series.measured_N, report::PlotStyle::solidA);
+    view->addLine(Words::tr("on the fingertip"), series.time_s, series.true_N, report::PlotStyle::dottedC);
+    view->addLine(Words::tr("target"), series.time_s, series.reference_N, report::PlotStyle::dashedB);
     return view;
 }
 
 std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, const report::PlotTheme& look) {
-    auto view = titled(Words::tr("Orientations, sensed over wanted"), look);
-    view->setXAxis({Words::tr("Wanted (°)"), -kAxis_deg, kAxis_deg});
-    view->setYAxis({Words::tr("Sensed (°)"), -kAxis_deg, kAxis_deg});
+    auto view = titled(Words::tr("Orientations, measured against target"), look);
+    view->setXAxis({Words::tr("Target (°)"), -kAxis_deg, kAxis_deg});
+    view->setYAxis({Words::tr("Measured (°)"), -kAxis_deg, kAxis_deg});
     constexpr std::array<double, 2> kEnds{-kAxis_deg, kAxis_deg};
-    view->addLine(Words::tr("as wanted"), kEnds, kEnds, report::PlotStyle::dashDotD);
+    view->addLine(Words::tr("ideal"), kEnds, kEnds, report::PlotStyle::dashDotD);
     std::vector<report::PlotPoint> pitch;
     std::vector<report::PlotPoint> roll;
     for (const mechanisms::FingertipPosed& pose : check.verified.poses) {
@@ -57,7 +57,7 @@ std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, c
 }
 
 std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check, const report::PlotTheme& look) {
-    auto view = titled(Words::tr("How large the errors of orientation were"), look);
+    auto view = titled(Words::tr("Distribution of the orientation errors"), look);
     std::vector<report::PlotPoint> bins;
     for (const mechanisms::FingertipPosed& pose : check.verified.poses) {
         const double error_deg = core::degFromRad(

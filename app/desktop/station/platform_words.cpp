@@ -25,7 +25,7 @@ QString plantPart(const std::string& what) {
     if (what == "force_noise")
         return Words::tr("Noise, hysteresis and creep of the force sensors");
     if (what == "adc")
-        return Words::tr("Steps of the converter");
+        return Words::tr("Resolution of the converter");
     if (what == "delay")
         return Words::tr("Delay of the force sensors");
     if (what == "friction")
@@ -52,12 +52,12 @@ QString fingerName(const std::string& finger) {
         return Words::tr("Half as stiff, thick, relaxing");
     if (finger == "stiffest")
         return Words::tr("Twice as stiff, thin, relaxing");
-    return Words::tr("The finger that is assumed");
+    return Words::tr("The assumed finger");
 }
 
 QString factorText(const mechanisms::FingertipDegradation& row, const QLocale& locale) {
     if (row.what == "adc")
-        return row.factor == 0.0 ? Words::tr("16 bits") : Words::tr("× %1 as coarse").arg(locale.toString(row.factor, 'g', 3));
+        return row.factor == 0.0 ? Words::tr("16 bits") : Words::tr("%1 times as coarse").arg(locale.toString(row.factor, 'g', 3));
     return row.factor == 0.0 ? Words::tr("none") : Words::tr("× %1").arg(locale.toString(row.factor, 'g', 3));
 }
 
@@ -79,8 +79,9 @@ QString platformVerdict(const PlatformCheck& check, const QLocale& locale) {
         held += on.verified.holds() ? 1 : 0;
     }
     const int fingers = 1 + static_cast<int>(check.fingers.size());
-    return Words::tr("A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the pad's force is off by %3 (root mean square), "
-                     "the orientation by %4, a step overshoots by %5 % of the force, and the pad gets at most %6 (%7). A real platform has to be measured on its own.")
+    return Words::tr("A simulation: the simulated platform stays within its bounds on %1 of %2 simulated fingers. At worst, the force on "
+                     "the fingertip is off by %3 (root mean square), the orientation by %4, a step overshoots by %5 % of the force, and "
+                     "the fingertip gets at most %6 (%7). A real platform has to be measured separately.")
         .arg(locale.toString(held), locale.toString(fingers), newtons(force, locale), degrees(angle, locale), locale.toString(100.0 * overshoot, 'f', 1),
              shortNewtons(most, locale), bounds);
 }
@@ -88,21 +89,22 @@ QString platformVerdict(const PlatformCheck& check, const QLocale& locale) {
 QStringList platformFacts(const PlatformCheck& check, const QLocale& locale) {
     const auto& p = check.plant;
     const auto number = [&locale](double value, int decimals = 1) { return locale.toString(value, 'f', decimals); };
-    return {Words::tr("This is the simulated platform, with a plant that is as bad as such parts are: force noise of %1 mN and %2 bits of the "
-                      "converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N a drive, backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.")
+    return {Words::tr("This is the simulated platform, with hardware as imperfect as real parts are: force noise of %1 mN and %2 bits of "
+                      "the converter, hysteresis of %3 %, a delay of %4 ms from sensor to controller, gear friction of %5 N per drive, "
+                      "backlash of %6 µm, an orientation sensor with %7° bias and %8° noise.")
                 .arg(number(1e3 * p.force.noise_N), locale.toString(p.force.adcBits), number(100.0 * p.force.hysteresis, 0),
                      locale.toString(p.force.delay_ticks), number(p.drive.friction.coulomb, 2), number(1e6 * p.drive.backlash_m, 0),
                      number(p.imu.bias_rad * 57.29577951308232), number(p.imu.noise_rad * 57.29577951308232)),
-            Words::tr("Friction as identified by moving the drives: %1 N, and %2 N·s/m with speed.")
+            Words::tr("Friction, identified by moving the drives: %1 N, plus %2 N·s/m with speed.")
                 .arg(number(check.friction.coulomb_N, 3), number(check.friction.viscous_Ns_per_m, 2)),
-            Words::tr("A step of force is felt after %1 ms. With the damping of drives and pad alone, a wall is stable up to %2 N/mm.")
+            Words::tr("A step of force is felt after %1 ms. With the damping of drives and fingertip alone, a wall is stable up to %2 N/mm.")
                 .arg(number(1e3 * check.verified.latency_s), number(1e-3 * check.stiffnessCap_N_per_m, 2))};
 }
 
 CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale) {
     const auto& v = check.verified;
-    CheckTable table{Words::tr("Beside the published figures"),
-                             {{Words::tr("Figure"), Words::tr("By its own sensors"), Words::tr("What was really so"), Words::tr("Published (P3)")}}};
+    CheckTable table{Words::tr("Compared with the published figures"),
+                             {{Words::tr("Figure"), Words::tr("By its own sensors"), Words::tr("True value"), Words::tr("Published (P3)")}}};
     for (std::size_t i = 0; i < v.rmse_N.size(); ++i)
         table.lines.push_back({Words::tr("Force, cycle %1: root mean square error").arg(locale.toString(static_cast<int>(i) + 1)), newtons(v.rmse_N[i], locale),
                                newtons(v.rmseTrue_N[i], locale), newtons(FingertipPublished::kRmse_N[i], locale)});
@@ -114,9 +116,9 @@ CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale) {
 }
 
 CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale) {
-    CheckTable table{Words::tr("On other fingers: what the pad really got"),
+    CheckTable table{Words::tr("On other fingers: the true force on the fingertip"),
                              {{Words::tr("Simulated finger"), Words::tr("Force error"), Words::tr("Gain, phase"), Words::tr("Overshoot"),
-                               Words::tr("Most at 1 N"), Words::tr("Most at 4 N"), Words::tr("Within its bounds")}}};
+                               Words::tr("Max. at 1 N"), Words::tr("Max. at 4 N"), Words::tr("Within its bounds")}}};
     const auto add = [&](const std::string& name, const mechanisms::FingertipVerification& v) {
         table.lines.push_back({fingerName(name), newtons(v.meanRmseTrue_N, locale),
                                Words::tr("%1, %2°").arg(locale.toString(v.gain, 'f', 3), locale.toString(v.phase_deg, 'f', 1)),
@@ -130,7 +132,7 @@ CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale) {
 }
 
 CheckTable platformDegradation(const PlatformCheck& check, const QLocale& locale) {
-    CheckTable table{Words::tr("When one thing gets worse"),
+    CheckTable table{Words::tr("When one part gets worse"),
                              {{Words::tr("What"), Words::tr("How much"), Words::tr("Force error"), Words::tr("Orientation error"), Words::tr("Within its bounds")}}};
     for (const mechanisms::FingertipDegradation& row : check.worse)
         table.lines.push_back({plantPart(row.what), factorText(row, locale), newtons(row.rmse_N, locale), degrees(row.meanError_deg, locale),

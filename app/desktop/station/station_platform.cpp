@@ -47,16 +47,16 @@ void StationScreen::startVerification() {
 }
 
 void StationScreen::askRecord() {
-    auto* dialog = new QFileDialog(this, tr("Write the record"), tr("Fingertip platform.pdf"), tr("PDF documents (*.pdf)"));
+    auto* dialog = new QFileDialog(this, tr("Save the record"), tr("Fingertip platform.pdf"), tr("PDF documents (*.pdf)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString when = tr("%1, on %2").arg(context().locale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat), QSysInfo::machineHostName());
         if (const auto written = m_platform->writeRecord(path, when))
-            context().messages().done(tr("The record was written to %1.").arg(path));
+            context().messages().done(tr("The record was saved in %1.").arg(path));
         else
-            context().messages().error(tr("The record could not be written."), written.error());
+            context().messages().error(tr("The record could not be saved."), written.error());
     });
     dialog->open();
 }

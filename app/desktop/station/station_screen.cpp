@@ -56,11 +56,11 @@ QString StationScreen::title() const {
 }
 
 QString StationScreen::help() const {
-    return tr("Whether this computer is fit to make force felt.\n\nForce is computed a thousand times a second. The charts show how late those "
-              "thousand steps began: in the last session that ran against the clock, and in a self-test of ten seconds without any "
-              "device.\n\nThe fingertip platform is verified as published: how closely it follows a force and an orientation. The record can be "
-              "printed.\n\nWith real-time priority the loop keeps its time whatever else the computer does. This screen says whether it has it "
-              "and how to permit it.");
+    return tr("Shows whether this computer is fast and regular enough for haptic force.\n\nForce is computed a thousand times a second. "
+              "The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten "
+              "seconds without any device.\n\nThe fingertip platform is verified as in its publication: how closely it follows a force and "
+              "an orientation. The record can be printed.\n\nWith real-time priority the loop stays on time whatever else the computer "
+              "does. This screen shows whether the loop has that priority and how to permit it.");
 }
 
 std::vector<ScreenCommand> StationScreen::commands() {
@@ -74,14 +74,14 @@ void StationScreen::enter() {
 }
 
 void StationScreen::load() {
-    m_panel->showLoading(tr("Looking at the station …"));
+    m_panel->showLoading(tr("Checking the station …"));
     context().background().run(
         this, [&database = context().site().database(), actor = context().actor()](WorkToken&) { return readStationFacts(database, actor); },
         [this](const core::Result<StationFacts>& facts) {
             if (facts)
                 show(*facts);
             else
-                m_panel->showError(tr("The station could not be looked at."), facts.error(), [this] { load(); });
+                m_panel->showError(tr("The station could not be checked."), facts.error(), [this] { load(); });
         });
 }
 
@@ -104,14 +104,14 @@ void StationScreen::show(const StationFacts& facts) {
 QWidget* StationScreen::loopCard(const StationFacts& facts) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Punctuality of the force loop"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Timing of the force loop"), TextStyle::title));
     if (facts.last) {
         const QString when = SessionWords::ago(SessionWords::timeOf(facts.last->startedUtc), QDateTime::currentDateTimeUtc(), context().locale());
         box.layout->addWidget(kit::label(theme, tr("Session %1, %2").arg(facts.last->session).arg(when), TextStyle::strong));
         addLoop(*box.layout, facts.last->loop);
     } else {
-        box.layout->addWidget(kit::label(theme, tr("None of the latest sessions ran against the clock, so nothing is known yet of how punctual this "
-                                                   "station is."), TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(theme, tr("None of the latest sessions ran in real time, so it is not yet known how well this "
+                                                   "station keeps time."), TextStyle::body, "muted"));
     }
     box.layout->addWidget(kit::rule());
     box.layout->addWidget(kit::label(theme, tr("Self-test without a device"), TextStyle::strong));
@@ -137,7 +137,7 @@ void StationScreen::addLoop(QVBoxLayout& column, const session::LoopReport& loop
         chart->setBins(*loop.lateness);
         column.addWidget(chart);
     } else {
-        column.addWidget(kit::label(theme, tr("This session was recorded before the spread of lateness was kept."), TextStyle::small, "muted"));
+        column.addWidget(kit::label(theme, tr("This session was recorded before the program stored how delays are distributed."), TextStyle::small, "muted"));
     }
     column.addWidget(kit::notice(theme, loop.priorityGranted ? "good" : "warning", StationWords::priority(loop.priorityGranted)));
     if (!loop.priorityGranted) {
@@ -165,7 +165,7 @@ QWidget* StationScreen::devicesCard() const {
         row->addWidget(kit::label(theme, StationWords::forceClass(entry.deviceClass)), 1);
         box.layout->addLayout(row);
     }
-    box.layout->addWidget(kit::label(theme, tr("No device that makes force felt by a hand is connected: this version has no driver for one yet."),
+    box.layout->addWidget(kit::label(theme, tr("No haptic device is connected: this version does not have a driver for one yet."),
                                      TextStyle::small, "muted"));
     return box.frame;
 }
@@ -174,13 +174,13 @@ QWidget* StationScreen::roomCard(const StationFacts& facts) const {
     const Theme& theme = context().theme();
     const QLocale locale = context().locale();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Room"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Free space"), TextStyle::title));
     const StorageNotice room = StorageWords::room(facts.room, locale);
     auto* notice = kit::notice(theme, room.kind, room.text);
     notice->setObjectName(QStringLiteral("station.room"));
     box.layout->addWidget(notice);
-    box.layout->addWidget(kit::label(theme, tr("A running session keeps its last seconds in memory, so that a crash loses nothing: %1 of the %2 that are "
-                                               "free there.")
+    box.layout->addWidget(kit::label(theme, tr("A running session keeps its last seconds in memory, so that a crash loses nothing. It "
+                                               "needs %1 of the %2 that are free there.")
                                                 .arg(SessionWords::bytes(facts.room.ringNeeded_bytes, locale),
                                                      SessionWords::bytes(facts.room.ringFree_bytes, locale)), TextStyle::body, "muted"));
     return box.frame;
@@ -214,7 +214,7 @@ void StationScreen::showSelfTest(const session::SelfTestResult& result) {
     m_token.reset();
     clear(*m_testBox);
     if (result.cancelled) {
-        m_testBox->addWidget(kit::label(theme, tr("The self-test was stopped before its end."), TextStyle::body, "muted"));
+        m_testBox->addWidget(kit::label(theme, tr("The self-test was stopped before it finished."), TextStyle::body, "muted"));
     } else {
         addLoop(*m_testBox, result.loop);
         m_testBox->addWidget(kit::notice(theme, result.granted.memoryLocked ? "good" : "warning", StationWords::memory(result.granted.memoryLocked)));

@@ -39,23 +39,25 @@ QString StationWords::forceClass(devices::DeviceClass deviceClass) {
 }
 
 QString StationWords::priority(bool granted) {
-    return granted ? tr("The force loop has real-time priority.") : tr("The force loop has no real-time priority: under load, touch may become rough.");
+    return granted ? tr("The force loop has real-time priority.") : tr("The force loop has no real-time priority: under load, touch may "
+                                                                       "feel rough.");
 }
 
 QString StationWords::howToGetPriority() {
-    return tr("To permit it, the administrator of this computer puts two lines into a file in /etc/security/limits.d, with the name of "
-              "the group that trains: \"@group - rtprio 80\" and \"@group - memlock unlimited\". It takes effect at the next login to the computer.");
+    return tr("To permit it, the administrator of this computer adds two lines to a file in /etc/security/limits.d, where \"group\" is the "
+              "group of those who train: \"@group - rtprio 80\" and \"@group - memlock unlimited\". It takes effect at the next login to "
+              "the computer.");
 }
 
 QString StationWords::memory(bool locked) {
     return locked ? tr("Memory is locked: nothing the loop needs can be swapped out.")
-                  : tr("Memory is not locked: under pressure the loop may have to wait for the disk.");
+                  : tr("Memory is not locked: when it runs short, the loop may have to wait for the disk.");
 }
 
 QString StationWords::punctuality(const session::LoopReport& loop, const QLocale& locale) {
     const auto number = [&locale](const std::optional<double>& value_us) { return value_us ? locale.toString(*value_us, 'f', 1) : QStringLiteral("–"); };
-    return tr("%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 µs late, "
-              "%6 were left out.")
+    return tr("%1 ticks of 1 ms. Half of them started within %2 µs, 99 of 100 within %3 µs, the latest after %4 µs. %5 were more than 100 "
+              "µs late, %6 were skipped.")
         .arg(locale.toString(static_cast<qulonglong>(loop.ticks)), number(loop.p50_us), number(loop.p99_us), number(loop.max_us),
              locale.toString(static_cast<qulonglong>(loop.late)), locale.toString(static_cast<qulonglong>(loop.skipped)));
 }
@@ -69,11 +71,12 @@ QString StationWords::verdict(const session::LoopReport& loop, const QLocale& lo
     const QString measured = percent(lateShare(loop));
     const QString limit = percent(kMostLate);
     if (loop.skipped > 0) // each is a millisecond in which nobody looked after the device
-        return tr("The loop is not punctual: %n tick(s) were left out. Close other programs, or permit real-time priority.", nullptr,
+        return tr("The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.", nullptr,
                   static_cast<int>(std::min<std::uint64_t>(loop.skipped, std::numeric_limits<int>::max())));
     return QLatin1String(verdictKind(loop)) == QLatin1String("good")
-               ? tr("The loop is punctual: %1 % of the ticks were late (limit %2 %), and none was left out.").arg(measured, limit)
-               : tr("The loop is not punctual: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time priority.").arg(measured, limit);
+               ? tr("The loop runs on time: %1 % of the ticks were late (limit %2 %), and none was skipped.").arg(measured, limit)
+               : tr("The loop does not run on time: %1 % of the ticks were late (limit %2 %). Close other programs, or permit real-time "
+                    "priority.").arg(measured, limit);
 }
 
 } // namespace chiron::desktop

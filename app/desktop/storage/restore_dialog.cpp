@@ -17,12 +17,12 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(8));
     column->addWidget(kit::label(theme, tr("Go back to the backup made %1?").arg(when), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Everything recorded since then leaves the program. The present database is kept aside beside the "
-                                           "new one, nothing is deleted. People who were erased stay erased. Everybody is logged out.")));
+    column->addWidget(kit::label(theme, tr("Everything recorded after this backup is removed from view. The current database is kept as a copy; "
+                                             "nothing is deleted. People who were erased stay erased. Everybody is logged out.")));
     m_name = field(*column, theme, QStringLiteral("restore.name"), tr("Administrator"), false);
     m_name->setText(administrator);
     m_password = field(*column, theme, QStringLiteral("restore.password"), tr("Password"), true);
-    m_other = new QCheckBox(tr("The backup has another administrator or password"));
+    m_other = new QCheckBox(tr("The backup has a different administrator or password"));
     m_other->setObjectName(QStringLiteral("restore.other"));
     column->addWidget(m_other);
     m_otherBox = new QWidget;
@@ -36,7 +36,7 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
     connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
     auto* row = new QHBoxLayout;
     row->addStretch();
-    auto* keep = kit::button(theme, tr("Keep the present database"));
+    auto* keep = kit::button(theme, tr("Keep the current database"));
     m_confirm = kit::button(theme, tr("Restore"), "danger");
     m_confirm->setObjectName(QStringLiteral("restore.confirm"));
     row->addWidget(keep);

@@ -65,10 +65,10 @@ QString StorageScreen::title() const {
 }
 
 QString StorageScreen::help() const {
-    return tr("Where everything that was recorded is kept, and whether it is safe.\n\nBack up now makes a copy beside the running program "
-              "and checks it before it counts. Keep backups on another disk: choose the folder here.\n\nVerify reads everything again: each "
-              "record, each recording, each score, the audit trail. It changes nothing and can be stopped.\n\nRestore goes back to a backup. "
-              "It asks an administrator for the password, keeps the present database aside, and logs everybody out.");
+    return tr("Shows where all recorded data is kept and whether it is safe.\n\n\"Back up now\" makes a copy while the program is running "
+              "and checks it before it counts. Keep backups on another disk: choose the folder here.\n\n\"Verify\" reads everything again: "
+              "each record, each recording, each score, the audit trail. It changes nothing and can be stopped.\n\n\"Restore\" goes back "
+              "to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.");
 }
 
 QPushButton* StorageScreen::addButton(QLayout& row, const QString& name, const QString& text, const char* kind, const QString& icon,
@@ -98,7 +98,7 @@ QWidget* StorageScreen::buildPage() {
 void StorageScreen::addRoom(QVBoxLayout& column) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Room"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Free space"), TextStyle::title));
     auto* form = new QFormLayout;
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->setHorizontalSpacing(theme.px(24));
@@ -141,11 +141,11 @@ void StorageScreen::addVerify(QVBoxLayout& column) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Verify"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("Reads every record, recomputes every score from its recording and follows the audit trail. It "
-                                               "changes nothing."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme, tr("Reads every record, recomputes every score from its recording and checks the audit trail. "
+                                               "It changes nothing."), TextStyle::body, "muted"));
     m_reportBox = new QVBoxLayout;
     box.layout->addLayout(m_reportBox);
-    m_findings = makeTable(theme, QStringLiteral("storage.findings"), tr("What does not hold"), {tr("What"), tr("Where"), tr("Details")});
+    m_findings = makeTable(theme, QStringLiteral("storage.findings"), tr("Problems found"), {tr("What"), tr("Where"), tr("Details")});
     m_findings->hide();
     box.layout->addWidget(m_findings);
     auto* row = new FlowLayout(theme.px(8));
@@ -158,8 +158,8 @@ void StorageScreen::addExport(QVBoxLayout& column) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Export"), TextStyle::title));
-    box.layout->addWidget(kit::label(theme, tr("A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere or to "
-                                               "leave this program with everything."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme, tr("A backup and every table as text (JSON Lines, without passwords), for analysis elsewhere "
+                                               "or to move all data to another program."), TextStyle::body, "muted"));
     auto* row = new FlowLayout(theme.px(8));
     m_export = addButton(*row, QStringLiteral("export"), tr("Export the site …"), "", QStringLiteral("document-save"), &StorageScreen::exportSite);
     box.layout->addLayout(row);
@@ -180,7 +180,7 @@ void StorageScreen::show(StorageFacts facts) {
     m_notices->addWidget(roomNotice);
     m_notices->addWidget(backupNotice);
     m_database->setText(tr("%1 in %2").arg(SessionWords::bytes(m_facts.room.database_bytes, locale), kit::breakablePath(context().site().file())));
-    m_recordings->setText(tr("%1 of %n session(s)", nullptr, m_facts.sessions).arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
+    m_recordings->setText(tr("%1 from %n session(s)", nullptr, m_facts.sessions).arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
     m_free->setText(tr("%1 of %2").arg(SessionWords::bytes(m_facts.room.diskFree_bytes, locale), SessionWords::bytes(m_facts.room.disk_bytes, locale)));
     m_place->setText(tr("Kept in %1").arg(backupPlace(context())));
     showBackups();
@@ -197,7 +197,7 @@ void StorageScreen::showBackups() {
         const QDateTime made = SessionWords::timeOf(backup.createdUtc);
         const auto checked = m_checked.find(backup.folder);
         const bool known = checked != m_checked.end();
-        const QString state = !known ? tr("When it was made") : checked->second ? tr("Just now: it holds") : tr("Just now: damaged");
+        const QString state = !known ? tr("When created") : checked->second ? tr("Just now: intact") : tr("Just now: damaged");
         auto* sign = new QTableWidgetItem(theme.icon(known && !checked->second ? QStringLiteral("dialog-error") : QStringLiteral("dialog-ok-apply"),
                                                      known && !checked->second ? Colour::bad : Colour::good), state);
         m_backups->setItem(row, 0, new QTableWidgetItem(locale.toString(made.toLocalTime(), QLocale::ShortFormat)));

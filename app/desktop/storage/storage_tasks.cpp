@@ -45,11 +45,11 @@ void StorageScreen::enter() {
 
 bool StorageScreen::mayLeave() {
     if (m_restoring) {
-        context().messages().information(tr("The restore must end first."));
+        context().messages().information(tr("Wait until the restore has finished."));
         return false;
     }
     if (m_task != Task::none) // it goes on and tells its end; what it would show here is gone
-        context().messages().information(tr("The task that you started goes on."));
+        context().messages().information(tr("The task that you started continues in the background."));
     return true;
 }
 
@@ -62,7 +62,7 @@ std::vector<ScreenCommand> StorageScreen::commands() {
 
 void StorageScreen::load() {
     if (m_panel->state() != StatePanel::State::content)
-        m_panel->showLoading(tr("Looking at the storage …"));
+        m_panel->showLoading(tr("Checking the storage …"));
     context().background().run(
         this,
         [&database = context().site().database(), actor = context().actor(), folder = backupPlace(context()).toStdString()](WorkToken&) {
@@ -72,7 +72,7 @@ void StorageScreen::load() {
             if (facts)
                 show(std::move(*facts));
             else
-                m_panel->showError(tr("The storage could not be looked at."), facts.error(), [this] { load(); });
+                m_panel->showError(tr("The storage could not be checked."), facts.error(), [this] { load(); });
         });
 }
 
@@ -93,7 +93,7 @@ void StorageScreen::backUp() {
 }
 
 void StorageScreen::exportSite() {
-    auto* dialog = new QFileDialog(this, tr("Where to export to"), backupPlace(context()));
+    auto* dialog = new QFileDialog(this, tr("Folder for the export"), backupPlace(context()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -103,7 +103,7 @@ void StorageScreen::exportSite() {
 }
 
 void StorageScreen::chooseFolder() {
-    auto* dialog = new QFileDialog(this, tr("Where backups are kept"), backupPlace(context()));
+    auto* dialog = new QFileDialog(this, tr("Folder for backups"), backupPlace(context()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -132,9 +132,9 @@ void StorageScreen::runSnapshot(Task task, const QString& folder) {
                 app.messages().done((backup ? tr("The backup is made and checked: %1 in %2.") : tr("The site is exported and checked: %1 in %2."))
                                         .arg(SessionWords::bytes(info->bytes, locale), QString::fromStdString(info->folder)));
             else if (info.error().code == core::ErrorCode::cancelled)
-                app.messages().information(backup ? tr("The backup was stopped; nothing of it was kept.") : tr("The export was stopped; nothing of it was kept."));
+                app.messages().information(backup ? tr("The backup was stopped; nothing was saved.") : tr("The export was stopped; nothing was saved."));
             else
-                app.messages().error(backup ? tr("There is no new backup.") : tr("The site was not exported."), info.error());
+                app.messages().error(backup ? tr("The backup was not made.") : tr("The site was not exported."), info.error());
             if (screen) {
                 screen->endTask();
                 screen->load();
@@ -193,7 +193,7 @@ void StorageScreen::askRestore() {
 void StorageScreen::restore(database::RestoreRequest request) {
     m_restoring = true; // nobody leaves: there is no database until it ends
     showButtons();
-    m_panel->showLoading(tr("Restoring the backup. The present database is kept aside."));
+    m_panel->showLoading(tr("Restoring the backup. The current database is kept."));
     context().background().cancelAndWait();
     context().site().close();
     context().background().run(
@@ -208,13 +208,13 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
         const core::Error error = result.error();
         connect(&app, &AppContext::siteOpened, this, [this, error] {
             m_restoring = false;
-            context().messages().error(tr("Nothing was restored. The present database is as it was."), error);
+            context().messages().error(tr("Nothing was restored. The current database is unchanged."), error);
             load();
             endTask();
         }, Qt::SingleShotConnection);
         connect(&app, &AppContext::siteFailed, this, [this](const core::Error& why) {
             m_restoring = false;
-            m_panel->showError(tr("The present database could not be opened again."), why, [this] { context().openSite(); });
+            m_panel->showError(tr("The current database could not be opened again."), why, [this] { context().openSite(); });
         });
         app.openSite();
         return;
@@ -224,7 +224,7 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
     emit taskEnded();
     app.logOut(); // this screen goes with it
     app.openSite();
-    app.messages().done(tr("The backup is restored. The database that was here before is kept as %1. Please log in again.").arg(kept));
+    app.messages().done(tr("The backup was restored. The previous database is kept as %1. Please log in again.").arg(kept));
 }
 
 } // namespace chiron::desktop

@@ -16,19 +16,19 @@ StorageNotice StorageWords::room(const session::StorageRoom& room, const QLocale
     const RoomState disk = session::diskState(room);
     const RoomState ring = session::ringState(room);
     if (disk == RoomState::none)
-        return {"bad", tr("The disk is full: %1 are free. Sessions may not be stored. Make room before anybody trains.").arg(free)};
+        return {"bad", tr("The disk is full: only %1 is free. Sessions might not be saved. Free up space before anybody trains.").arg(free)};
     if (ring == RoomState::none)
-        return {"bad", tr("There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions will be "
-                          "refused. Close other programs.")
+        return {"bad", tr("There is no room for the safety copy of a running session (%1 needed, %2 free in memory). Sessions cannot "
+                          "start. Close other programs.")
                            .arg(SessionWords::bytes(room.ringNeeded_bytes, locale), SessionWords::bytes(room.ringFree_bytes, locale))};
     if (disk == RoomState::low)
-        return {"warning", tr("The disk is getting full: %1 are free. Sessions can still be recorded. Make room, or move backups to another "
-                              "disk.")
+        return {"warning", tr("The disk is getting full: %1 is free. Sessions can still be recorded. Free up space, or move backups to "
+                              "another disk.")
                                .arg(free)};
     if (ring == RoomState::low)
-        return {"warning", tr("Memory for the safety copy of running sessions is getting short: %1 are free.")
+        return {"warning", tr("Memory for the safety copy of running sessions is running low: %1 is free.")
                                .arg(SessionWords::bytes(room.ringFree_bytes, locale))};
-    return {"good", tr("There is room: %1 are free.").arg(free)};
+    return {"good", tr("There is enough room: %1 is free.").arg(free)};
 }
 
 StorageNotice StorageWords::backup(const std::string& latestUtc, const QDateTime& now, const QLocale& locale) {
@@ -53,22 +53,23 @@ QString StorageWords::findingKind(const std::string& kind) {
     if (kind == "unreadable")
         return tr("It cannot be read");
     if (kind == "seal")
-        return tr("A session is not as it ended");
+        return tr("A session was changed after it ended");
     if (kind == "audit")
-        return tr("The audit trail does not hold");
+        return tr("The audit trail is not intact");
     if (kind == "score")
-        return tr("A score does not follow from its recording");
-    return tr("Something does not hold");
+        return tr("A score does not match its recording");
+    return tr("Something is wrong");
 }
 
 StorageNotice StorageWords::verified(const database::VerifyReport& report, const QLocale& locale) {
     const QString rows = locale.toString(static_cast<qulonglong>(report.rowsChecked));
     if (!report.findings.empty())
-        return {"bad", tr("%n thing(s) do not hold. Nothing was changed. Keep this database as it is and restore a backup that verifies.",
+        return {"bad", tr("The check found %n error(s). Nothing was changed. Keep this database as it is and restore a backup that passes "
+                          "the check.",
                           nullptr, static_cast<int>(report.findings.size()))};
     if (report.cancelled)
-        return {"warning", tr("The check was stopped after %1 records. Nothing wrong was found until then.").arg(rows)};
-    return {"good", tr("Everything holds: %1 records, every recording, every score, the audit trail.").arg(rows)};
+        return {"warning", tr("The check was stopped after %1 records. It had found no errors until then.").arg(rows)};
+    return {"good", tr("No errors were found: %1 records, every recording, every score and the audit trail were checked.").arg(rows)};
 }
 
 } // namespace chiron::desktop

@@ -49,8 +49,9 @@ QWidget* ConditionsPage::sealedBox() {
     auto* label = kit::label(theme, codes.join(QStringLiteral(" · ")), TextStyle::heading);
     label->setObjectName(QStringLiteral("conditions.codes"));
     box.layout->addWidget(label);
-    box.layout->addWidget(kit::label(theme, tr("The study is blind: its conditions go by these codes, and what tells them apart is left out, until it is unblinded. Its author and "
-                                               "administrators see the design."),
+    box.layout->addWidget(kit::label(theme, tr("The study is blind: until it is unblinded, its conditions are shown only by these codes "
+                                               "and their differences are hidden. Only the study's author and administrators see the "
+                                               "design."),
                                      TextStyle::body, "muted"));
     return box.frame;
 }
@@ -120,7 +121,7 @@ QWidget* ConditionsPage::chooser() {
 }
 
 void ConditionsPage::addCondition(bool) {
-    m_page.draft.change(tr("A condition more"), {}, [this](StudyDesign& design) {
+    m_page.draft.change(tr("Add a condition"), {}, [this](StudyDesign& design) {
         Condition copy = design.conditions[static_cast<std::size_t>(m_shown)];
         const std::string base = copy.id;
         for (int n = 2; std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) { return each.id == copy.id; }); ++n)
@@ -133,7 +134,7 @@ void ConditionsPage::addCondition(bool) {
 }
 
 void ConditionsPage::removeCondition() {
-    m_page.draft.change(tr("A condition less"), {}, [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
+    m_page.draft.change(tr("Remove a condition"), {}, [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
 }
 
 QWidget* ConditionsPage::stimulusBox() {
@@ -167,7 +168,7 @@ QWidget* ConditionsPage::stimulusBox() {
     grid->choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
         edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
     });
-    grid->number(tr("Threshold at (proportion right)"), QStringLiteral("condition.criterion"), condition().criterion, {0.01, 0.99, 3, {}, 0.01}, [this](double now) {
+    grid->number(tr("Threshold at (proportion correct)"), QStringLiteral("condition.criterion"), condition().criterion, {0.01, 0.99, 3, {}, 0.01}, [this](double now) {
         edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now; });
     });
     grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
@@ -196,7 +197,7 @@ QWidget* ConditionsPage::proceduresBox() {
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Procedure"), TextStyle::title));
     if (condition().procedures.size() > 1)
-        box.layout->addWidget(kit::label(theme, tr("Several are interleaved at random."), TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(theme, tr("Several procedures are interleaved at random."), TextStyle::body, "muted"));
     auto* scale = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
     scale->choice(tr("The procedure works on"), QStringLiteral("condition.scale"),
                   {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
@@ -220,7 +221,7 @@ QWidget* ConditionsPage::proceduresBox() {
         auto* less = kit::button(theme, tr("Remove the last"), "quiet", QStringLiteral("list-remove"));
         less->setObjectName(QStringLiteral("conditions.less_procedures"));
         less->setEnabled(condition().procedures.size() > 1);
-        connect(less, &QPushButton::clicked, this, [this] { edit(tr("A procedure less"), {}, [](Condition& changed) { changed.procedures.pop_back(); }, true); });
+        connect(less, &QPushButton::clicked, this, [this] { edit(tr("Remove a procedure"), {}, [](Condition& changed) { changed.procedures.pop_back(); }, true); });
         auto* bar = new QWidget;
         auto* row = new FlowLayout(theme.px(8), bar);
         row->addWidget(more);
@@ -231,7 +232,7 @@ QWidget* ConditionsPage::proceduresBox() {
 }
 
 void ConditionsPage::addProcedure() {
-    edit(tr("A procedure more"), {}, [](Condition& changed) { changed.procedures.push_back(changed.procedures.back()); }, true);
+    edit(tr("Add a procedure"), {}, [](Condition& changed) { changed.procedures.push_back(changed.procedures.back()); }, true);
 }
 
 } // namespace chiron::desktop

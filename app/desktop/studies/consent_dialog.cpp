@@ -30,7 +30,7 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
     m_agreed->setObjectName(QStringLiteral("consent.agreed"));
     m_agreed->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_agreed);
-    column()->addWidget(kit::label(theme(), tr("The moment and the text's SHA-256 are recorded. Whoever takes part may withdraw at any time."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(), tr("The time and the text's SHA-256 are recorded. Participants may withdraw at any time."), TextStyle::small, "muted"));
     setAccept(tr("Record the consent"));
     connect(m_language, &QComboBox::activated, this, &ConsentDialog::showText);
     connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
@@ -55,7 +55,7 @@ void ConsentDialog::submit() {
                 say("bad", tr("The consent was not recorded.\n%1").arg(inWords(done.error())));
                 return;
             }
-            context().messages().done(tr("The consent of %1 is recorded.").arg(QString::fromStdString(m_participant.code)));
+            context().messages().done(tr("The consent of %1 was recorded.").arg(QString::fromStdString(m_participant.code)));
             emit changed();
             accept();
         });

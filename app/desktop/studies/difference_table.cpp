@@ -83,13 +83,13 @@ DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool
     auto* grid = new FieldGrid(theme, locale, false);
     grid->number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent, {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) { m_low_percent = to; });
     grid->number(tr("Largest"), QStringLiteral("differences.high"), m_high_percent, {0.02, 1000, 2, QStringLiteral("%"), 5}, [this](double to) { m_high_percent = to; });
-    grid->whole(tr("How many"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates, [this](int to) { m_count = to; });
+    grid->whole(tr("Number"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates, [this](int to) { m_count = to; });
     grid->check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides, [this](bool to) { m_bothSides = to; });
     if (now.size() <= kMostTyped) {
         std::vector<double> percents;
         for (const double difference : now)
             percents.push_back(std::round(1e4 * study_words::ratioOf(difference)) / 100.0);
-        QLineEdit* typed = grid->list(tr("Or typed, in percent"), QStringLiteral("differences.typed"), percents, [this](std::vector<double> to) { m_typed = std::move(to); });
+        QLineEdit* typed = grid->list(tr("Or type them, in per cent"), QStringLiteral("differences.typed"), percents, [this](std::vector<double> to) { m_typed = std::move(to); });
         connect(typed, &QLineEdit::editingFinished, this, [this] {
             if (m_typed.empty())
                 return;
@@ -103,7 +103,7 @@ DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool
         });
     }
     column->addWidget(grid);
-    auto* make = kit::button(theme, tr("Make the table"), "", QStringLiteral("view-refresh"));
+    auto* make = kit::button(theme, tr("Create the table"), "", QStringLiteral("view-refresh"));
     make->setObjectName(QStringLiteral("differences.make"));
     connect(make, &QPushButton::clicked, this, &DifferenceTable::generate);
     column->addWidget(make, 0, Qt::AlignLeft);
@@ -116,7 +116,7 @@ void DifferenceTable::generate() {
 
 QString DifferenceTable::summary(const StimulusDesign& stimulus, const QLocale& locale) const {
     if (stimulus.differences.empty())
-        return tr("Nothing to choose from yet.");
+        return tr("No candidates yet.");
     const double low = stimulus.differences.front();
     const double high = stimulus.differences.back();
     const auto valueOf = [&](double difference) { return study_words::value(stimulus.reference * std::pow(10.0, difference), stimulus.attribute, locale); };

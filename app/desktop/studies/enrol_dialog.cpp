@@ -15,9 +15,9 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
     column()->addWidget(kit::label(theme(), tr("%1 of %2 planned participants are enrolled.")
                                                 .arg(locale.toString(static_cast<int>(study.participants.size())), locale.toString(study.design.participantsPlanned)),
                                    TextStyle::body, "muted"));
-    m_identity = form::textField(theme(), column(), tr("Who it is (name, number in your own list …)"), QStringLiteral("enrol.identity"));
-    column()->addWidget(kit::label(theme(), tr("Kept in the key table alone, which only the study's author and administrators can open. Data and exports carry "
-                                               "the code."),
+    m_identity = form::textField(theme(), column(), tr("Identity (name, number in your own list …)"), QStringLiteral("enrol.identity"));
+    column()->addWidget(kit::label(theme(), tr("This is kept only in the key table, which only the study's author and administrators can "
+                                               "open. Data and exports carry the code."),
                                    TextStyle::small, "muted"));
     setAccept(tr("Enrol"));
     connect(m_identity, &QLineEdit::textChanged, this, [this] { setAcceptable(!m_identity->text().trimmed().isEmpty()); });
@@ -45,7 +45,7 @@ void EnrolDialog::enrolled(const database::Participant& participant) {
     code->setObjectName(QStringLiteral("enrol.code"));
     code->setTextInteractionFlags(Qt::TextSelectableByMouse);
     box.layout->addWidget(code);
-    box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant: it begins every sitting. Consent comes next."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every sitting. Consent comes next."), TextStyle::body, "muted"));
     showResult(box.frame);
     emit changed();
 }

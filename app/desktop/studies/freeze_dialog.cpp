@@ -20,8 +20,8 @@ QString grouped(const std::string& sha256) {
 
 FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& study, const psychophysics::StudyDesign& design, QWidget* parent)
     : FormDialog(context, QStringLiteral("freeze"), tr("Freeze %1").arg(QString::fromStdString(study.title)), parent), m_study(study.id) {
-    column()->addWidget(kit::label(theme(), tr("From now on the design can never be changed again, by nobody. Participants can be enrolled, each condition gets a "
-                                               "sealed code, and every export carries this SHA-256 of the design:")));
+    column()->addWidget(kit::label(theme(), tr("From now on nobody can change the design. Participants can be enrolled, each condition "
+                                               "gets a sealed code, and every export carries this SHA-256 of the design:")));
     auto* sha = kit::label(theme(), grouped(catalogue::studySha256(catalogue::studyJson(design))), TextStyle::mono);
     sha->setObjectName(QStringLiteral("freeze.sha256"));
     sha->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -31,7 +31,7 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
     column()->addWidget(kit::label(theme(), tr("%n condition(s)", nullptr, static_cast<int>(design.conditions.size())) + QStringLiteral(", ") +
                                                 tr("%n participant(s) planned", nullptr, design.participantsPlanned),
                                    TextStyle::body, "muted"));
-    column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone. A study that has to be changed later is copied into a new one.")));
+    column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone. To change the study later, copy it into a new one.")));
     setAccept(tr("Freeze the design"));
     setAcceptable(true);
     cancelAtEnter();
@@ -44,7 +44,7 @@ void FreezeDialog::submit() {
         [this](const core::Result<std::string>& sha) {
             setWorking(false);
             if (!sha) {
-                say("bad", tr("The study was not frozen.\n%1").arg(inWords(sha.error())));
+                say("bad", tr("The study could not be frozen.\n%1").arg(inWords(sha.error())));
                 return;
             }
             context().messages().done(tr("Frozen. Participants can be enrolled now."));

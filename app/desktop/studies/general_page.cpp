@@ -19,7 +19,7 @@ void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label,
     const auto found = texts.find(page.language.toStdString());
     const QString value = found == texts.end() ? QString() : QString::fromStdString(found->second);
     const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text](const QString& words) {
-        draft.change(QCoreApplication::translate("StudyWords", "Change of a text"), name, [&](StudyDesign& design) {
+        draft.change(QCoreApplication::translate("StudyWords", "Text change"), name, [&](StudyDesign& design) {
             StudyText& changed = text(design);
             if (words.isEmpty() && language != "en")
                 changed.erase(language);
@@ -41,11 +41,11 @@ GeneralPage::GeneralPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     const kit::Box box = kit::box(theme);
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     addStudyText(*grid, page, tr("Title"), QStringLiteral("design.title"), 1, [](StudyDesign& design) -> StudyText& { return design.title; });
-    grid->whole(tr("Participants planned"), QStringLiteral("design.planned"), page.draft.design().participantsPlanned, 1, 10000, [&draft = page.draft](int now) {
+    grid->whole(tr("Planned participants"), QStringLiteral("design.planned"), page.draft.design().participantsPlanned, 1, 10000, [&draft = page.draft](int now) {
         draft.change(GeneralPage::tr("Number of participants"), QStringLiteral("design.planned"), [now](StudyDesign& design) { design.participantsPlanned = now; });
     });
     addStudyText(*grid, page, tr("Objective"), QStringLiteral("design.objective"), 2, [](StudyDesign& design) -> StudyText& { return design.objective; });
-    addStudyText(*grid, page, tr("Instructions, as participants read them"), QStringLiteral("design.instructions"), 4,
+    addStudyText(*grid, page, tr("Instructions shown to participants"), QStringLiteral("design.instructions"), 4,
                  [](StudyDesign& design) -> StudyText& { return design.instructions; });
     addStudyText(*grid, page, tr("Consent text"), QStringLiteral("design.consent"), 5, [](StudyDesign& design) -> StudyText& { return design.consent; });
     box.layout->addWidget(grid);
@@ -127,13 +127,13 @@ QWidget* TrialsPage::rulesBox(const DesignPage& page) {
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     const PartFields<TrialRules> fields{*grid, page.draft, QStringLiteral("trial"), &StudyDesign::trial, tr("Rules of a trial")};
     const QString s = QStringLiteral("s");
-    fields.number(tr("Time to explore (0: any)"), "explore_limit", &TrialRules::exploreLimit_s, {0, 3600, 1, s, 1});
-    fields.number(tr("Time to answer (0: any)"), "answer_limit", &TrialRules::answerLimit_s, {0, 3600, 1, s, 1});
+    fields.number(tr("Time to explore (0: no limit)"), "explore_limit", &TrialRules::exploreLimit_s, {0, 3600, 1, s, 1});
+    fields.number(tr("Time to answer (0: no limit)"), "answer_limit", &TrialRules::answerLimit_s, {0, 3600, 1, s, 1});
     fields.number(tr("Between trials"), "between_trials", &TrialRules::betweenTrials_s, {0, 600, 1, s, 0.5});
     fields.whole(tr("Practice trials"), "practice_trials", &TrialRules::practiceTrials, 0, 100);
-    fields.whole(tr("Break every (trials; 0: none)"), "break_every", &TrialRules::breakEvery, 0, 10000);
-    fields.number(tr("Break of at least"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10});
-    fields.check(tr("Say whether an answer was right"), "feedback", &TrialRules::feedback);
+    fields.whole(tr("Break after (trials; 0: never)"), "break_every", &TrialRules::breakEvery, 0, 10000);
+    fields.number(tr("Minimum break"), "break_at_least", &TrialRules::breakAtLeast_s, {0, 3600, 0, s, 10});
+    fields.check(tr("Feedback: right or wrong"), "feedback", &TrialRules::feedback);
     fields.check(tr("Masking sound"), "masking_sound", &TrialRules::maskingSound);
     fields.check(tr("Show the objects, all alike"), "visible_objects", &TrialRules::visibleObjects);
     fields.check(tr("Every object must be touched"), "must_touch_all", &TrialRules::mustTouchAll);
@@ -144,7 +144,7 @@ QWidget* TrialsPage::rulesBox(const DesignPage& page) {
 QWidget* TrialsPage::fidelityBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
     const kit::Box box = titledBox(theme, tr("Fidelity of a trial"));
-    box.layout->addWidget(kit::label(theme, tr("A trial beyond these is not scored and presented again."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme, tr("A trial outside these limits is not scored and is presented again."), TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     const PartFields<FidelityLimits> fields{*grid, page.draft, QStringLiteral("fidelity"), &StudyDesign::fidelity, tr("Limits of fidelity")};
     fields.number(tr("Force error, RMS"), "force_error", &FidelityLimits::forceErrorRms_N, {0, 10, 3, QStringLiteral("N"), 0.01});
@@ -153,7 +153,7 @@ QWidget* TrialsPage::fidelityBox(const DesignPage& page) {
     fields.number(tr("Force at its limit (share)"), "saturated", &FidelityLimits::saturated, {0, 1, 3, {}, 0.01});
     fields.number(tr("Peak force"), "peak_force", &FidelityLimits::peakForce_N, {0, 100, 2, QStringLiteral("N"), 0.1});
     fields.number(tr("Mean speed"), "mean_speed", &FidelityLimits::meanSpeed_m_per_s, {0, 10, 3, QStringLiteral("m/s"), 0.01});
-    fields.whole(tr("Repeats of one trial at most"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 0, 100);
+    fields.whole(tr("Maximum repeats of one trial"), "repeats_at_most", &FidelityLimits::repeatsAtMost, 0, 100);
     box.layout->addWidget(grid);
     return box.frame;
 }

@@ -20,11 +20,11 @@ KeyTableDialog::KeyTableDialog(AppContext& app, database::StudyNumber study, QWi
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(16));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Who is who"), TextStyle::heading));
-    column->addWidget(kit::label(theme, tr("That you looked is written into the audit trail."), TextStyle::small, "muted"));
+    column->addWidget(kit::label(theme, tr("Opening this table is recorded in the audit trail."), TextStyle::small, "muted"));
     m_table = new FittedTable(theme, 2);
     m_table->setObjectName(QStringLiteral("keys.table"));
     m_table->setAccessibleName(tr("Who is who"));
-    m_table->setHorizontalHeaderLabels({tr("Code"), tr("Who it is")});
+    m_table->setHorizontalHeaderLabels({tr("Code"), tr("Identity")});
     m_panel = new StatePanel(theme);
     m_panel->setContent(m_table);
     column->addWidget(m_panel, 1);

@@ -62,7 +62,7 @@ NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : FormDialo
     m_title = form::textField(theme(), column(), tr("Title"), QStringLiteral("new_study.title"));
     m_key = form::textField(theme(), column(), tr("Key (in files and commands)"), QStringLiteral("new_study.key"));
     column()->addWidget(kit::label(theme(), tr("Lower-case letters, digits and _ only. It cannot be changed later."), TextStyle::small, "muted"));
-    setAccept(tr("Make the draft"));
+    setAccept(tr("Create draft"));
     connect(m_title, &QLineEdit::textEdited, this, &NewStudyDialog::renew);
     connect(m_key, &QLineEdit::textEdited, this, &NewStudyDialog::renew);
     renew();
@@ -84,8 +84,8 @@ void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templ
     m_templates.push_back(plainStudy());
     for (std::size_t i = 0; i < m_templates.size(); ++i) {
         const bool plain = i + 1 == m_templates.size();
-        const QString title = plain ? tr("A plain study") : study_words::text(m_templates[i].title, context().language());
-        const QString objective = plain ? tr("One condition, a ranking of three by stiffness.") : study_words::text(m_templates[i].objective, context().language());
+        const QString title = plain ? tr("A simple study") : study_words::text(m_templates[i].title, context().language());
+        const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.") : study_words::text(m_templates[i].objective, context().language());
         auto* tile = new TileButton(theme());
         tile->setCheckable(true);
         tile->setObjectName(QStringLiteral("new_study.template.%1").arg(QString::fromStdString(m_templates[i].id)));
@@ -128,7 +128,7 @@ void NewStudyDialog::submit() {
         [this](const core::Result<database::StudyNumber>& study) {
             setWorking(false);
             if (!study) {
-                say("bad", tr("The study was not made: perhaps its key is taken.\n%1").arg(inWords(study.error())));
+                say("bad", tr("The study was not created. Its key may already be in use.\n%1").arg(inWords(study.error())));
                 return;
             }
             emit created(*study);

@@ -32,7 +32,8 @@ ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, QWid
     }
     column->addWidget(actions());
     if (study.participants.empty()) {
-        column->addWidget(kit::label(theme, tr("Nobody is enrolled yet. Each participant gets a random code; who it is stays in a key table of its own."), TextStyle::body, "muted"));
+        column->addWidget(kit::label(theme, tr("Nobody is enrolled yet. Each participant gets a random code; the identity is kept in a "
+                                               "separate key table."), TextStyle::body, "muted"));
     } else {
         m_table = new FittedTable(theme, columns);
         m_table->setObjectName(QStringLiteral("participants.table"));
@@ -114,9 +115,9 @@ void ParticipantsPage::showActions() {
     const QString gone = notAPerson.isEmpty() && state == ParticipantState::withdrawn ? tr("This participant has withdrawn.") : notAPerson;
     const QString done = gone.isEmpty() && state == ParticipantState::completed ? tr("This participant has done every run.") : gone;
     const bool consented = done.isEmpty() && state == ParticipantState::consented;
-    kit::allowUnless(*m_enrol, m_study.summary.state == database::StudyState::frozen ? QString() : tr("Participants are enrolled while a study is frozen, neither before nor after."));
+    kit::allowUnless(*m_enrol, m_study.summary.state == database::StudyState::frozen ? QString() : tr("Participants can be enrolled only while the study is frozen."));
     kit::allowUnless(*m_consent, consented ? tr("The consent is recorded already.") : done);
-    kit::allowUnless(*m_run, done.isEmpty() && !consented ? tr("The consent has to be recorded first.") : done);
+    kit::allowUnless(*m_run, done.isEmpty() && !consented ? tr("Record the consent first.") : done);
     kit::allowUnless(*m_withdraw, gone);
     kit::allowUnless(*m_keys, m_study.participants.empty() ? tr("Nobody is enrolled yet.") : QString());
 }

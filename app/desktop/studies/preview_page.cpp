@@ -29,8 +29,8 @@ PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(pare
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(page.app.theme().px(16));
     if (page.masked) {
-        column->addWidget(kit::notice(page.app.theme(), "info", tr("The conditions are sealed while the study is blind, and with them what a preview would say. "
-                                                                   "Its author can make one.")));
+        column->addWidget(kit::notice(page.app.theme(), "info", tr("While the study is blinded, its conditions and the preview are sealed. "
+                                                                   "Only the study's author can run a preview.")));
         column->addStretch();
         return;
     }
@@ -56,17 +56,17 @@ PreviewPage::~PreviewPage() {
 QWidget* PreviewPage::observerBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Simulated observers do the study, without rendering. What they are like is known, so that bias and precision can be told before "
-                                               "the first participant."),
+    box.layout->addWidget(kit::label(theme, tr("Simulated observers run through the study without haptic rendering. Their true values are "
+                                               "known, so bias and precision can be estimated before the first participant."),
                                      TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
     grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber, {0.1, 200, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.weber = now / kPercent; });
-    grid->number(tr("Answers that are guessed"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
+    grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
                  [this](double now) { m_observer.lapse = now / kPercent; });
     const auto& conditions = m_page.draft.design().conditions;
     if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; }))
-        grid->number(tr("They call equal, below (in σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
+        grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
     grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
     box.layout->addWidget(grid);
     if (conditions.size() > 1)
@@ -102,7 +102,8 @@ QWidget* PreviewPage::powerGrid() {
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     const Theme& theme = m_page.app.theme();
-    column->addWidget(kit::label(theme, tr("For comparing two conditions, the spread between people is assumed, not simulated. Changes show at once."), TextStyle::body, "muted"));
+    column->addWidget(kit::label(theme, tr("For comparing two conditions, the variation between people is assumed, not simulated. Changes "
+                                           "take effect at once."), TextStyle::body, "muted"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
     grid->check(tr("Each participant does both conditions"), QStringLiteral("preview.paired"), m_power.paired, [this](bool now) {
         m_power.paired = now;
@@ -125,7 +126,7 @@ QWidget* PreviewPage::powerGrid() {
         m_power.alpha = now / kPercent;
         showPower();
     });
-    grid->number(tr("Power wanted"), QStringLiteral("preview.power"), kPercent * m_wantedPower, {10, 99.9, 1, QStringLiteral("%"), 5}, [this](double now) {
+    grid->number(tr("Desired power"), QStringLiteral("preview.power"), kPercent * m_wantedPower, {10, 99.9, 1, QStringLiteral("%"), 5}, [this](double now) {
         m_wantedPower = now / kPercent;
         showPower();
     });
@@ -143,8 +144,8 @@ void PreviewPage::showPower() {
         question.runSdLog10 = labels.runSdLog10;
         const double ratio = psychophysics::detectableRatio(question, m_wantedPower);
         labels.value->setText(std::isfinite(ratio) ? QStringLiteral("× %1").arg(study_words::number(ratio, locale)) : tr("none up to × 10"));
-        labels.name->setText((m_power.paired ? tr("smallest ratio found with %1 power by %2 participants who do both conditions")
-                                             : tr("smallest ratio found with %1 power by two groups of %2 participants"))
+        labels.name->setText((m_power.paired ? tr("smallest ratio detectable with %1 power by %2 participants who do both conditions")
+                                             : tr("smallest ratio detectable with %1 power by two groups of %2 participants"))
                                  .arg(study_words::percent(m_wantedPower, locale), locale.toString(m_power.participants)));
     }
 }
@@ -184,7 +185,7 @@ void PreviewPage::finished(core::Result<std::vector<PreviewResult>> results) {
     setWorking(false);
     if (!results) {
         m_note->setVisible(results.error().code != core::ErrorCode::cancelled);
-        m_note->setText(tr("The preview could not be made. %1").arg(QString::fromStdString(results.error().message)));
+        m_note->setText(tr("The preview failed. %1").arg(QString::fromStdString(results.error().message)));
         return;
     }
     while (QLayoutItem* item = m_results->takeAt(0)) {
@@ -230,7 +231,7 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
                                              study_words::number(std::pow(10.0, plan.sdLog10 + plan.sdError) - std::pow(10.0, plan.sdLog10), locale, 2))));
     fact(tr("trials"), withError(study_words::number(plan.meanTrials, locale), study_words::number(plan.trialsError, locale, 2)));
     fact(tr("minutes, breaks included"), withError(study_words::number(plan.minutes, locale, 2), study_words::number(plan.minutesError, locale, 2)));
-    fact(tr("95 % intervals that hold the truth"), withError(study_words::percent(plan.coverage, locale), study_words::percent(plan.coverageError, locale)));
+    fact(tr("95 % intervals that contain the true value"), withError(study_words::percent(plan.coverage, locale), study_words::percent(plan.coverageError, locale)));
     if (m_effectSd) { // there are conditions to compare
         const auto [value, name] = fact({}, {});
         value->setObjectName(QStringLiteral("preview.detectable"));
@@ -250,7 +251,7 @@ QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
     auto* plot = new report::PlotView(plotThemeOf(theme, m_page.app.locale()));
     plot->setObjectName(QStringLiteral("preview.plot"));
     plot->setMinimumHeight(theme.px(260));
-    plot->setTitle(tr("How the estimate settles with more trials"));
+    plot->setTitle(tr("How the estimate converges with more trials"));
     plot->setXAxis({tr("Trials of a run"), {}, {}});
     plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
     std::vector<double> trial, middle, low, high;
@@ -260,7 +261,7 @@ QWidget* PreviewPage::plotOf(const PreviewResult& result) const {
         low.push_back(kPercent * point.low);
         high.push_back(kPercent * point.high);
     }
-    plot->addLine(tr("middle of %n run(s)", nullptr, result.plan.runs), trial, middle, report::PlotStyle::solidA);
+    plot->addLine(tr("median of %n run(s)", nullptr, result.plan.runs), trial, middle, report::PlotStyle::solidA);
     plot->addLine(tr("middle 80 %"), trial, low, report::PlotStyle::dashedB);
     plot->addLine({}, trial, high, report::PlotStyle::dashedB);
     plot->addReference(tr("true value"), kPercent * m_observer.weber);

@@ -75,12 +75,12 @@ template <class Spec> void ProcedureForm::stopFields() {
         whole(label, nameOf(key), value, 0, 100000,
               [this, key = nameOf(key), member](int now) { edit<Spec>(key, [=](Spec& changed) { changed.stop.*member = now; }); });
     };
-    add(ProcedureForm::tr("Trials at most"), "trials", &StopRule::trials, stop.trials);
-    add(ProcedureForm::tr("Trials at least"), "minimum_trials", &StopRule::minimumTrials, stop.minimumTrials);
+    add(ProcedureForm::tr("Maximum trials"), "trials", &StopRule::trials, stop.trials);
+    add(ProcedureForm::tr("Minimum trials"), "minimum_trials", &StopRule::minimumTrials, stop.minimumTrials);
     if constexpr (std::is_same_v<Spec, StaircaseSpec>) {
-        add(ProcedureForm::tr("Stop after reversals (0: no)"), "reversals", &StopRule::reversals, stop.reversals);
+        add(ProcedureForm::tr("Reversals until stop (0: never)"), "reversals", &StopRule::reversals, stop.reversals);
     } else if constexpr (!std::is_same_v<Spec, PestSpec>) {
-        number(ProcedureForm::tr("Stop at precision, SD (0: no)"), nameOf("sd"), stop.sd, {0.0, 10.0, 3, {}, 0.01},
+        number(ProcedureForm::tr("Stop at SD of estimate (0: never)"), nameOf("sd"), stop.sd, {0.0, 10.0, 3, {}, 0.01},
                [this, key = nameOf("sd")](double now) { edit<Spec>(key, [=](Spec& changed) { changed.stop.sd = now; }); });
     }
 }
@@ -89,9 +89,9 @@ void ProcedureForm::staircaseFields() {
     numberOf<StaircaseSpec>(tr("First x"), "start", &StaircaseSpec::start, {-10, 10, 3, {}, 0.01});
     wholeOf<StaircaseSpec>(tr("Right answers for a step down"), "down", &StaircaseSpec::down, 1, 10);
     wholeOf<StaircaseSpec>(tr("Wrong answers for a step up"), "up", &StaircaseSpec::up, 1, 10);
-    numberOf<StaircaseSpec>(tr("Step down : step up (0: as listed)"), "step_ratio", &StaircaseSpec::stepRatio, {0, 10, 4, {}, 0.01});
-    choice(tr("Steps are"), nameOf("step_type"),
-           {{tr("added"), static_cast<int>(StaircaseSpec::StepType::linear)},
+    numberOf<StaircaseSpec>(tr("Step down : step up (0: from the lists)"), "step_ratio", &StaircaseSpec::stepRatio, {0, 10, 4, {}, 0.01});
+    choice(tr("Step type"), nameOf("step_type"),
+           {{tr("linear"), static_cast<int>(StaircaseSpec::StepType::linear)},
             {tr("in log10 units"), static_cast<int>(StaircaseSpec::StepType::log)},
             {tr("in dB"), static_cast<int>(StaircaseSpec::StepType::db)}},
            static_cast<int>(spec<StaircaseSpec>()->stepType), [this](const QVariant& now) {
@@ -103,14 +103,14 @@ void ProcedureForm::staircaseFields() {
     listOfLevels<StaircaseSpec>(tr("Steps up, by number of reversals"), "steps_up", &StaircaseSpec::stepsUp);
     listOfLevels<StaircaseSpec>(tr("Steps down (empty: as up)"), "steps_down", &StaircaseSpec::stepsDown);
     checkOf<StaircaseSpec>(tr("1-up/1-down until the first reversal"), "initial_one_up_one_down", &StaircaseSpec::initialOneUpOneDown);
-    checkOf<StaircaseSpec>(tr("Counters start anew at each step"), "reset_counters", &StaircaseSpec::resetCounters);
+    checkOf<StaircaseSpec>(tr("Reset counters at each step"), "reset_counters", &StaircaseSpec::resetCounters);
     checkOf<StaircaseSpec>(tr("New step size at the reversal itself"), "new_step_at_reversal", &StaircaseSpec::newStepAtReversal);
     checkOf<StaircaseSpec>(tr("Stay within the range"), "truncate", &StaircaseSpec::truncate);
 }
 
 void ProcedureForm::pestFields() {
     numberOf<PestSpec>(tr("First x"), "start", &PestSpec::start, {-10, 10, 3, {}, 0.01});
-    numberOf<PestSpec>(tr("Proportion aimed at"), "target", &PestSpec::target, {0.01, 0.99, 3, {}, 0.01});
+    numberOf<PestSpec>(tr("Target proportion"), "target", &PestSpec::target, {0.01, 0.99, 3, {}, 0.01});
     numberOf<PestSpec>(tr("Wald deviation"), "wald_deviation", &PestSpec::waldDeviation, {0.1, 10, 2, {}, 0.1});
     numberOf<PestSpec>(tr("First step"), "step", &PestSpec::step, {0.0001, 10, 4, {}, 0.01});
     numberOf<PestSpec>(tr("Smallest step"), "smallest_step", &PestSpec::smallestStep, {0.0001, 10, 4, {}, 0.01});
@@ -119,25 +119,25 @@ void ProcedureForm::pestFields() {
 }
 
 void ProcedureForm::constantFields() {
-    wholeOf<ConstantSpec>(tr("Trials a level"), "repeats", &ConstantSpec::repeats, 1, 10000);
+    wholeOf<ConstantSpec>(tr("Trials per level"), "repeats", &ConstantSpec::repeats, 1, 10000);
     checkOf<ConstantSpec>(tr("In random order"), "shuffled", &ConstantSpec::shuffled);
     listOfLevels<ConstantSpec>(tr("Levels (x)"), "levels", &ConstantSpec::levels);
 }
 
 void ProcedureForm::descendingFields() {
-    wholeOf<DescendingSpec>(tr("Presentations a level"), "repeats", &DescendingSpec::repeats, 1, 100);
-    wholeOf<DescendingSpec>(tr("Right ones to go on"), "passes", &DescendingSpec::passes, 1, 100);
-    listOfLevels<DescendingSpec>(tr("Levels (x), falling"), "levels", &DescendingSpec::levels);
+    wholeOf<DescendingSpec>(tr("Presentations per level"), "repeats", &DescendingSpec::repeats, 1, 100);
+    wholeOf<DescendingSpec>(tr("Correct answers to go on"), "passes", &DescendingSpec::passes, 1, 100);
+    listOfLevels<DescendingSpec>(tr("Levels (x), descending"), "levels", &DescendingSpec::levels);
 }
 
 void ProcedureForm::questFields() {
     numberOf<QuestSpec>(tr("Prior: mean threshold"), "prior_mean", &QuestSpec::priorMean, {-10, 10, 3, {}, 0.01});
     numberOf<QuestSpec>(tr("Prior: SD"), "prior_sd", &QuestSpec::priorSd, {0.001, 10, 3, {}, 0.01});
-    numberOf<QuestSpec>(tr("Proportion aimed at"), "target", &QuestSpec::target, {0.01, 0.99, 3, {}, 0.01});
+    numberOf<QuestSpec>(tr("Target proportion"), "target", &QuestSpec::target, {0.01, 0.99, 3, {}, 0.01});
     numberOf<QuestSpec>(tr("Slope β"), "slope", &QuestSpec::slope, {0.1, 50, 2, {}, 0.1});
-    numberOf<QuestSpec>(tr("Lapses δ"), "lapse", &QuestSpec::lapse, {0, 0.5, 3, {}, 0.01});
-    numberOf<QuestSpec>(tr("Guesses γ"), "guess", &QuestSpec::guess, {0, 0.99, 3, {}, 0.01});
-    choice(tr("Trials are placed at"), nameOf("method"),
+    numberOf<QuestSpec>(tr("Lapse rate δ"), "lapse", &QuestSpec::lapse, {0, 0.5, 3, {}, 0.01});
+    numberOf<QuestSpec>(tr("Guess rate γ"), "guess", &QuestSpec::guess, {0, 0.99, 3, {}, 0.01});
+    choice(tr("Place trials at"), nameOf("method"),
            {{tr("Quantile"), QStringLiteral("quantile")}, {tr("Mean"), QStringLiteral("mean")}, {tr("Mode"), QStringLiteral("mode")}},
            QString::fromStdString(spec<QuestSpec>()->method), [this](const QVariant& now) {
                edit<QuestSpec>(nameOf("method"), [&](QuestSpec& changed) { changed.method = now.toString().toStdString(); });
@@ -149,12 +149,12 @@ void ProcedureForm::questPlusFields() {
     text(tr("Psychometric function"), nameOf("function"), QString::fromStdString(spec<QuestPlusSpec>()->function), [this](const QString& now) {
         edit<QuestPlusSpec>(nameOf("function"), [&](QuestPlusSpec& changed) { changed.function = now.trimmed().toStdString(); });
     });
-    wholeOf<QuestPlusSpec>(tr("Same stimulus in a row (0: any)"), "repeat_limit", &QuestPlusSpec::repeatLimit, 0, 1000);
+    wholeOf<QuestPlusSpec>(tr("Same stimulus in a row, at most (0: no limit)"), "repeat_limit", &QuestPlusSpec::repeatLimit, 0, 1000);
     numberOf<QuestPlusSpec>(tr("Share of catch trials"), "catch_every", &QuestPlusSpec::catchEvery, {0, 0.9, 2, {}, 0.05});
     stopFields<QuestPlusSpec>();
     const std::vector<ParameterGrid>& grids = spec<QuestPlusSpec>()->parameters;
     for (std::size_t i = 0; i < grids.size(); ++i)
-        list(tr("Grid of %1").arg(study_words::parameter(grids[i].name)), nameOf("grid") + QString::number(i), grids[i].values,
+        list(tr("Grid: %1").arg(study_words::parameter(grids[i].name)), nameOf("grid") + QString::number(i), grids[i].values,
              [this, i](const std::vector<double>& now) {
                  edit<QuestPlusSpec>(nameOf("grid") + QString::number(i), [&](QuestPlusSpec& changed) {
                      changed.parameters[i].values = now;
@@ -164,11 +164,11 @@ void ProcedureForm::questPlusFields() {
 }
 
 void ProcedureForm::rank3Fields() {
-    wholeOf<Rank3Spec>(tr("Same stimulus in a row (0: any)"), "repeat_limit", &Rank3Spec::repeatLimit, 0, 1000);
+    wholeOf<Rank3Spec>(tr("Same stimulus in a row, at most (0: no limit)"), "repeat_limit", &Rank3Spec::repeatLimit, 0, 1000);
     stopFields<Rank3Spec>();
-    listOfLevels<Rank3Spec>(tr("Grid of lapses"), "lapse", &Rank3Spec::lapse);
+    listOfLevels<Rank3Spec>(tr("Grid of lapse rates"), "lapse", &Rank3Spec::lapse);
     if (spec<Rank3Spec>()->allowTies)
-        listOfLevels<Rank3Spec>(tr("Grid of ties (in σ)"), "tie_thresholds", &Rank3Spec::tieThresholds);
+        listOfLevels<Rank3Spec>(tr("Grid of tie thresholds (in σ)"), "tie_thresholds", &Rank3Spec::tieThresholds);
     listOfLevels<Rank3Spec>(tr("Grid of noise (log10 σ)"), "log10_sigma", &Rank3Spec::log10Sigma);
 }
 

@@ -19,7 +19,7 @@ namespace {
 QString kindInWords(QuestionnaireItem::Kind kind) {
     switch (kind) {
     case QuestionnaireItem::Kind::likert:
-        return QuestionnairesPage::tr("Scale with words at its ends");
+        return QuestionnairesPage::tr("Scale with labelled ends");
     case QuestionnaireItem::Kind::number:
         return QuestionnairesPage::tr("Number");
     case QuestionnaireItem::Kind::choice:
@@ -54,7 +54,8 @@ QuestionnairesPage::QuestionnairesPage(const DesignPage& page, QWidget* parent) 
     column->setSpacing(theme.px(16));
     const std::size_t count = page.draft.design().questionnaires.size();
     if (count == 0)
-        column->addWidget(kit::label(theme, tr("No questionnaires. They are answered once by each participant, before or after the runs, and kept beside the data."),
+        column->addWidget(kit::label(theme, tr("No questionnaires. Each participant answers a questionnaire once, before or after the "
+                                               "runs. The answers are stored with the data."),
                                      TextStyle::body, "muted"));
     for (std::size_t i = 0; i < count; ++i)
         column->addWidget(questionnaireBox(i));
@@ -68,7 +69,7 @@ QuestionnairesPage::QuestionnairesPage(const DesignPage& page, QWidget* parent) 
 }
 
 void QuestionnairesPage::addQuestionnaire() {
-    m_page.draft.change(tr("A questionnaire more"), {}, [](StudyDesign& design) {
+    m_page.draft.change(tr("Add a questionnaire"), {}, [](StudyDesign& design) {
         Questionnaire added;
         added.id = "questionnaire_" + std::to_string(design.questionnaires.size() + 1);
         added.title["en"] = "Questionnaire";
@@ -142,23 +143,23 @@ QWidget* QuestionnairesPage::itemPart(std::size_t index, std::size_t item) {
         grid->whole(tr("Steps"), prefix + QStringLiteral("scale"), shown.scale, 2, 11, [edit, prefix](int now) {
             edit(prefix + QStringLiteral("scale"), false, [now](QuestionnaireItem& changed) { changed.scale = now; });
         });
-        addStudyText(*grid, m_page, tr("Lowest means"), prefix + QStringLiteral("low"), 1, textOf(index, item, &QuestionnaireItem::low));
-        addStudyText(*grid, m_page, tr("Highest means"), prefix + QStringLiteral("high"), 1, textOf(index, item, &QuestionnaireItem::high));
+        addStudyText(*grid, m_page, tr("Label at low end"), prefix + QStringLiteral("low"), 1, textOf(index, item, &QuestionnaireItem::low));
+        addStudyText(*grid, m_page, tr("Label at high end"), prefix + QStringLiteral("high"), 1, textOf(index, item, &QuestionnaireItem::high));
     } else if (shown.kind == QuestionnaireItem::Kind::number) {
         const auto bound = [&](const QString& label, const char* key, double QuestionnaireItem::*member) {
             grid->number(label, prefix + QLatin1String(key), shown.*member, {-1e6, 1e6, 2, {}, 1}, [edit, name = prefix + QLatin1String(key), member](double now) {
                 edit(name, false, [=](QuestionnaireItem& changed) { changed.*member = now; });
             });
         };
-        bound(tr("Lowest"), "lowest", &QuestionnaireItem::lowest);
-        bound(tr("Highest"), "highest", &QuestionnaireItem::highest);
+        bound(tr("Minimum"), "lowest", &QuestionnaireItem::lowest);
+        bound(tr("Maximum"), "highest", &QuestionnaireItem::highest);
     } else if (shown.kind == QuestionnaireItem::Kind::choice) {
         QStringList lines;
         for (const StudyText& choice : shown.choices) {
             const auto found = choice.find(m_page.language.toStdString());
             lines << (found == choice.end() ? QString() : QString::fromStdString(found->second));
         }
-        grid->longText(tr("Choices, one a line"), prefix + QStringLiteral("choices"), lines.join(QLatin1Char('\n')), 4,
+        grid->longText(tr("Choices, one per line"), prefix + QStringLiteral("choices"), lines.join(QLatin1Char('\n')), 4,
                        [edit, prefix, language = m_page.language.toStdString()](const QString& now) {
                            edit(prefix + QStringLiteral("choices"), false, [&](QuestionnaireItem& changed) {
                                const QStringList words = now.split(QLatin1Char('\n'), Qt::SkipEmptyParts);

@@ -53,10 +53,10 @@ void StudiesScreen::create(const std::string& key, const std::string& title, con
         context(), this, [=](database::StudyRepository& studies) { return studies.createStudy(key, title, json); },
         [this, title](const core::Result<database::StudyNumber>& study) {
             if (!study) {
-                context().messages().error(tr("The study was not made."), study.error());
+                context().messages().error(tr("The study was not created."), study.error());
                 return;
             }
-            context().messages().done(tr("%1 is a new draft.").arg(QString::fromStdString(title)));
+            context().messages().done(tr("%1 was created as a draft.").arg(QString::fromStdString(title)));
             context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(*study)}});
         });
 }

@@ -52,10 +52,11 @@ StudiesScreen::StudiesScreen(AppContext& context, const Place& place)
 QString StudiesScreen::title() const { return tr("Studies"); }
 
 QString StudiesScreen::help() const {
-    return tr("Every study of this site. A draft is designed and tried with simulated observers. Frozen, its design can never be changed "
-              "again: its SHA-256 stands in every export, and participants are enrolled under random codes.\n\nNew begins from a template "
-              "or from nothing; Import reads a study from a JSON file. Return or a double click opens a study. Run takes a participant "
-              "through it, Data shows what came of it.\n\nClose ends enrolment for good. Archive takes a study out of the list and can be undone.");
+    return tr("All studies of this site. A draft is designed and tried out with simulated observers. Once it is frozen, its design can "
+              "never be changed again: every export states its SHA-256, and participants are enrolled under random codes.\n\n\"New study\" "
+              "starts from a template or from scratch; \"Import\" reads a study from a JSON file. Press Return or double-click to open a "
+              "study. \"Run\" takes a participant through it, \"Data\" shows the results.\n\n\"Close\" ends enrolment for good. "
+              "\"Archive\" takes a study out of the list and can be undone.");
 }
 
 QWidget* StudiesScreen::headRow() {
@@ -70,7 +71,7 @@ QWidget* StudiesScreen::headRow() {
     auto* import = kit::button(theme, tr("Import …"), "", QStringLiteral("document-import"));
     import->setObjectName(QStringLiteral("studies.import"));
     connect(import, &QPushButton::clicked, this, &StudiesScreen::askFile);
-    m_archived = new QCheckBox(tr("Show archived ones"));
+    m_archived = new QCheckBox(tr("Show archived"));
     m_archived->setObjectName(QStringLiteral("studies.archived"));
     m_archived->setFont(theme.font(TextStyle::body));
     m_archived->setChecked(place().parameters.value(QStringLiteral("archived")).toBool());
@@ -140,7 +141,8 @@ void StudiesScreen::loaded(core::Result<std::vector<database::StudySummary>> stu
     m_count->setText(tr("%n stud(y/ies)", nullptr, static_cast<int>(m_studies.size())));
     if (m_studies.empty()) {
         m_count->clear();
-        m_panel->showEmpty(tr("No studies yet"), tr("Begin with a template: a ranking of three, a staircase or constant stimuli, ready to be changed."),
+        m_panel->showEmpty(tr("No studies yet"), tr("Start from a template and change it: a ranking of three, a staircase or constant "
+                                                    "stimuli."),
                            tr("New study …"), [this] { askNew(); });
         showActions();
         return;

@@ -111,9 +111,9 @@ QString parameter(const std::string& name) {
     if (name == "sd")
         return Words::tr("Standard deviation");
     if (name == "lapse" || name == "lapse_rate")
-        return Words::tr("Lapses");
+        return Words::tr("Lapse rate");
     if (name == "guess" || name == "lower_asymptote")
-        return Words::tr("Guesses");
+        return Words::tr("Guess rate");
     return QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 

@@ -44,10 +44,11 @@ QString StudyScreen::title() const {
 }
 
 QString StudyScreen::help() const {
-    return tr("One study. As long as it is a draft everything can be changed; what is complete is kept at once, Ctrl+Z takes a step back, and "
-              "what is wrong is said above the page.\n\nConditions say what is compared, by which task and procedure. Preview lets simulated "
-              "observers do the study and shows the precision to be expected, the trials and the time. Participants enrols people under random "
-              "codes and records their consent.\n\nFreeze fixes the design for good under its SHA-256; participants can be enrolled from then on.");
+    return tr("One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and "
+              "errors are shown above the page.\n\nConditions defines what is compared, with which task and procedure. Preview runs the "
+              "study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people "
+              "under random codes and records their consent.\n\nFreeze fixes the design permanently under its SHA-256; participants can be "
+              "enrolled from then on.");
 }
 
 void StudyScreen::enter() { load(); }
@@ -95,7 +96,7 @@ void StudyScreen::build() {
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setUsesScrollButtons(true);
-    for (const QString& name : {tr("About"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), tr("Participants")})
+    for (const QString& name : {tr("General"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), tr("Participants")})
         m_bar->addTab(name);
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);

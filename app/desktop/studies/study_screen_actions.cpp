@@ -57,7 +57,7 @@ void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDe
         return; // of a design that was changed since
     m_good = read.has_value();
     if (m_faults)
-        m_faults->say("bad", m_good ? QString() : tr("Not kept yet, because this is not right:\n%1").arg(faultsInWords(read.error())));
+        m_faults->say("bad", m_good ? QString() : tr("Not saved yet. Correct this first:\n%1").arg(faultsInWords(read.error())));
     if (m_good)
         save();
     showState();
@@ -73,7 +73,7 @@ void StudyScreen::save() {
         [this, version = m_version](const core::Result<void>& done) {
             m_saving = false;
             if (!done)
-                m_faults->say("bad", tr("The draft could not be kept.\n%1").arg(inWords(done.error())));
+                m_faults->say("bad", tr("The draft could not be saved.\n%1").arg(inWords(done.error())));
             else if (version == m_version)
                 m_saved = true;
             else
@@ -94,12 +94,12 @@ void StudyScreen::showState() {
     if (m_open.design.blindExperimenter && !m_open.editable())
         words << (study.unblinded ? tr("unblinded") : tr("blind"));
     if (!readOnly())
-        words << (m_saved ? tr("everything is kept") : m_good ? tr("keeping …") : tr("not kept"));
+        words << (m_saved ? tr("all changes saved") : m_good ? tr("saving …") : tr("not saved"));
     m_state->setText(words.join(QStringLiteral(" · ")));
     if (m_undo) {
         m_undo->setEnabled(m_draft.history().canUndo());
         m_redo->setEnabled(m_draft.history().canRedo());
-        kit::allowUnless(*m_freeze, !m_good ? tr("The design has to be right before it can be frozen.") : !m_saved ? tr("The last changes are still being kept.") : QString());
+        kit::allowUnless(*m_freeze, !m_good ? tr("The design must be free of errors before it can be frozen.") : !m_saved ? tr("The last changes are still being saved.") : QString());
     }
 }
 
@@ -113,12 +113,12 @@ bool StudyScreen::mayLeave() {
             [study = m_study, json = catalogue::studyJson(*read).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
             [&app = context()](const core::Result<void>& done) {
                 if (!done)
-                    app.messages().error(StudyScreen::tr("The draft could not be kept."), done.error());
+                    app.messages().error(StudyScreen::tr("The draft could not be saved."), done.error());
             });
         return true;
     }
     QMessageBox box(QMessageBox::Question, title(), tr("Leave without the last changes?"), QMessageBox::NoButton, window());
-    box.setInformativeText(tr("The design is not right yet, so its last changes are not kept. What was right before is."));
+    box.setInformativeText(tr("The design still has errors, so the last changes were not saved. The last version without errors is saved."));
     QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
     QPushButton* leave = box.addButton(tr("Leave"), QMessageBox::DestructiveRole);
     box.setDefaultButton(stay);
@@ -139,7 +139,7 @@ void StudyScreen::reloadTo(int tab) {
 }
 
 void StudyScreen::askImport() {
-    auto* dialog = new QFileDialog(this, tr("Take the design of a file"), QString(), tr("Studies (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Import a design from a file"), QString(), tr("Studies (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &StudyScreen::importFile);
@@ -151,7 +151,7 @@ void StudyScreen::importFile(const QString& file) {
     const auto design = catalogue::readWholeFile(file, kLargestStudy_bytes)
                             .and_then([&](const QByteArray& text) { return catalogue::readStudy(text, file.toStdString()); });
     if (!design) {
-        m_faults->say("bad", tr("The file was not taken:\n%1").arg(QString::fromStdString(design.error().message)));
+        m_faults->say("bad", tr("The file was not imported:\n%1").arg(QString::fromStdString(design.error().message)));
         return;
     }
     m_draft.change(tr("Import of a file"), {}, [&](psychophysics::StudyDesign& now) {
@@ -178,7 +178,7 @@ void StudyScreen::exportFile(const QString& name) {
         context().messages().error(tr("The design was not saved."), {core::ErrorCode::storage, (name + QStringLiteral(": ") + file.errorString()).toStdString()});
         return;
     }
-    context().messages().done(tr("The design is saved in %1.").arg(name));
+    context().messages().done(tr("The design was saved in %1.").arg(name));
 }
 
 } // namespace chiron::desktop

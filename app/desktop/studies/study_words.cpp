@@ -64,9 +64,9 @@ QString task(Task task) {
     case Task::rank3Ties:
         return Words::tr("Ranking of three, with ties");
     case Task::twoAfc:
-        return Words::tr("Two intervals (2AFC)");
+        return Words::tr("Two alternatives (2AFC)");
     case Task::threeAfc:
-        return Words::tr("Three intervals (3AFC)");
+        return Words::tr("Three alternatives (3AFC)");
     case Task::oddity:
         return Words::tr("Odd one out of three");
     case Task::sameDifferent:
@@ -86,19 +86,19 @@ QString taskInWords(Task task) {
     case Task::rank3:
         return Words::tr("Three objects that differ in equal steps are put in order.");
     case Task::rank3Ties:
-        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the same may be called equal.");
+        return Words::tr("Three objects that differ in equal steps are put in order; those that feel the same may be marked as equal.");
     case Task::twoAfc:
-        return Words::tr("Which of two objects is more?");
+        return Words::tr("Which of two objects has more of the attribute?");
     case Task::threeAfc:
-        return Words::tr("Which of three objects is more? Two are the reference.");
+        return Words::tr("Which of three objects has more of the attribute? Two are the reference.");
     case Task::oddity:
         return Words::tr("Which of three objects is unlike the other two?");
     case Task::sameDifferent:
         return Words::tr("Are two objects the same or different?");
     case Task::yesNo:
-        return Words::tr("Is one object more than the reference that was explored before?");
+        return Words::tr("Does an object have more of the attribute than the reference explored before it?");
     case Task::adjustment:
-        return Words::tr("One object is changed until it equals the other.");
+        return Words::tr("One object is adjusted until it feels like the other.");
     case Task::magnitude:
         return Words::tr("Each object is given a number.");
     }
@@ -115,7 +115,7 @@ QString more(Attribute attribute) {
     case Attribute::mass:
         return Words::tr("heavier");
     case Attribute::deformation:
-        return Words::tr("slower to come back");
+        return Words::tr("slower to spring back");
     case Attribute::roughness:
         return Words::tr("rougher");
     case Attribute::friction:
@@ -134,9 +134,9 @@ QString question(Task task, Attribute attribute) {
     const QString word = more(attribute);
     switch (task) {
     case Task::rank3:
-        return Words::tr("Put the three in order; the one that is %1 comes last.").arg(word);
+        return Words::tr("Put the three in order: each one %1 than the one before.").arg(word);
     case Task::rank3Ties:
-        return Words::tr("Put the three in order; the one that is %1 comes last. What feels the same may be called equal.").arg(word);
+        return Words::tr("Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.").arg(word);
     case Task::twoAfc:
         return Words::tr("Which one is %1?").arg(word);
     case Task::threeAfc:
@@ -150,7 +150,7 @@ QString question(Task task, Attribute attribute) {
     case Task::adjustment:
         return Words::tr("Change the right one until both feel the same.");
     case Task::magnitude:
-        return Words::tr("Give what you feel a number. Any positive number is right.");
+        return Words::tr("Give a number to what you feel. Any positive number is allowed.");
     }
     return {};
 }
@@ -168,13 +168,14 @@ QString procedure(std::string_view id) {
 
 QString procedureInWords(std::string_view kind) {
     const std::map<std::string_view, QString> words{
-        {"staircase", Words::tr("Harder after right answers, easier after wrong ones. Robust and easy to explain.")},
-        {"pest", Words::tr("Steps halve and double by a running test. For replications only.")},
-        {"constant", Words::tr("Every difference equally often, in random order. The whole curve, with many trials.")},
-        {"descending", Words::tr("The difference shrinks until an answer is wrong. Overestimates the JND by half to three times; for replications only.")},
+        {"staircase", Words::tr("Gets harder after right answers and easier after wrong ones. Robust and easy to explain.")},
+        {"pest", Words::tr("A sequential test halves and doubles the steps. For replications only.")},
+        {"constant", Words::tr("Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.")},
+        {"descending", Words::tr("The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for "
+                                 "replications only.")},
         {"quest", Words::tr("Bayesian; places each trial where the threshold probably is.")},
-        {"quest_plus", Words::tr("Bayesian; chooses the trial that teaches most about threshold, slope and lapses.")},
-        {"rank3_quest_plus", Words::tr("QUEST+ with an observer for rankings of three. Needs the fewest trials; the default.")}};
+        {"quest_plus", Words::tr("Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.")},
+        {"rank3_quest_plus", Words::tr("QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.")}};
     const auto found = words.find(kind);
     return found == words.end() ? QString() : found->second;
 }
@@ -242,15 +243,15 @@ QString runState(database::StudyRunState state) {
 }
 
 QString spoiled(std::string_view token) {
-    const std::map<std::string_view, QString> words{{"force_error", Words::tr("Force was not what was asked")},
+    const std::map<std::string_view, QString> words{{"force_error", Words::tr("Force not as commanded")},
                                                     {"stiffness_error", Words::tr("Felt value off")},
                                                     {"late_ticks", Words::tr("Late ticks")},
                                                     {"saturation", Words::tr("Device at its limit")},
                                                     {"speed", Words::tr("Moved too fast")},
                                                     {"peak_force", Words::tr("Pressed too hard")},
                                                     {"time", Words::tr("Time was up")},
-                                                    {"untouched", Words::tr("Not all were touched")},
-                                                    {"experimenter", Words::tr("Spoiled by the experimenter")},
+                                                    {"untouched", Words::tr("Not all touched")},
+                                                    {"experimenter", Words::tr("Discarded by the experimenter")},
                                                     {"stopped", Words::tr("Stopped")},
                                                     {"withheld", Words::tr("Sealed reason")}};
     return oneOf(words, token);

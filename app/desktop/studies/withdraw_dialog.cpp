@@ -10,13 +10,13 @@ namespace chiron::desktop {
 
 WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant& participant, QWidget* parent)
     : FormDialog(context, QStringLiteral("withdraw"), tr("Withdraw %1").arg(QString::fromStdString(participant.code)), parent), m_participant(participant) {
-    column()->addWidget(kit::label(theme(), tr("The participant takes no further part; open runs are stopped. What was recorded stays under the code, and the "
-                                               "place in the order is free again.")));
+    column()->addWidget(kit::label(theme(), tr("The participant leaves the study; open runs are stopped. What was recorded stays under the "
+                                               "code, and the place in the order is free again.")));
     m_erase = new QCheckBox(tr("The participant wants the recordings erased"));
     m_erase->setObjectName(QStringLiteral("withdraw.erase"));
     m_erase->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_erase);
-    column()->addWidget(kit::label(theme(), tr("The wish is kept; an administrator erases."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(), tr("The request is recorded; an administrator then erases the recordings."), TextStyle::small, "muted"));
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone.")));
     setAccept(tr("Withdraw"), "danger");
     setAcceptable(true);
@@ -33,7 +33,7 @@ void WithdrawDialog::submit() {
                 say("bad", tr("The participant was not withdrawn.\n%1").arg(inWords(done.error())));
                 return;
             }
-            context().messages().done(tr("%1 takes no further part.").arg(QString::fromStdString(m_participant.code)));
+            context().messages().done(tr("%1 no longer takes part.").arg(QString::fromStdString(m_participant.code)));
             emit changed();
             accept();
         });

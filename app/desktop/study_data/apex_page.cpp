@@ -39,7 +39,8 @@ ApexPage::ApexPage(AppContext& app, const StudyFacts& facts, std::size_t conditi
     column->addWidget(chooser());
     const ApexFacts& apex = *facts.apexes[condition];
     if (apex.names.empty()) {
-        column->addWidget(kit::notice(app.theme(), "info", tr("Nobody has done this condition yet. Each participant's marks will be here as soon as there is a run.")));
+        column->addWidget(kit::notice(app.theme(), "info", tr("Nobody has done this condition yet. Each participant's marks will appear "
+                                                              "here after the first run.")));
         return;
     }
     column->addWidget(summaryBox(apex.summary, tr("Group"), 0));

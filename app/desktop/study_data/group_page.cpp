@@ -37,7 +37,8 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
         return;
     }
     if (runs().empty()) {
-        column->addWidget(kit::notice(theme, "info", tr("Nobody has done this condition yet. Each participant's result will be here as soon as there is a run.")));
+        column->addWidget(kit::notice(theme, "info", tr("Nobody has run this condition yet. Each participant's result appears here after "
+                                                        "their first run.")));
         return;
     }
     column->addWidget(groupBox());
@@ -82,13 +83,13 @@ QWidget* GroupPage::groupBox() {
     const QString interval = study_words::intervalPercent(group.weber95.low, group.weber95.high, locale);
     const QString next = study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
     box.layout->addWidget(kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
-    QStringList words{tr("Weber fraction of %n participant(s), as random effects", nullptr, group.participants)};
+    QStringList words{tr("Weber fraction of %n participant(s) (random effects)", nullptr, group.participants)};
     if (!interval.isEmpty())
         words << tr("95 %: %1").arg(interval);
     if (group.prediction95.high > kUnknownFactor * group.prediction95.low) // of three people it may reach from nothing to 5,000 %
-        words << tr("too few people to say what a further one would show");
+        words << tr("too few participants for a prediction");
     else if (!next.isEmpty())
-        words << tr("a further participant: %1").arg(next);
+        words << tr("prediction for a new participant: %1").arg(next);
     const auto& designed = m_facts.designed[m_condition];
     if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
         words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
@@ -112,8 +113,10 @@ void GroupPage::addAgreement(QVBoxLayout& layout) const {
             }
     const QLocale locale = m_app.locale();
     if (of > 0)
-        layout.addWidget(kit::label(m_app.theme(), (m_facts.rankings[m_condition].tied > 0 ? tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 % or less)")
-                                                                                          : tr("Rankings all in the true order: %1 of %2 (%3; guessing gives 16.7 %)"))
+        layout.addWidget(kit::label(m_app.theme(), (m_facts.rankings[m_condition].tied > 0 ? tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
+                                                                                                "% or less)")
+                                                                                          : tr("Rankings entirely correct: %1 of %2 (%3; chance level 16.7 "
+                                                                                               "%)"))
                                                        .arg(locale.toString(right), locale.toString(of), study_words::percent(static_cast<double>(right) / of, locale)),
                                     TextStyle::body, "muted"));
 }
@@ -153,7 +156,7 @@ QWidget* GroupPage::tableBox() {
     auto* table = new FittedTable(theme, columns);
     table->setObjectName(QStringLiteral("data.runs"));
     table->setAccessibleName(tr("Runs"));
-    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Prior's part"), tr("Run"), tr("Warnings")});
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Prior influence"), tr("Run"), tr("Warnings")});
     table->horizontalHeaderItem(priorColumn)->setToolTip(session_report::influenceMeaning());
     const std::vector<const RunFacts*> shown = runs();
     const bool sealed = m_facts.study.blind() || !m_facts.designed[m_condition];

@@ -90,13 +90,13 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
              study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
         if (std::isfinite(estimate.pse)) {
             const double factor = study_words::unitOf(stimulus.attribute).factor;
-            fact(tr("Point of equality"), study_words::value(estimate.pse, stimulus.attribute, locale),
+            fact(tr("Point of subjective equality"), study_words::value(estimate.pse, stimulus.attribute, locale),
                  study_words::interval(estimate.pse95.low * factor, estimate.pse95.high * factor, locale));
         }
     }
     fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
     if (std::isfinite(estimate.tie))
-        fact(tr("Called equal below, in σ"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
+        fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
     box.layout->addWidget(grid);
     const QString method = session_report::methodWords(estimate.method);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
@@ -109,8 +109,9 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     const session::ReplayedChoices& again = run.replayed;
     if (again.trials > 0)
         box.layout->addWidget(kit::label(theme, again.same + again.ties == again.trials && again.sameProcedures
-                                                    ? tr("Run again from its log, the procedure makes the same %n choice(s).", nullptr, again.trials)
-                                                    : tr("Run again from its log, the procedure chooses differently: %1 of %2 are the same.")
+                                                    ? tr("Replayed from its log, the procedure makes the same %n choice(s).", nullptr, again.trials)
+                                                    : tr("Replayed from its log, the procedure makes different choices: only %1 of %2 "
+                                                         "match.")
                                                           .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
                                          TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
     for (const psychophysics::Warning& warning : estimate.warnings)
@@ -125,10 +126,10 @@ QWidget* PersonPage::curveBox(const RunFacts& run) const {
     auto* plot = new report::PlotView(plotThemeOf(theme, m_app.locale()));
     plot->setObjectName(QStringLiteral("data.curve"));
     plot->setMinimumHeight(theme.px(320));
-    plot->setTitle(tr("Right answers by difference"));
+    plot->setTitle(tr("Proportion correct by difference"));
     session_report::drawRunCurve(*plot, estimate, m_facts.ranks(run.condition));
     if (estimate.curveDifference.empty() && estimate.points.empty())
-        plot->setNote(tr("This task has no curve of right answers"));
+        plot->setNote(tr("This task has no psychometric curve"));
     box.layout->addWidget(plot);
     return box.frame;
 }

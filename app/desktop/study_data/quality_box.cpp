@@ -22,10 +22,11 @@ QualityBox::QualityBox(AppContext& app, const StudyFacts& facts, QWidget* parent
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
     column->addWidget(kit::notice(theme, "info",
-                                  tr("Results stay sealed until the study is unblinded: answers, times and even the number of trials could tell which condition is which. How well "
-                                     "trials went can be seen here, by participant, over all conditions together.")));
+                                  tr("Results stay sealed until the study is unblinded: answers, times and even the number of trials could "
+                                     "reveal which condition is which. This page shows how well the trials went, for each participant, "
+                                     "across all conditions.")));
     column->addWidget(table(app, facts));
-    column->addWidget(kit::label(theme, tr("How many trials there were is shown of those who have done every condition."), TextStyle::small, "muted"));
+    column->addWidget(kit::label(theme, tr("The number of trials is shown only for participants who have completed every condition."), TextStyle::small, "muted"));
     column->addStretch(); // else the notice takes the height that a page leaves
 }
 

@@ -71,7 +71,7 @@ QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& ques
     if (numbers.empty() && texts.isEmpty())
         column->addWidget(kit::label(theme, tr("No answers"), TextStyle::body, "muted"));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::choice)
-        column->addWidget(kit::label(theme, tr("Median %1, middle half %2 to %3")
+        column->addWidget(kit::label(theme, tr("Median %1, interquartile range %2 to %3")
                                                 .arg(study_words::plainNumber(quantileOf(numbers, 0.5), locale), study_words::plainNumber(quantileOf(numbers, 0.25), locale),
                                                      study_words::plainNumber(quantileOf(numbers, 0.75), locale))));
     if (!numbers.empty() && item.kind != QuestionnaireItem::Kind::number)

@@ -48,12 +48,13 @@ RankingBox::RankingBox(AppContext& app, const RankingSummary& summary, Of of, QW
     column->setSpacing(theme.px(10));
     column->addWidget(kit::label(theme, tr("Rankings"), TextStyle::title));
     if (summary.rankings == 0) {
-        column->addWidget(kit::notice(theme, "info", tr("No ranking counts yet. Agreement and worths will be here as soon as one does.")));
+        column->addWidget(kit::notice(theme, "info", tr("There are no scored rankings yet. Agreement and worths appear here after the "
+                                                        "first one.")));
         return;
     }
     const QString basis = of == Of::person ? tr("%n ranking(s) of three objects; each is one judgement.", nullptr, summary.rankings)
                                            : tr("%n participant(s); each one's mean ranks are one judgement.", nullptr, summary.judges);
-    const QString tied = summary.tied > 0 ? QStringLiteral(" ") + tr("In %n ranking(s) something was called equal.", nullptr, summary.tied) : QString();
+    const QString tied = summary.tied > 0 ? QStringLiteral(" ") + tr("%n ranking(s) contained ties.", nullptr, summary.tied) : QString();
     column->addWidget(kit::label(theme, basis + tied, TextStyle::small, "muted"));
     if (summary.adaptive)
         column->addWidget(kit::label(theme, tr("Each answer decided what came next, so one person's trials are not independent: they have no interval and no p."), TextStyle::small, "muted"));
@@ -68,16 +69,16 @@ void RankingBox::addMeasures(QVBoxLayout& column, const RankingSummary& summary,
     const auto pOf = [&](double p) { return summary.adaptive ? tr("no p") : pText(p, locale); };
     auto* grid = new FieldGrid(m_app.theme(), locale, true);
     const auto& complete = summary.complete;
-    addMeasure(*grid, tr("Whole orders right"), study_words::percent(complete.share, locale), interval(study_words::intervalPercent(complete.low, complete.high, locale)),
+    addMeasure(*grid, tr("Completely correct orders"), study_words::percent(complete.share, locale), interval(study_words::intervalPercent(complete.low, complete.high, locale)),
                (summary.tied > 0 ? tr("%1 of %2; guessing gives 16.7 % or less.") : tr("%1 of %2; guessing gives 16.7 %.")).arg(locale.toString(complete.right), locale.toString(complete.of)));
     addMeasure(*grid, tr("Kendall's τ"), decimals(summary.tau),
                interval(std::isfinite(summary.tauLow) ? QStringLiteral("%1 … %2").arg(decimals(summary.tauLow), decimals(summary.tauHigh)) : QString()),
-               tr("Likeness to the true order: 1 the same, 0 no relation, −1 reversed."));
+               tr("Similarity to the true order: 1 = identical, 0 = unrelated, −1 = reversed."));
     addMeasure(*grid, tr("Kendall's W"), decimals(summary.agreement.w),
                pOf(std::isfinite(summary.agreement.exactP) ? summary.agreement.exactP : summary.agreement.pValue) +
                    (std::isfinite(summary.wLow) ? QStringLiteral(" · ") + interval(QStringLiteral("%1 … %2").arg(decimals(summary.wLow), decimals(summary.wHigh))) : QString()),
-               of == Of::person ? tr("How far the rankings agree with each other: 0 not at all, 1 wholly.")
-                                : tr("How far the participants agree with each other: 0 not at all, 1 wholly."));
+               of == Of::person ? tr("How closely the rankings agree: 0 = not at all, 1 = completely.")
+                                : tr("How closely the participants agree: 0 = not at all, 1 = completely."));
     addMeasure(*grid, tr("Page's L"), study_words::number(summary.trend.l, locale, 4), pOf(summary.trend.pValue),
                tr("Trend towards the true order; guessing gives %1 on average.").arg(study_words::number(summary.trend.expected, locale, 4)));
     column.addWidget(grid);
@@ -100,17 +101,18 @@ void RankingBox::addMeasure(FieldGrid& grid, const QString& name, const QString&
 void RankingBox::addWorths(QVBoxLayout& column, const RankingSummary& summary) {
     const Theme& theme = m_app.theme();
     column.addWidget(kit::label(theme, tr("Worth of each object"), TextStyle::strong));
-    column.addWidget(kit::label(theme, tr("How much more often an object was ranked above the others, by three models. Farther apart means easier to tell apart. All "
-                                          "differences D of the run are taken together, and each ranking as independent of the others."),
+    column.addWidget(kit::label(theme, tr("How much more often an object was ranked above the others, estimated by three models. The "
+                                          "farther apart two values are, the easier the objects are to tell apart. All differences D of "
+                                          "the run are pooled, and rankings are treated as independent of each other."),
                                 TextStyle::small, "muted"));
     if (!summary.plackettLuce.fitted && !summary.thurstone.fitted)
-        column.addWidget(kit::notice(theme, "info", tr("No worth is finite: some object was always, or never, ranked above the others. That is what a very clear "
-                                                       "difference looks like.")));
+        column.addWidget(kit::notice(theme, "info", tr("The worths cannot be estimated: an object was always, or never, ranked above the "
+                                                       "others. This happens when the difference is very clear.")));
     else {
         auto* plots = new ResponsiveRow(theme.px(kThreeAbreast), theme.px(8));
         plots->add(worthPlot(summary.tied > 0 ? tr("Bradley-Terry, ties by Davidson") : tr("Bradley-Terry"), tr("ln worth"), summary.bradleyTerry));
         plots->add(worthPlot(tr("Plackett-Luce"), tr("ln worth"), summary.plackettLuce));
-        plots->add(worthPlot(tr("Thurstone"), tr("Scale (sd of a difference)"), summary.thurstone));
+        plots->add(worthPlot(tr("Thurstone"), tr("Scale (SD of a difference)"), summary.thurstone));
         column.addWidget(plots);
     }
     column.addWidget(worthTable(summary));

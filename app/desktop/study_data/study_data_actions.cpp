@@ -41,7 +41,7 @@ QWidget* StudyDataScreen::toolRow() {
 
 std::vector<ScreenCommand> StudyDataScreen::commands() {
     return {{tr("Export as CSV"), {}, [this] { askFolder(&StudyDataScreen::exportCsvTo); }},
-            {tr("Write a PDF"), QKeySequence(QKeySequence::Print), [this] { askPdf(); }},
+            {tr("Save as PDF"), QKeySequence(QKeySequence::Print), [this] { askPdf(); }},
             {tr("Export as BIDS"), {}, [this] { askFolder(&StudyDataScreen::exportBidsTo); }}};
 }
 
@@ -55,7 +55,7 @@ void StudyDataScreen::askUnblind() {
 }
 
 void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
-    auto* dialog = new QFileDialog(this, tr("Where should the folder go?"));
+    auto* dialog = new QFileDialog(this, tr("Choose a location for the folder"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -104,7 +104,7 @@ void StudyDataScreen::exportBidsTo(const QString& parent) {
 }
 
 void StudyDataScreen::askPdf() {
-    auto* dialog = new QFileDialog(this, tr("Write a PDF"), QString(), tr("PDF (*.pdf)"));
+    auto* dialog = new QFileDialog(this, tr("Save as PDF"), QString(), tr("PDF (*.pdf)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));

@@ -38,11 +38,11 @@ StudyDataScreen::~StudyDataScreen() {
 QString StudyDataScreen::title() const { return tr("Data"); }
 
 QString StudyDataScreen::help() const {
-    return tr("What came of a study.\n\nGroup shows each participant's Weber fraction with its interval, condition by condition, and warnings in words. "
-              "Person shows a run's curve with its data. Trials lists every presentation with its fidelity; what did not count says why. Questions sums "
-              "up the questionnaires.\n\nExport writes tables (CSV), a BIDS dataset or a PDF; the design's SHA-256 is in each. While the experimenter is "
-              "blind, conditions go by sealed codes, and nothing is shown of their runs but how well trials went, by participant; unblinding asks for a reason, is "
-              "recorded and cannot be undone.");
+    return tr("The results of a study.\n\nGroup shows each participant's Weber fraction with its interval for every condition, and any "
+              "warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one "
+              "did not count. Questions summarises the questionnaires.\n\nYou can export tables (CSV), a BIDS dataset or a PDF; each "
+              "contains the design's SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you "
+              "see only how well each participant's trials went. Unblinding asks for a reason, is recorded and cannot be undone.");
 }
 
 void StudyDataScreen::enter() { loadList(); }
@@ -60,7 +60,8 @@ void StudyDataScreen::loadList() {
                                              if (!each.sha256.empty())
                                                  m_list.push_back(std::move(each));
                                          if (m_list.empty()) {
-                                             m_panel->showEmpty(tr("No data yet"), tr("Data come from frozen studies that participants took part in."), tr("Open the studies"),
+                                             m_panel->showEmpty(tr("No data yet"), tr("Data appear here once participants have taken part in a "
+                                                                                      "frozen study."), tr("Open the studies"),
                                                                 [this] { context().navigator().go(QStringLiteral("studies")); });
                                              return;
                                          }
@@ -151,7 +152,7 @@ QWidget* StudyDataScreen::headRow() {
     column->addWidget(kit::label(theme, title(), TextStyle::heading));
     column->addWidget(choice);
     if (m_facts.anyShown) {
-        auto* shown = new QCheckBox(tr("Groups hold runs that were shown, not felt"));
+        auto* shown = new QCheckBox(tr("Groups include runs with force shown, not felt"));
         shown->setObjectName(QStringLiteral("data.with_shown"));
         shown->setFont(theme.font(TextStyle::body));
         shown->setChecked(m_withShown);
@@ -165,7 +166,7 @@ QWidget* StudyDataScreen::headRow() {
     QStringList words{study_words::state(study.state), tr("SHA-256 %1").arg(study_words::shortSha(study.sha256)),
                       tr("%n participant(s)", nullptr, study.participants), tr("%n scored trial(s)", nullptr, study.trials)};
     if (m_facts.study.design.blindExperimenter)
-        words << (study.unblinded ? tr("unblinded") : tr("blind: conditions by sealed codes"));
+        words << (study.unblinded ? tr("unblinded") : tr("blind: conditions shown by sealed codes"));
     auto* facts = kit::label(theme, words.join(QStringLiteral(" · ")), TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("data.facts"));
     column->addWidget(facts);

@@ -53,10 +53,10 @@ TrialsPageOfRun::TrialsPageOfRun(AppContext& app, const StudyFacts& facts, datab
 // Short, so that a window of 1280 pixels holds them in every language; what each means is in its tool tip.
 void TrialsPageOfRun::setHeadings(QTableWidget& shown) {
     shown.setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Force (N)"), tr("Speed (mm/s)"),
-                                     tr("Late ticks"), tr("Felt off by")});
-    const QStringList tips{tr("Number of the presentation"), tr("How much more the object had"), tr("What the participant said"), tr("Whether the trial counts, and why not"),
-                           tr("Time until the answer"), tr("Peak force"), tr("Mean speed of the tool"), tr("Share of ticks that came late"),
-                           tr("How far the felt value was from the one asked for")};
+                                     tr("Late ticks"), tr("Deviation")});
+    const QStringList tips{tr("Number of the presentation"), tr("By how much the object exceeded the reference"), tr("What the participant said"), tr("Whether the trial counts, and if not, why"),
+                           tr("Time until the answer"), tr("Peak force"), tr("Mean speed of the tool"), tr("Share of late ticks"),
+                           tr("How far the felt value was from the requested one")};
     for (int column = 0; column < columns; ++column)
         shown.horizontalHeaderItem(column)->setToolTip(tips[column]);
 }

@@ -60,7 +60,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
         m_number->setMaximumWidth(theme.px(160));
         m_number->setValidator(new QDoubleValidator(0.0, 1e9, 6, m_number));
         row->addWidget(m_number);
-        m_confirm = add(tr("Give it (Enter)"), QStringLiteral("answer.confirm"), "primary");
+        m_confirm = add(tr("Submit (Enter)"), QStringLiteral("answer.confirm"), "primary");
         connect(m_number, &QLineEdit::returnPressed, this, &AnswerPanel::confirm);
         break;
     case Task::twoAfc:
@@ -127,7 +127,7 @@ void AnswerPanel::buildRanking() {
     }
     m_back = add(tr("Back (⌫)"), QStringLiteral("answer.back"), "quiet");
     connect(m_back, &QPushButton::clicked, this, &AnswerPanel::takeBack);
-    m_confirm = add(tr("That is it (Enter)"), QStringLiteral("answer.confirm"), "primary");
+    m_confirm = add(tr("Confirm (Enter)"), QStringLiteral("answer.confirm"), "primary");
 }
 
 void AnswerPanel::setOpen(bool open, const QString& why) {
@@ -270,7 +270,7 @@ void AnswerPanel::confirm() {
         if (good && value > 0.0)
             emit answered(0, value);
         else
-            m_why->setText(tr("A number above nothing, please."));
+            m_why->setText(tr("Enter a number above zero."));
     }
 }
 

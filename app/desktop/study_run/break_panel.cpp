@@ -24,7 +24,7 @@ BreakPanel::BreakPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
     m_text->setObjectName(QStringLiteral("break.text"));
     m_text->setAlignment(Qt::AlignHCenter);
     m_bar = new QProgressBar;
-    m_bar->setAccessibleName(tr("Time of the break"));
+    m_bar->setAccessibleName(tr("Break time"));
     m_bar->setTextVisible(false);
     m_bar->hide();
     m_button = kit::button(theme, {}, "primary");

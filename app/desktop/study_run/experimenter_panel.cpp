@@ -48,7 +48,7 @@ ExperimenterPanel::ExperimenterPanel(const Theme& theme, const QLocale& locale, 
     box.layout->addStretch(); // takes the room of the plot until there is one
     box.layout->addWidget(kit::rule());
     box.layout->addWidget(m_fidelity);
-    m_spoil = add("experimenter.spoil", tr("Spoil this trial"), "", "edit-delete");
+    m_spoil = add("experimenter.spoil", tr("Discard this trial"), "", "edit-delete");
     m_spoil->setToolTip(tr("It does not count and is presented again."));
     m_pause = add("experimenter.pause", tr("Pause (Space)"), "", "media-playback-pause");
     m_stop = add("experimenter.stop", tr("Stop …"), "danger", "media-playback-stop");
@@ -77,7 +77,7 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
     m_progress->setText(view.practice ? tr("Practice, not scored. %1").arg(most) : tr("%1, %2 repeated").arg(most, m_locale.toString(numbers.spoiled)));
     m_pause->setText(view.state == State::paused ? tr("Resume (Space)") : tr("Pause (Space)"));
     m_spoil->setEnabled(!numbers.spoiling && (view.state == State::exploring || view.state == State::answering));
-    m_spoil->setText(numbers.spoiling ? tr("It will not count") : tr("Spoil this trial"));
+    m_spoil->setText(numbers.spoiling ? tr("It will not count") : tr("Discard this trial"));
     const int seen = numbers.scored + numbers.spoiled + numbers.practice;
     if (seen == m_seen)
         return;
@@ -96,15 +96,16 @@ QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers
     const session::TrialFidelity& trial = numbers.lastFidelity;
     const bool none = trial.contacts == 0 && !std::isfinite(trial.meanSpeed_m_per_s) && !std::isfinite(trial.duration_s); // in this sitting: others may have been before
     if (m_seen <= 0 || none)
-        return tr("The fidelity of each trial will be here.") + QLatin1Char('\n') + delayText(numbers.limits);
+        return tr("The fidelity of each trial will appear here.") + QLatin1Char('\n') + delayText(numbers.limits);
     QStringList words;
     words << (numbers.lastSpoiled.empty() ? tr("Last trial: counted.") : tr("Last trial: repeated. %1.").arg(study_words::spoiled(numbers.lastSpoiled)));
     words << (std::isfinite(trial.peakForce_N) || !numbers.blind ? forceText(trial)
-                                               : tr("Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would tell the condition.")
+                                               : tr("Mean speed %1 mm/s, %2 contacts, %3 s, late ticks %4. Forces stay sealed: they would "
+                                                    "reveal the condition.")
                                                      .arg(study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale), m_locale.toString(trial.contacts),
                                                           study_words::number(trial.duration_s, m_locale), study_words::percent(trial.lateTicks, m_locale)));
     if (numbers.limited)
-        words << tr("The device cannot render all differences: %n are left.", nullptr, numbers.candidates);
+        words << tr("The device cannot render all differences: %n remain.", nullptr, numbers.candidates);
     words << delayText(numbers.limits);
     return words.join(QLatin1Char('\n'));
 }
@@ -114,7 +115,7 @@ QString ExperimenterPanel::forceText(const session::TrialFidelity& trial) const 
     words << tr("Peak force %1 N, mean speed %2 mm/s, %3 contacts, %4 s.")
                  .arg(study_words::number(trial.peakForce_N, m_locale), study_words::number(1e3 * trial.meanSpeed_m_per_s, m_locale),
                       m_locale.toString(trial.contacts), study_words::number(trial.duration_s, m_locale));
-    words << tr("Felt value off by %1, late ticks %2, at its limit %3.")
+    words << tr("Felt value off by %1, late ticks %2, device at its limit %3.")
                  .arg(study_words::percent(trial.stiffnessError, m_locale), study_words::percent(trial.lateTicks, m_locale),
                       study_words::percent(trial.saturated, m_locale));
     words << (trial.measured ? tr("Force error %1 N.").arg(study_words::number(trial.forceErrorRms_N, m_locale)) : tr("The device measures no force."));
@@ -124,10 +125,11 @@ QString ExperimenterPanel::forceText(const session::TrialFidelity& trial) const 
 /// What limits of passive rendering count with.
 QString ExperimenterPanel::delayText(const session::RenderingLimits& limits) const {
     if (!std::isfinite(limits.largestStiffness_N_per_m))
-        return tr("Force is shown, not felt: nothing limits what is rendered.");
+        return tr("Force is shown, not felt, so rendering is not limited.");
     const QString delay = study_words::number(1e3 * limits.delay_s, m_locale);
-    return limits.measured ? tr("Delay of the device, measured: %1 ms.").arg(delay)
-                           : tr("The delay of this device was never measured. %1 ms are taken, on the safe side of what it states.").arg(delay);
+    return limits.measured ? tr("Measured delay of the device: %1 ms.").arg(delay)
+                           : tr("The delay of this device was never measured. A cautious value of %1 ms is assumed, based on what the "
+                                "device states.").arg(delay);
 }
 
 void ExperimenterPanel::takeEstimates(const session::LiveStudyNumbers& numbers, const psychophysics::Condition& condition) {
@@ -149,11 +151,11 @@ void ExperimenterPanel::drawApex(const psychophysics::ApexSummary& apex) {
     delete m_plot;
     m_plot = nullptr;
     if (apex.trials == 0) {
-        m_estimate->setText(tr("The bias will be here after the first scored trials."));
+        m_estimate->setText(tr("The bias will appear here after the first scored trials."));
         return;
     }
     const auto mm = [this](double value) { return study_words::number(value, m_locale, 2); };
-    m_estimate->setText(tr("Bias so far: %1 mm to the right, %2 mm away. Mean error %3 mm an axis.")
+    m_estimate->setText(tr("Bias so far: %1 mm to the right, %2 mm away from you. Mean error %3 mm per axis.")
                             .arg(mm(apex.axes[0].bias_mm), mm(apex.axes[1].bias_mm), mm(apex.meanAbsolute_mm)));
     m_plot = session_report::apexMarksPlot(apex, {tr("marks")}, plotThemeOf(m_theme, m_locale)).release();
     m_plot->setObjectName(QStringLiteral("experimenter.plot"));
@@ -165,7 +167,7 @@ void ExperimenterPanel::draw(const psychophysics::Condition&) {
     delete m_plot;
     m_plot = nullptr;
     if (m_points.empty() || m_points.front().empty()) {
-        m_estimate->setText(tr("The estimate will be here after the first scored trials."));
+        m_estimate->setText(tr("The estimate will appear here after the first scored trials."));
         return;
     }
     const Point& last = m_points.front().back();

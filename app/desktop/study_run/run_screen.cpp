@@ -25,9 +25,9 @@ RunScreen::RunScreen(AppContext& context, const Place& place)
 QString RunScreen::title() const { return tr("Run"); }
 
 QString RunScreen::help() const {
-    return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The conditions come in the participant's own order; "
-              "where the experimenter is blind they go by sealed codes. Questionnaires before and after are answered here, too.\n\nA run that was "
-              "interrupted goes on at the trial where it stopped.");
+    return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The conditions appear in the "
+              "participant's own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and "
+              "after the runs are answered here, too.\n\nAn interrupted run resumes at the trial where it stopped.");
 }
 
 void RunScreen::enter() { load(); }
@@ -60,7 +60,8 @@ void RunScreen::loaded(core::Result<std::vector<OpenStudy>> studies) {
     }
     m_studies = std::move(*studies);
     if (m_studies.empty()) {
-        m_panel->showEmpty(tr("No study can be run yet"), tr("A study is run once its design is frozen and participants are enrolled."), tr("Open the studies"),
+        m_panel->showEmpty(tr("No study can be run yet"), tr("A study can be run as soon as its design is frozen and participants are "
+                                                             "enrolled."), tr("Open the studies"),
                            [this] { context().navigator().go(QStringLiteral("studies")); });
         return;
     }
@@ -208,7 +209,7 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));
-    QString state = tr("to come");
+    QString state = tr("not started yet");
     const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
         if (session::labelOf(run) == label) {

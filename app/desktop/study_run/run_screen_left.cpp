@@ -64,7 +64,7 @@ QWidget* RunScreen::leftBox() {
     const Theme& theme = context().theme();
     kit::Box box = kit::box(theme);
     box.frame->setObjectName(QStringLiteral("run.left"));
-    box.layout->addWidget(kit::label(theme, tr("Others who were interrupted"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("Other interrupted runs"), TextStyle::title));
     int rows = 0;
     for (const ParticipantRow& row : study()->participants)
         for (const LeftRun& left : row.left) {

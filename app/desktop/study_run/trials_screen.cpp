@@ -38,11 +38,11 @@ TrialsScreen::~TrialsScreen() {
 QString TrialsScreen::title() const { return tr("Study"); }
 
 QString TrialsScreen::help() const {
-    return tr("Here a participant explores objects and answers.\n\nThe mouse moves the tool; the wheel or PageUp and PageDown raise and lower it. "
-              "T frees the pointer, a click in the scene takes it again. Answers are given by the buttons, or by the keys that stand on them.\n\n"
-              "Space pauses. Esc stops force at once; R brings it back slowly, Esc once more asks whether to stop the sitting. F2 shows the "
-              "experimenter's side: progress, estimate, fidelity of the last trial, and the button that spoils a trial. Every answered trial is kept; "
-              "what is stopped goes on later at the same trial.");
+    return tr("Here a participant explores objects and answers.\n\nMove the tool with the mouse; raise and lower it with the wheel or "
+              "PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the "
+              "keys shown on them.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether "
+              "to stop the sitting. F2 shows the experimenter's view: progress, estimate, fidelity of the last trial, and the button that "
+              "discards a trial. All answered trials are kept; a stopped run continues later at the same trial.");
 }
 
 void TrialsScreen::enter() {
@@ -128,7 +128,7 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
     if (!running())
         return;
     if (const auto taken = m_live->answer(answer, value); !taken)
-        context().messages().error(tr("The answer was not taken."), taken.error());
+        context().messages().error(tr("The answer was not accepted."), taken.error());
     m_answers->clear();
 }
 
@@ -187,7 +187,7 @@ void TrialsScreen::askToStop() {
     freePointer();
     QMessageBox box(QMessageBox::Question, title(), tr("Stop this sitting?"), QMessageBox::NoButton, window());
     box.setObjectName(QStringLiteral("trials.ask"));
-    box.setInformativeText(tr("Every answered trial is kept. It goes on later at the same trial."));
+    box.setInformativeText(tr("All answered trials are kept. The run continues later at the same trial."));
     QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
     keep->setObjectName(QStringLiteral("trials.ask.keep"));
     QPushButton* stop = box.addButton(tr("Stop"), QMessageBox::DestructiveRole);
@@ -220,7 +220,7 @@ void TrialsScreen::finished() {
     if (result->completed)
         context().messages().done(tr("This condition is completed."));
     else
-        context().messages().information(tr("Every answered trial is kept. The run goes on at the same trial."));
+        context().messages().information(tr("All answered trials are kept. The run continues at the same trial."));
     goBack();
 }
 
@@ -236,7 +236,7 @@ void TrialsScreen::fail(const core::Error& error) {
 /// No failure: another device, or another study, is what it takes.
 void TrialsScreen::refuse(const QString& words) {
     over();
-    m_panel->showEmpty(tr("Not with this device"), words, tr("Back to the participant"), [this] { goBack(); });
+    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"), [this] { goBack(); });
 }
 
 void TrialsScreen::over() {
@@ -248,16 +248,18 @@ void TrialsScreen::over() {
 
 QString TrialsScreen::refusalWords(const session::SittingError& error, const QLocale& locale) {
     if (error.device == session::DeviceRefusal::rendersNone)
-        return tr("This device renders none of the condition's differences at its delay. Use a faster or stronger device, or plan another reference in another study.");
+        return tr("Because of its delay, this device can render none of the differences in this condition. Use a faster or stronger "
+                  "device, or plan another reference in another study.");
     if (error.device == session::DeviceRefusal::rendersLess)
-        return tr("This run was begun on a device that renders larger differences than this one. It goes on with such a device alone, so that all of its trials can be compared.");
+        return tr("This run was started on a device that renders larger differences than this one. It can be continued only with such a "
+                  "device, so that all of its trials can be compared.");
     if (error.otherVersion)
-        return tr("This run was begun with another version of its procedure than this program has. A version never continues another one's run, so that all of its trials can be compared. "
-                  "What was answered is kept; enrol another participant for this condition.");
+        return tr("This run was started with a different version of its procedure. A run is never continued with another version, so that "
+                  "all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.");
     if (!error.tooStiff)
         return {};
-    return tr("The sphere is too stiff for this device: %1 N/m are asked for, and at its delay it renders at most %2 N/m without trembling. "
-              "Use a faster device, or plan a softer sphere in another study.")
+    return tr("The sphere is too stiff for this device: the study asks for %1 N/m, but with its delay the device can render at most %2 N/m "
+              "stably. Use a faster device, or plan a softer sphere in another study.")
         .arg(locale.toString(qRound(error.tooStiff->sphere_N_per_m)), locale.toString(qRound(error.tooStiff->device_N_per_m)));
 }
 

@@ -69,8 +69,8 @@ QWidget* TrialsScreen::buildHead() {
     row->addWidget(m_note, 2);
     m_progress = new QProgressBar;
     m_progress->setObjectName(QStringLiteral("trials.progress"));
-    m_progress->setAccessibleName(tr("How far this part is"));
-    m_progress->setToolTip(tr("How far this part is"));
+    m_progress->setAccessibleName(tr("Progress of this part"));
+    m_progress->setToolTip(tr("Progress of this part"));
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
     row->addWidget(m_progress, 2);

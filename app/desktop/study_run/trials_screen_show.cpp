@@ -52,9 +52,9 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::coming:
         return tr("The next objects are coming. Lift the tool off.");
     case State::arming:
-        return tr("Force is coming. Hold still for a moment.");
+        return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
-        return view.right.value_or(false) ? tr("Right.") : tr("Not this time.");
+        return view.right.value_or(false) ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
         return view.canAnswer ? QString() : tr("Touch every object first.");
     case State::answering:
@@ -67,11 +67,11 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::coming:
-        return tr("The next one is coming. Lift the tool off.");
+        return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
-        return tr("%1 mm beside the highest point.").arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
+        return tr("%1 mm from the highest point.").arg(study_words::number(1e3 * view.beside_m.value_or(0.0), context().locale(), 2));
     case State::exploring:
-        return view.canAnswer ? tr("Click or press Enter where it is highest.") : tr("Feel for it first.");
+        return view.canAnswer ? tr("Click or press Enter at the highest point.") : tr("Feel for the sphere first.");
     default:
         return whyNoAnswer(view);
     }
@@ -115,18 +115,19 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("One moment …"), {}, {});
         break;
     case State::breakDue:
-        m_break->say(tr("A break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. It can go on in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
-                                                           : tr("Whenever you are ready."),
-                     tr("Go on"));
+        m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
+                                                           : tr("Continue when you are ready."),
+                     tr("Continue"));
         break;
     case State::needsExperimenter:
-        m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be shown well enough, several times."), tr("Go on"));
+        m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be presented accurately enough, even after several "
+                                                           "attempts."), tr("Continue"));
         break;
     case State::stopped:
         m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));
         break;
     case State::paused:
-        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Go on"));
+        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Continue"));
         break;
     default:
         m_break->say(tr("Thank you"), tr("This part is done."), {});

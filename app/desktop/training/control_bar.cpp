@@ -19,14 +19,14 @@ ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(10));
     m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"), QStringLiteral("training.stop"));
-    m_stop->setFont(theme.font(TextStyle::title));
+    m_stop->setFont(theme.font(stacked ? TextStyle::strong : TextStyle::title)); // in Greek the larger one is wider than the button
     row->addWidget(m_stop, 3);
     m_main = add({}, "primary", {}, QStringLiteral("training.main"));
     row->addWidget(m_main, 2);
     m_resumeHere = add(tr("Resume here"), "", QStringLiteral("go-jump"), QStringLiteral("training.resume_here"));
     row->addWidget(m_resumeHere, 2);
     m_again = add(tr("Start again …"), "", QStringLiteral("media-skip-backward"), QStringLiteral("training.again"));
-    m_again->setToolTip(tr("Start again from the beginning (F5). The attempt so far is kept as stopped."));
+    m_again->setToolTip(tr("Start again from the beginning (F5). The attempt so far is kept and marked as stopped."));
     m_end = add(tr("End session …"), "", QStringLiteral("media-playback-stop"), QStringLiteral("training.end"));
     auto* last = new QBoxLayout(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     last->setSpacing(gap);
@@ -54,6 +54,7 @@ void ControlBar::setMain(Main main) {
     if (main == m_is)
         return;
     m_is = main;
+    m_stop->setEnabled(m_running && main != Main::rearm); // force that is stopped cannot be stopped again, and must not look as if it flowed
     QString text = tr("Pause (Space)");
     QString icon = QStringLiteral("media-playback-pause");
     if (main == Main::resume) {
@@ -71,8 +72,10 @@ void ControlBar::setMain(Main main) {
 void ControlBar::setResumeHere(bool possible) { m_resumeHere->setVisible(possible); }
 
 void ControlBar::setRunning(bool running) {
-    for (QPushButton* button : {m_stop, m_main, m_resumeHere, m_again, m_end})
+    m_running = running;
+    for (QPushButton* button : {m_main, m_resumeHere, m_again, m_end})
         button->setEnabled(running);
+    m_stop->setEnabled(running && m_is != Main::rearm);
 }
 
 } // namespace chiron::desktop

@@ -35,6 +35,7 @@ private:
 
     const Theme& m_theme;
     Main m_is = Main::resume;
+    bool m_running = false;
     QPushButton* m_stop;
     QPushButton* m_main;
     QPushButton* m_resumeHere;

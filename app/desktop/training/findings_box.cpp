@@ -51,7 +51,7 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const core::
 void FindingsBox::addFindings(const Theme& theme) {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(kit::label(theme, tr("Findings"), TextStyle::strong));
-    m_none = kit::label(theme, tr("None yet. Press where something is, then click or press Enter."), TextStyle::small, "muted");
+    m_none = kit::label(theme, tr("None yet. Press where you feel something, then click or press Enter."), TextStyle::small, "muted");
     m_none->setObjectName(QStringLiteral("training.no_findings"));
     column->addWidget(m_none);
     auto* chips = new FlowLayout(theme.px(4));
@@ -142,7 +142,7 @@ void FindingsBox::show(const core::PalpationCues& cues) {
 void FindingsBox::showSelected() {
     const bool any = anySelected();
     const core::Finding said = any ? m_cues.finding[static_cast<std::size_t>(m_cues.selected)] : core::Finding{};
-    m_about->setText(any ? findingText(m_cues.selected, m_cues, m_locale) : findingCount(m_cues) > 0 ? tr("None is selected.") : QString());
+    m_about->setText(any ? findingText(m_cues.selected, m_cues, m_locale) : findingCount(m_cues) > 0 ? tr("No finding is selected.") : QString());
     m_takeBack->setVisible(any);
     if (m_size)
         m_size->setRadius(said.radius_m);
@@ -225,7 +225,7 @@ void FindingsBox::done() {
         return;
     }
     m_asked = true;
-    m_missingText->setText(tr("Not said yet:\n%1\nPress again to end the trial without it.").arg(missing.join(QLatin1Char('\n'))));
+    m_missingText->setText(tr("Still missing:\n%1\nPress again to end the trial without it.").arg(missing.join(QLatin1Char('\n'))));
     m_missing->show();
 }
 

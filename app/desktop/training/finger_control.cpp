@@ -8,7 +8,7 @@ namespace chiron::desktop {
 FingerControl::FingerControl(std::span<devices::PointerMailbox* const> mailboxes, int fingers, double scale, bool mirrored, bool jaw)
     : m_fingers(std::clamp(fingers, 1, std::max(1, static_cast<int>(mailboxes.size())))), m_mailboxes(mailboxes.begin(), mailboxes.end()) {
     for (devices::PointerMailbox* mailbox : mailboxes)
-        m_tips.emplace_back(*mailbox, scale, mirrored, PointerControl::Lift{kMetresPerNotch, kKeyPress_m_per_s});
+        m_tips.emplace_back(*mailbox, scale, mirrored);
     const auto moving = m_tips.front().keys();
     m_keys.assign(moving.begin(), moving.end());
     if (hands() > 1)
@@ -62,6 +62,17 @@ void FingerControl::releaseKeys() {
     for (const int key : {static_cast<int>(Qt::Key_G), static_cast<int>(Qt::Key_O)})
         moveJaw(key, false);
     eachFinger([](PointerControl& tip) { tip.releaseKeys(); });
+}
+
+void FingerControl::feel(const haptics::DisplayState& state) {
+    for (int hand = 0; hand < hands(); ++hand) {
+        bool touches = false;
+        for (int tool = hand * m_fingers; tool < (hand + 1) * m_fingers && tool < state.tools; ++tool)
+            touches = touches || core::toWrench(state.tool[static_cast<std::size_t>(tool)].tissue).force.norm() > kTouch_N;
+        for (int i = 0; i < m_fingers; ++i)
+            m_tips[static_cast<std::size_t>(hand * m_fingers + i)].setLift(touches ? PointerControl::Lift{kMetresPerNotch, kKeyPress_m_per_s}
+                                                                                   : PointerControl::Lift{});
+    }
 }
 
 void FingerControl::click() { m_tips[static_cast<std::size_t>(activeTool())].click(); }

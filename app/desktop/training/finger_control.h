@@ -11,13 +11,15 @@
 namespace chiron::desktop {
 
 /// Fingers that palpate, moved by one mouse and one keyboard: one hand at a time, its fingers together; the other hand stays
-/// where it is, pressing as it pressed. Wheel and keys lower a finger finely enough to press with a measured depth. While the
+/// where it is, pressing as it pressed. In the air wheel and keys lower a finger quickly; once one of the hand's fingers touches, finely
+/// enough to press with a measured depth. While the
 /// left button is down the hand stands still, so that the click that marks does not move it. H chooses the other hand. Where
 /// the level has a pinch, G closes the hand's jaw and O opens it for as long as the key is down. GUI thread; the mailboxes outlive it.
 class FingerControl final : public HandControl {
 public:
-    static constexpr double kMetresPerNotch = 0.0005;     ///< 0.1 to 0.35 N in tissue of 227 to 700 N/m
-    static constexpr double kKeyPress_m_per_s = 0.008;    ///< Page Down and Page Up
+    static constexpr double kMetresPerNotch = 0.0005;     ///< in contact: 0.1 to 0.35 N in tissue of 227 to 700 N/m
+    static constexpr double kKeyPress_m_per_s = 0.008;    ///< in contact: Page Down and Page Up
+    static constexpr double kTouch_N = 0.02;              ///< less is no contact
 
     static constexpr double kJawSpeed_rad_per_s = 1.0;    ///< as GrasperControl
 
@@ -33,6 +35,7 @@ public:
     void click() override; ///< "here it is": under the first finger of the hand
     void buttonDown(bool) override { m_still = true; }
     void buttonUp() override { m_still = false; }
+    void feel(const haptics::DisplayState& state) override;
     int activeTool() const noexcept override { return m_hand * m_fingers; } ///< the first finger of the hand
 
     int hands() const noexcept { return static_cast<int>(m_tips.size()) / m_fingers; }

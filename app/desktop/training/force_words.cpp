@@ -17,35 +17,36 @@ struct Words {
 
 ForceWords stoppedWords() {
     return {"bad", Words::tr("Force is stopped"),
-            Words::tr("The clock stands still and everything so far is kept. Press Re-arm (or R) to go on, or End.")};
+            Words::tr("The clock is stopped and everything so far is kept. Press Re-arm (or R) to go on, or End session.")};
 }
 
 ForceWords faultWords(std::uint32_t guards) {
-    QString why = Words::tr("The safety supervisor took force away.");
+    QString why = Words::tr("The safety supervisor switched the force off.");
     if ((guards & guard_bits::kOverVelocity) != 0)
-        why = Words::tr("The tool moved faster than is safe, so force was taken away.");
+        why = Words::tr("The tool moved faster than is safe, so force was switched off.");
     else if ((guards & (guard_bits::kWatchdogFault | guard_bits::kWatchdog)) != 0)
-        why = Words::tr("The device's data came too late, so force was taken away.");
+        why = Words::tr("The device's data came too late, so force was switched off.");
     else if ((guards & (guard_bits::kSampleFault | guard_bits::kBadSample)) != 0)
-        why = Words::tr("The device sent positions that cannot be right, so force was taken away.");
+        why = Words::tr("The device sent impossible positions, so force was switched off.");
     else if ((guards & guard_bits::kDeviceFault) != 0)
-        why = Words::tr("The device reports a fault, so force was taken away.");
+        why = Words::tr("The device reports a fault, so force was switched off.");
     else if ((guards & guard_bits::kNotFinite) != 0)
-        why = Words::tr("The calculated force was not a number, so force was taken away. Please report this.");
-    return {"bad", why, Words::tr("The clock stands still and everything so far is kept. Hold the tool safely, then press Re-arm (or R).")};
+        why = Words::tr("The calculated force was invalid (not a number), so force was switched off. Please report this.");
+    return {"bad", why, Words::tr("The clock is stopped and everything so far is kept. Hold the tool safely, then press Re-arm (or R).")};
 }
 
 ForceWords armingWords(const haptics::DisplayState& state) {
     switch (state.waitsFor) {
     case haptics::ArmingWait::firstPacket:
-        return {"warning", Words::tr("Waiting for the device"), Words::tr("No usable position has come yet. Check that it is on.")};
+        return {"warning", Words::tr("Waiting for the device"), Words::tr("The device has not sent a valid position yet. Check that it is "
+                                                                          "switched on.")};
     case haptics::ArmingWait::holdStill:
         return {"warning", Words::tr("Hold still"), Words::tr("Hold the tool still for half a second; force then rises slowly.")};
     case haptics::ArmingWait::window:
-        return {"warning", Words::tr("Force is held"), Words::tr("The window did not answer for a moment. Force comes back by itself.")};
+        return {"warning", Words::tr("Force is on hold"), Words::tr("The window did not respond for a moment. Force comes back by itself.")};
     default:
-        return {"warning", Words::tr("Force is waiting"),
-                Words::tr("Move the tool out of contact, or hold it still and press Resume here.")};
+        return {"warning", Words::tr("Force is not on yet"),
+                Words::tr("Move the tool until it touches nothing, or hold it still and press Resume here.")};
     }
 }
 
@@ -56,7 +57,7 @@ ForceWords watchedWords(const haptics::DisplayState& state, bool felt, const QLo
     else if (felt && state.force == ForceState::ramping)
         text = Words::tr("The operator's force rises slowly (%1 %).").arg(locale.toString(qRound(state.gain * 10.0) * 10));
     else if (felt && (state.force == ForceState::heldByHeartbeat || state.force == ForceState::heldByWatchdog))
-        text = Words::tr("The operator's force is held for a moment and comes back by itself.");
+        text = Words::tr("The operator's force is on hold for a moment and comes back by itself.");
     return {"info", Words::tr("You are watching"), text};
 }
 
@@ -90,24 +91,25 @@ ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked,
     if (asked.stopped || state.force == ForceState::stopped)
         return stoppedWords();
     if (asked.paused)
-        return {"info", Words::tr("Paused"), Words::tr("The clock stands still. Press Resume or Space to go on.")};
+        return {"info", Words::tr("Paused"), Words::tr("The clock is stopped. Press Resume or Space to go on.")};
     if (!asked.ownHand)
         return watchedWords(state, asked.felt, locale);
     if (!asked.felt)
         return shownWords(state, asked.endoscope, asked.grasper);
     switch (state.force) {
     case ForceState::ramping:
-        return {"info", Words::tr("Force is coming"),
-                Words::tr("It rises slowly; the clock starts at full strength (%1 %).").arg(locale.toString(qRound(state.gain * 10.0) * 10))};
+        return {"info", Words::tr("Force is rising"),
+                Words::tr("It rises slowly (now %1 %); the clock starts at full strength.").arg(locale.toString(qRound(state.gain * 10.0) * 10))};
     case ForceState::on:
         return {"good", Words::tr("Force is on"), Words::tr("Esc stops it at once.")};
     case ForceState::heldByHeartbeat:
-        return {"warning", Words::tr("Force is held"), Words::tr("The window did not answer for a moment. Force comes back by itself.")};
+        return {"warning", Words::tr("Force is on hold"), Words::tr("The window did not respond for a moment. Force comes back by itself.")};
     case ForceState::heldByWatchdog:
-        return {"warning", Words::tr("Force is held"), Words::tr("The device's data come late. Force comes back when they are on time.")};
+        return {"warning", Words::tr("Force is on hold"), Words::tr("The device's data arrive late. Force comes back when they arrive on time "
+                                                                 "again.")};
     case ForceState::pausing:
     case ForceState::paused:
-        return {"info", Words::tr("Paused"), Words::tr("The clock stands still. Press Resume or Space to go on.")};
+        return {"info", Words::tr("Paused"), Words::tr("The clock is stopped. Press Resume or Space to go on.")};
     default:
         return armingWords(state);
     }

@@ -75,8 +75,8 @@ void GraspPanel::addHead() {
         return;
     m_dwell = new QProgressBar;
     m_dwell->setObjectName(QStringLiteral("training.dwell"));
-    m_dwell->setAccessibleName(tr("How much of the holding time is done"));
-    m_dwell->setToolTip(tr("How much of the holding time is done"));
+    m_dwell->setAccessibleName(tr("Holding time completed"));
+    m_dwell->setToolTip(tr("Holding time completed"));
     m_dwell->setFormat(tr("Holding time: %p %"));
     m_dwell->setRange(0, 100);
     m_column->addWidget(m_dwell);

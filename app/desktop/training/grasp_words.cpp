@@ -50,7 +50,7 @@ QString tubeText(const core::LaparoscopyCues& cues, TubeTask task) {
     case LaparoscopyStep::lift: return Words::tr("Lift the end of the tube");
     case LaparoscopyStep::carry: return Words::tr("Bring the end of the tube to the target");
     case LaparoscopyStep::place: return Words::tr("Let go of the end of the tube");
-    case LaparoscopyStep::retract: return Words::tr("Draw the fold of tissue back with the third instrument until its pull is in the band");
+    case LaparoscopyStep::retract: return Words::tr("Retract the fold of tissue with the third instrument until the pull is in the band");
     case LaparoscopyStep::done: return Words::tr("Done: the next tube follows");
     case LaparoscopyStep::none: break;
     }
@@ -61,13 +61,13 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
     switch (cues.step) {
     case LaparoscopyStep::grasp:
         return task == HandlingTask::weigh ? Words::tr("Lift one object after the other and find the heaviest")
-                                           : Words::tr("Take hold of the object, softly");
+                                           : Words::tr("Grasp the object gently");
     case LaparoscopyStep::lift: return Words::tr("Lift it up");
     case LaparoscopyStep::carry:
         return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the dish; otherwise set it down")
                                            : Words::tr("Bring it over the dish");
     case LaparoscopyStep::place: return Words::tr("Set it down in the dish and let go");
-    case LaparoscopyStep::hold: return Words::tr("In the dish: leave it at rest");
+    case LaparoscopyStep::hold: return Words::tr("In the dish: let it lie still");
     case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
     case LaparoscopyStep::none:
     case LaparoscopyStep::stretch:
@@ -99,7 +99,7 @@ QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, co
                : held > 0 ? Words::tr("Holding: the fold and one place of the tube")
                           : Words::tr("Holding: the fold");
     if (grasping.tube && held > 0)
-        return held > 1 ? Words::tr("Holding: two places") : Words::tr("Holding: the tube");
+        return held > 1 ? Words::tr("Holding: the tube at two points") : Words::tr("Holding: the tube");
     return Words::tr("Holding: nothing");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/display_state.h"
+
 #include <QPointF>
 #include <span>
 
@@ -25,6 +27,7 @@ public:
     virtual void click() = 0;       ///< "here it is", where an exercise asks for it
     virtual void buttonDown(bool) {} ///< the left button went down over the scene; with Shift held or not. Not every tool has a use for it
     virtual void buttonUp() {}
+    virtual void feel(const haptics::DisplayState&) {} ///< each frame: what the tools touch
     virtual int activeTool() const noexcept { return 0; } ///< the tool that moves, where there are several
 };
 

@@ -130,7 +130,7 @@ QString InfoPanel::elapsedText(std::int64_t second) {
 }
 
 QString InfoPanel::noCuesText() {
-    return tr("This level shows no measurements: work by what you feel. Everything is recorded and in the results.");
+    return tr("This level shows no measurements: rely on what you feel. Everything is recorded and appears in the results.");
 }
 
 QString InfoPanel::loopText(const haptics::DisplayState& state) {

@@ -68,7 +68,7 @@ void InsertionPanel::addStage() {
     if (m_telling.numbers || m_telling.guidance) {
         m_progress = new QProgressBar;
         m_progress->setObjectName(QStringLiteral("training.stage_progress"));
-        m_progress->setAccessibleName(tr("How much of this stage is done"));
+        m_progress->setAccessibleName(tr("Progress in this stage"));
         m_progress->setTextVisible(false);
         m_progress->setRange(0, 100);
         QSizePolicy stays = m_progress->sizePolicy();

@@ -20,7 +20,7 @@ double LeanDial::Lean::angle_deg() const { return kDegrees * std::hypot(pitch_ra
 
 LeanDial::LeanDial(const Theme& theme, const QLocale& locale, int fingers, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_fingers(std::clamp(fingers, 1, static_cast<int>(kMost))) {
-    setAccessibleName(tr("Lean of the fingertip's platform"));
+    setAccessibleName(tr("Tilt of the fingertip platform"));
     setToolTip(accessibleName());
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
@@ -103,7 +103,7 @@ void LeanDial::paintEvent(QPaintEvent*) {
     painter.setPen(m_theme.color(Colour::text));
     painter.setFont(m_theme.font(TextStyle::label));
     const QRectF text(field.right() + m_theme.px(12), 0, width() - field.right() - m_theme.px(12), height());
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, tr("Lean").append(QLatin1Char('\n')).append(words()));
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, tr("Tilt").append(QLatin1Char('\n')).append(words()));
 }
 
 } // namespace chiron::desktop

@@ -97,9 +97,9 @@ void PalpationPanel::addCoverage() {
     m_coverage = kit::label(m_theme, {}, TextStyle::strong);
     m_coverage->setObjectName(QStringLiteral("training.coverage"));
     m_column->addWidget(m_coverage);
-    m_forceMap = new QCheckBox(tr("Map: how hard (M)"));
+    m_forceMap = new QCheckBox(tr("Force map (M)"));
     m_forceMap->setObjectName(QStringLiteral("training.force_map"));
-    m_forceMap->setToolTip(tr("On: the map on the tissue shows how hard was pressed. Off: where was searched."));
+    m_forceMap->setToolTip(tr("On: the map shows how hard the tissue was pressed. Off: it shows where the tissue was searched."));
     m_column->addWidget(m_forceMap);
 }
 
@@ -114,7 +114,7 @@ void PalpationPanel::addNumbers() {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(m_theme.px(8));
     grid->setVerticalSpacing(0);
-    const std::array<QString, 3> heads{tr("displayed force (N)"), tr("lean (°)"), tr("depth (mm)")};
+    const std::array<QString, 3> heads{tr("rendered force (N)"), tr("tilt (°)"), tr("depth (mm)")};
     for (int c = 0; c < 3; ++c) {
         grid->addWidget(kit::label(m_theme, heads[static_cast<std::size_t>(c)], TextStyle::small, "muted"), 0, c, Qt::AlignBottom);
         grid->setColumnStretch(c, 1);
@@ -149,7 +149,7 @@ void PalpationPanel::addPlots() {
     m_forcePlot = plot("training.force_plot", tools() > 1 ? tr("Force, first finger (N)") : tr("Force (N)"), 1.25 * m_level.maximumForce_N,
                        m_level.maximumForce_N);
     if (m_cues.bars)
-        m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Lean, first finger (°)") : tr("Lean (°)"), kLeanAxis_deg, kLeanLimit_deg);
+        m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"), kLeanAxis_deg, kLeanLimit_deg);
 }
 
 void PalpationPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {

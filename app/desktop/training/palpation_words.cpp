@@ -31,8 +31,8 @@ QString hardnessWord(int rating) {
     case 2: return Words::tr("rather soft");
     case 3: return Words::tr("medium");
     case 4: return Words::tr("firm");
-    case 5: return Words::tr("stony");
-    default: return Words::tr("not said");
+    case 5: return Words::tr("stony hard");
+    default: return Words::tr("not given");
     }
 }
 
@@ -43,23 +43,23 @@ QString confidenceWord(int rating) {
     case 3: return Words::tr("fairly sure");
     case 4: return Words::tr("sure");
     case 5: return Words::tr("certain");
-    default: return Words::tr("not said");
+    default: return Words::tr("not given");
     }
 }
 
 QString sizeText(double radius_m, const QLocale& locale) {
-    return radius_m > 0.0 ? Words::tr("%1 mm across").arg(locale.toString(qRound(2e3 * radius_m))) : Words::tr("not said");
+    return radius_m > 0.0 ? Words::tr("%1 mm across").arg(locale.toString(qRound(2e3 * radius_m))) : Words::tr("not given");
 }
 
 QString findingText(int finding, const core::PalpationCues& cues, const QLocale& locale) {
     const core::Finding& said = cues.finding[static_cast<std::size_t>(finding)];
     QStringList parts;
     if (cues.asksSize)
-        parts << (said.radius_m > 0.0 ? sizeText(said.radius_m, locale) : Words::tr("size not said"));
+        parts << (said.radius_m > 0.0 ? sizeText(said.radius_m, locale) : Words::tr("size not given"));
     if (cues.asksHardness)
-        parts << (said.hardness > 0 ? hardnessWord(said.hardness) : Words::tr("hardness not said"));
+        parts << (said.hardness > 0 ? hardnessWord(said.hardness) : Words::tr("hardness not given"));
     if (cues.asksConfidence)
-        parts << (said.confidence > 0 ? confidenceWord(said.confidence) : Words::tr("confidence not said"));
+        parts << (said.confidence > 0 ? confidenceWord(said.confidence) : Words::tr("confidence not given"));
     const QString number = locale.toString(finding + 1);
     return parts.isEmpty() ? Words::tr("Finding %1").arg(number) : Words::tr("Finding %1: %2").arg(number, parts.join(QStringLiteral(", ")));
 }

@@ -71,6 +71,13 @@ void PointerControl::click() {
     m_mailbox.release(core::kButtonMark);
 }
 
+void PointerControl::setLift(Lift lift) {
+    if (lift == m_lift)
+        return;
+    m_lift = lift;
+    sendRate();
+}
+
 void PointerControl::sendRate() {
     std::array<double, 3> rate{};
     for (const KeyWay& way : kWays)

@@ -20,6 +20,7 @@ public:
     struct Lift {
         double wheelStep_m = kMetresPerWheelStep;
         double keySpeed_m_per_s = kKeySpeed_m_per_s;
+        bool operator==(const Lift&) const = default;
     };
 
     /// `scale`: of the screen, so that a hand's way across a larger picture is as long as across a small one. `mirrored`: the
@@ -37,6 +38,7 @@ public:
     bool keyUp(int key) override;
     void releaseKeys() override;
     void click() override; ///< "here it is"
+    void setLift(Lift lift); ///< from now on; a key that is held goes on at the new speed
 
 private:
     void sendRate();

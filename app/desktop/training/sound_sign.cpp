@@ -62,8 +62,8 @@ private:
 
 SoundSign::SoundSign(const Theme& theme, QWidget* parent) : QWidget(parent), m_glyph(new SoundGlyph(theme, this)), m_words(kit::label(theme, {}, TextStyle::strong)) {
     setObjectName(QStringLiteral("training.sound"));
-    setAccessibleName(tr("What sounds"));
-    setToolTip(tr("What can be heard: contact begins, how high the tone is, the warning"));
+    setAccessibleName(tr("Current sound"));
+    setToolTip(tr("Shows what can be heard: start of contact, pitch of the tone, warning"));
     m_words->setObjectName(QStringLiteral("training.sound.words"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

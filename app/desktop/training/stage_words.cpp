@@ -47,7 +47,7 @@ QString stageText(const core::EndoscopeCues& cues, const StageTelling& telling, 
                 .arg(locale.toString(std::max(0, qRound(cues.depth_m * 1e3))), locale.toString(qRound(telling.goal_m * 1e3)));
         return Words::tr("Insertion: on the way to the goal");
     case ProcedureStage::inspection: return inspectionText(cues, telling, locale);
-    case ProcedureStage::withdrawal: return Words::tr("Withdrawal: bring the endoscope out again");
+    case ProcedureStage::withdrawal: return Words::tr("Withdrawal: bring the endoscope back out");
     case ProcedureStage::completed: return Words::tr("Completed");
     }
     return {};

@@ -68,7 +68,8 @@ QVariantMap TrainingPlan::toMap() const {
                 {QStringLiteral("base_turn_rad"), workspace.turn_rad[0]},
                 {QStringLiteral("base_tilt_rad"), workspace.turn_rad[1]},
                 {QStringLiteral("base_roll_rad"), workspace.turn_rad[2]},
-                {QStringLiteral("familiarisation"), familiarisation}};
+                {QStringLiteral("familiarisation"), familiarisation},
+                {QStringLiteral("practice_s"), practice_s}};
     if (depthOfField)
         map.insert(QStringLiteral("depth_of_field"), *depthOfField);
     return map;
@@ -90,16 +91,19 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.workspace.turn_rad = {map.value(QStringLiteral("base_turn_rad")).toDouble(), map.value(QStringLiteral("base_tilt_rad")).toDouble(),
                                map.value(QStringLiteral("base_roll_rad")).toDouble()};
     plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
+    plan.practice_s = map.value(QStringLiteral("practice_s")).toDouble();
     if (map.contains(QStringLiteral("depth_of_field")))
         plan.depthOfField = map.value(QStringLiteral("depth_of_field")).toBool();
     return plan;
 }
 
+QString readyKey(const TrainingPlan& plan) { return QStringLiteral("ready_%1_%2").arg(plan.exercise).arg(plan.level); }
+
 core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level) {
     session::TrainingRequest request;
     request.level = level;
     request.seed = QRandomGenerator::global()->generate64() >> 1; // stays readable as a signed number everywhere
-    request.familiarisation = plan.familiarisation && plan.ownHand();
+    request.familiarisation = (plan.familiarisation && plan.ownHand()) || plan.practises();
     request.ringFolder = recording::defaultRingFolder();
     auto station = stationOf(plan, level, request.seed);
     if (!station)

@@ -24,12 +24,19 @@ struct TrainingPlan {
     QString traceFile;    ///< trace
     session::WorkspaceChoice workspace; ///< mouse
     bool familiarisation = false;
+    double practice_s = 0.0; ///< a familiarisation of this length, after which the level itself waits; mouse. 0: none
     std::optional<bool> depthOfField; ///< as the person switched it; empty: as the level begins
 
     bool ownHand() const { return device == PlanDevice::mouse; }
+    bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;
     static TrainingPlan fromMap(const QVariantMap& map); ///< what is missing or unknown is as in a new plan
 };
+
+/// In a place of the training screen, beside its plan: true where nobody has to be asked whether they are ready.
+inline constexpr const char* kAtOnce = "at_once";
+/// The person's setting (Settings::ofPerson) that tells that they know this level's ready card.
+QString readyKey(const TrainingPlan& plan);
 
 /// The session of a plan, with a seed of its own. A demonstration belongs to the simulated account: it is nobody's score.
 /// Reads the trace file, so a worker's task. Failure: as the station's (a trace's names file and row).

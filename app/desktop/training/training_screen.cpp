@@ -11,6 +11,7 @@
 #include "desktop/training/info_view.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
@@ -36,7 +37,7 @@ TrainingScreen::~TrainingScreen() {
 }
 
 void TrainingScreen::enter() {
-    setFocus();
+    m_card ? m_card->goButton()->setFocus(Qt::OtherFocusReason) : setFocus();
     if (!m_level)
         fail({core::ErrorCode::notFound, "exercise \"" + m_plan.exercise.toStdString() + "\": no level " + std::to_string(m_plan.level)});
 }
@@ -45,7 +46,7 @@ void TrainingScreen::paintEvent(QPaintEvent* event) {
     Screen::paintEvent(event);
     if (m_painted || !m_level)
         return;
-    m_painted = true; // the scene is loaded after the screen is seen
+    m_painted = true; // the session is prepared after the screen is seen
     QTimer::singleShot(0, this, &TrainingScreen::prepare);
 }
 
@@ -56,15 +57,20 @@ void TrainingScreen::prepare() {
             (void)scene3d::findWhyFlat(); // loads the 3D libraries while the window is alive
             return requestOf(plan, level);
         },
-        [this](core::Result<session::TrainingRequest> request) { loadScene(std::move(request)); });
+        [this](core::Result<session::TrainingRequest> request) { take(std::move(request)); });
 }
 
-void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
+void TrainingScreen::take(core::Result<session::TrainingRequest> request) {
     if (!request) {
         fail(request.error());
         return;
     }
     m_request = std::move(*request);
+    if (m_wentAhead)
+        loadScene();
+}
+
+void TrainingScreen::loadScene() {
     if (m_cues.sound)
         if (const QString why = m_sound.open(); !why.isEmpty()) {
             m_header->setSilent(why);
@@ -73,10 +79,11 @@ void TrainingScreen::loadScene(core::Result<session::TrainingRequest> request) {
             QTimer::singleShot(kSilentWords_ms, this, [this, keys] { m_keysText->setText(keys); });
         }
     m_setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
-    auto loaded = scene3d::makeSceneView(m_setup, m_stage);
+    auto loaded = scene3d::makeSceneView(m_setup, m_pages);
     m_scene = std::move(loaded.view);
     m_scene->widget()->setAccessibleName(tr("Scene"));
-    m_stage->setContent(m_scene->widget());
+    m_pages->addWidget(m_scene->widget());
+    m_pages->setCurrentWidget(m_scene->widget());
     m_stage->showContent();
     m_keys->setScene(m_scene->inputSource());
     m_scene->onFirstFrame([alive = QPointer<TrainingScreen>(this)] {
@@ -152,6 +159,8 @@ void TrainingScreen::onFrame() {
     m_control->look(state);
     if (m_control->held() && !wasHeld)
         hold();
+    if (m_hand)
+        m_hand->feel(state);
     if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())
         pauseOrResume(); // a dialog lies over the scene: nobody can work now
     const bool stopped = m_control->stopped();
@@ -160,6 +169,8 @@ void TrainingScreen::onFrame() {
     if (m_hand && m_tools > 1)
         drawn.activeTool = m_hand->activeTool();
     showMap(drawn);
+    m_answer->take(state, m_feed->samples());
+    drawn.note = noteNow();
     m_scene->show(drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
@@ -167,12 +178,24 @@ void TrainingScreen::onFrame() {
     if (m_soundSign)
         m_soundSign->show(m_sound.cues(), m_sound.sounding(), state.now_ns);
     showControls();
+    if (m_plan.practises() && !m_storing && m_feed->worked_s() >= m_plan.practice_s)
+        m_control->end();
     if (state.ended && !m_storing) {
         m_storing = true;
         hold();
         m_controls->setRunning(false);
         m_stage->showLoading(tr("Storing and scoring the session …"));
     }
+}
+
+scene3d::SceneNote TrainingScreen::noteNow() const {
+    using Kind = scene3d::SceneNote::Kind;
+    const haptics::DisplayState& state = m_feed->state();
+    if (m_control->stopped())
+        return {Kind::stopped, tr("Force is stopped"), tr("The clock is stopped. Press Re-arm or R to go on.")};
+    if (m_control->paused())
+        return {Kind::paused, tr("Paused"), tr("The clock is stopped. Press Resume or Space to go on.")};
+    return m_answer->note(state.now_ns);
 }
 
 void TrainingScreen::showControls() {
@@ -193,12 +216,18 @@ void TrainingScreen::onFinished() {
     m_controls->setRunning(false);
     context().setTrialRuns(false);
     const core::Result<session::TrainingResult>& result = m_feed->training().result();
-    if (!result)
+    if (!result) {
         fail(result.error());
-    else if (m_again)
-        context().navigator().replace({QStringLiteral("training"), m_plan.toMap()}); // a new screen: every value from nothing
-    else
+    } else if (m_plan.practises() && !m_again) {
+        m_plan.practice_s = 0.0;
+        context().navigator().replace({QStringLiteral("training"), m_plan.toMap()}); // what was practised waits, with its card
+    } else if (m_again) {
+        QVariantMap plan = m_plan.toMap();
+        plan.insert(QString::fromLatin1(kAtOnce), true);
+        context().navigator().replace({QStringLiteral("training"), plan}); // a new screen: every value from nothing
+    } else {
         context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}}});
+    }
 }
 
 void TrainingScreen::fail(const core::Error& error) {

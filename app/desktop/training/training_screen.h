@@ -4,6 +4,7 @@
 #include "catalogue/exercise.h"
 #include "desktop/frame/screen.h"
 #include "desktop/scene3d/scene_view.h"
+#include "desktop/training/answer_note.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/live_feed.h"
@@ -20,6 +21,7 @@
 
 class QCheckBox;
 class QLabel;
+class QStackedWidget;
 
 namespace chiron::desktop {
 
@@ -28,12 +30,14 @@ class HeaderBar;
 class InfoView;
 class KeyFilter;
 class PalpationPanel;
+class ReadyCard;
+struct ReadyFacts;
 class SoundSign;
 class StatePanel;
 
-/// A running session: control, graphics, info. Its place is a TrainingPlan. It loads the scene after it has been painted
-/// itself, begins the session when the scene has been drawn, and goes to the debrief when it is stored; or, where somebody
-/// starts again, to a new one of the same plan. GUI thread.
+/// A running session: control, graphics, info. Its place is a TrainingPlan. It prepares the session after it has been painted
+/// itself, shows the ready card to whoever works with their own hand, begins the session when the scene has been drawn, and goes to the
+/// debrief when it is stored; or, where somebody starts again or has practised, to a new one of the same plan. GUI thread.
 class TrainingScreen final : public Screen {
     Q_OBJECT
 public:
@@ -46,6 +50,7 @@ public:
     bool isBusy() const override { return running(); }
     std::vector<ScreenCommand> commands() override;
     QString help() const override;
+    bool helpItself() override;
 
     LiveFeed* feed() const { return m_feed.get(); } ///< null before the session begins
     scene3d::ISceneView* scene() const { return m_scene.get(); }
@@ -71,9 +76,19 @@ private:
     void askToEnd(const Ask& ask, const std::function<void()>& end);
     static QString keptText();
 
+    // training_screen_ready.cpp: the card before the clock starts, and on F1
+    bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
+    ReadyFacts readyFacts() const;
+    void showCard(bool whole);
+    void showCardAgain(); ///< while a session waits
+    void takeCardAway();
+    void go();
+    void practise();
+
     // training_screen.cpp: from prepared to stored
     void prepare();
-    void loadScene(core::Result<session::TrainingRequest> request);
+    void take(core::Result<session::TrainingRequest> request);
+    void loadScene();
     void begin();
     void connectPointer();
     void takeGraspers(double scale);
@@ -92,6 +107,7 @@ private:
     bool panelKey(int key);
     void freePointer(); ///< while the trial runs; a click in the scene takes it again
     void showMap(scene3d::SceneState& drawn);
+    scene3d::SceneNote noteNow() const; ///< over the scene
     void addPalpationCommands(std::vector<ScreenCommand>& list);
     QString keysText() const;
 
@@ -116,11 +132,15 @@ private:
     int m_tools = 1; ///< instruments of the level
 
     StatePanel* m_stage = nullptr;
+    QStackedWidget* m_pages = nullptr; ///< of the stage: the ready card, the scene
+    ReadyCard* m_card = nullptr;       ///< null while none is shown
+    bool m_wentAhead = false;          ///< "Go", or nothing to wait for
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
     const simulation::PalpationParameters* m_palpated = nullptr; ///< the level's; null where nothing is palpated
     PalpationPanel* m_palpation = nullptr; ///< m_info, where something is palpated
     std::optional<PalpationMap> m_map;     ///< of the trial that runs, where the level shows it
+    std::optional<AnswerNote> m_answer;    ///< once there is a level
     ForceNotice* m_notice = nullptr;
     SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
     ControlBar* m_controls = nullptr;

@@ -104,6 +104,7 @@ void TrainingScreen::hold() {
 }
 
 void TrainingScreen::goOn() {
+    takeCardAway();
     if (m_pointer && !m_control->held())
         m_pointer->capture();
 }

@@ -11,6 +11,7 @@
 #include "desktop/training/insertion_panel.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/palpating.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -21,6 +22,7 @@
 #include <QMessageBox>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QStackedWidget>
 
 namespace chiron::desktop {
 
@@ -44,14 +46,19 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
-    if (m_level)
+    if (m_level) {
         m_palpated = palpationOf(*m_level);
+        m_answer.emplace(*m_level, context.locale());
+    }
     m_sound = SoundCuePlayer(m_limit_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
     m_sound.setSwitches({on("contact"), on("force"), on("lean"), on("warning")});
     build();
     buildKeys();
+    m_wentAhead = !m_level || !hasCard() || place.parameters.value(QString::fromLatin1(kAtOnce)).toBool();
+    if (!m_wentAhead)
+        showCard(!context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool());
 }
 
 void TrainingScreen::makeHeader() {
@@ -61,7 +68,7 @@ void TrainingScreen::makeHeader() {
     titles.level = m_level ? QString::fromStdString(catalogue::textIn(m_level->title, language)) : QString();
     titles.device = deviceTitle(m_plan);
     titles.sound = m_cues.sound;
-    titles.familiarisation = m_plan.familiarisation && m_plan.ownHand();
+    titles.familiarisation = (m_plan.familiarisation && m_plan.ownHand()) || m_plan.practises();
     if (m_level)
         if (const auto kind = session::exerciseKind(m_level->exercise))
             titles.trials = (*kind)->trialCount(*m_level);
@@ -82,6 +89,8 @@ void TrainingScreen::build() {
     auto* middle = new QHBoxLayout;
     middle->setSpacing(theme.px(10));
     m_stage = new StatePanel(theme);
+    m_pages = new QStackedWidget;
+    m_stage->setContent(m_pages);
     m_stage->showLoading(tr("Preparing the scene …"));
     middle->addWidget(m_stage, 1);
     m_side = buildSide();
@@ -238,11 +247,10 @@ QString TrainingScreen::title() const {
 
 QString TrainingScreen::help() const {
     const QString end = isEndoscope() ? tr("When the procedure is done the debrief opens by itself.") : tr("After the last trial the debrief opens by itself.");
-    return tr("Here you work. On the left you see the scene, on the right what is measured, below the controls. A level shows only what "
-              "belongs to it; what is hidden is still recorded.\n\n"
-              "%1\n\n"
-              "Stop force takes force away at once and the clock stands still. Re-arm brings it back slowly. Pause keeps everything as it "
-              "is. Start again keeps the attempt so far as stopped and begins a new one from the start.\n\n%2")
+    return tr("This is where you train. The scene is on the left, the measurements are on the right and the controls are below. Each level "
+              "shows only what belongs to it; what is hidden is still recorded.\n\n%1\n\nStop force switches the force off at once and "
+              "stops the clock. Re-arm brings the force back slowly. Pause keeps everything as it is. Start again keeps the attempt so far "
+              "as stopped and begins a new one from the start.\n\n%2")
         .arg(keysText(), end);
 }
 

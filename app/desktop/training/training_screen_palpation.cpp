@@ -85,11 +85,11 @@ void TrainingScreen::addPalpationCommands(std::vector<ScreenCommand>& list) {
         return [this, key] { (void)panelKey(key); };
     };
     list.push_back({tr("Select the next finding"), QKeySequence(Qt::Key_N), press(Qt::Key_N), false});
-    list.push_back({tr("Take the selected finding back"), QKeySequence(Qt::Key_Delete), press(Qt::Key_Delete), false});
+    list.push_back({tr("Take back the selected finding"), QKeySequence(Qt::Key_Delete), press(Qt::Key_Delete), false});
     list.push_back({tr("Nothing more to report"), QKeySequence(Qt::Key_D), press(Qt::Key_D), false});
     list.push_back({tr("Free the pointer to rate with the mouse"), QKeySequence(kFreeKey), press(kFreeKey), false});
     if (m_map)
-        list.push_back({tr("Map: where, or how hard"), QKeySequence(kMapKey), press(kMapKey), false});
+        list.push_back({tr("Map: searched area or force"), QKeySequence(kMapKey), press(kMapKey), false});
 }
 
 QString TrainingScreen::keysText() const {

@@ -32,17 +32,17 @@ QString deviceTitle(const TrainingPlan& plan) {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
         if (kind && (*kind)->mechanism() == "five_bar_spherical")
-            return Words::tr("Demonstration on the simulated five-bar mechanism (%1): shown, not felt").arg(who);
+            return Words::tr("Demonstration on the simulated five-bar mechanism (%1): force shown, not felt").arg(who);
         if (kind && (*kind)->mechanism() == "fingertip_arm")
-            return Words::tr("Demonstration on the simulated arm with fingertip platform (%1): shown, not felt").arg(who);
-        return Words::tr("Demonstration on the simulated gimbal (%1): shown, not felt").arg(who);
+            return Words::tr("Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt").arg(who);
+        return Words::tr("Demonstration on the simulated gimbal (%1): force shown, not felt").arg(who);
     }
     case PlanDevice::trace:
-        return Words::tr("Replayed file %1: shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
+        return Words::tr("Replayed file %1: force shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
     case PlanDevice::mouse:
         break;
     }
-    return Words::tr("Mouse and keyboard: shown, not felt");
+    return Words::tr("Mouse and keyboard: force shown, not felt");
 }
 
 QString deviceIcon(PlanDevice device) {
@@ -59,7 +59,7 @@ QString deviceIcon(PlanDevice device) {
 
 QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
     if (!ownHand)
-        return Words::tr("You are watching. Space: pause or go on. Esc: stop.");
+        return Words::tr("You are watching. Space: pause or continue. Esc: stop.");
     if (tool == session::PointerTool::endoscope)
         return Words::tr("Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same "
                          "with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop "
@@ -86,11 +86,11 @@ QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) 
     QStringList all{Words::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
                               "Mark a finding: click or Enter.")};
     if (rates)
-        all << Words::tr("Rate it: 1 to 5, V for the other rating, + and − for its size.");
+        all << Words::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
     if (pinches)
         all << Words::tr("Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
     all << Words::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
-    all << Words::tr("Use the mouse there: T; a click in the scene takes it back.");
+    all << Words::tr("Use the mouse in the panel: T. A click in the scene brings it back.");
     if (hands > 1)
         all << Words::tr("Other hand: H.");
     all << Words::tr("Space: pause, frees the pointer. Esc: stop force. F5: start again.");

@@ -80,7 +80,7 @@ void TestLogin::wrongPasswordsMakeItWait() {
         tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("wrong word %1").arg(attempt));
         QVERIFY(!enter->isEnabled()); // nobody sends it twice
         QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), 10000);
-        QVERIFY(notice(desktop).contains(QStringLiteral("do not belong together")));
+        QVERIFY(notice(desktop).contains(QStringLiteral("Wrong name or password")));
     }
     QVERIFY(!password->isEnabled() && enter->text().contains(QStringLiteral("again")));
     picture(desktop.window.get(), QStringLiteral("login_wait"));

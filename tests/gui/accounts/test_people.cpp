@@ -157,7 +157,7 @@ void TestPeople::erase() {
     QVERIFY(QDir().mkpath(list));
     desk.set("erase.password", QLatin1String(kTestPassword));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("goes on where it stopped")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("continue where it stopped")), 10000);
     QVERIFY(QDir().rmdir(list));
     QVERIFY(desk.isEnabled("erase.accept"));
     desk.click("erase.accept");
@@ -175,7 +175,7 @@ void TestPeople::importRoster() {
     screen->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), 10000);
     const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(words.contains(QStringLiteral("Line 3: \"TINA\" is on this site already")), qPrintable(words));
+    QVERIFY2(words.contains(QStringLiteral("Line 3: \"TINA\" already exists at this site")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("Line 4: roles \"wizard\"")) && words.contains(QStringLiteral("Line 4: the password")), qPrintable(words));
     QVERIFY(!desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_wrong"));

@@ -80,17 +80,30 @@ private slots:
         QCOMPARE(session::nextStep(session::levelStandings(*catalogue, own))->level, 2);
     }
 
-    void nextStepFollowsTheLatestTryAndEnds() {
-        std::vector<session::LevelStanding> standings(3);
-        for (int i = 0; i < 3; ++i)
-            standings[static_cast<std::size_t>(i)].level = i + 1;
-        standings[2].attempts = 1;
-        standings[2].latest = 9;
-        QCOMPARE(session::nextStep(standings)->level, 3); // jumped ahead and is at it
-        standings[2].passedShown = true;
-        QCOMPARE(session::nextStep(standings)->level, 1);
-        standings[0].passedFelt = standings[1].passedFelt = true;
-        QVERIFY(!session::nextStep(standings));
+    void nextStepIsTheLowestOfTheExerciseInHand() {
+        std::vector<session::LevelStanding> standings(6);
+        for (int i = 0; i < 6; ++i) {
+            standings[static_cast<std::size_t>(i)].exercise = i < 3 ? "first" : "second";
+            standings[static_cast<std::size_t>(i)].level = i % 3 + 1;
+        }
+        const auto next = [&] {
+            const auto step = session::nextStep(standings);
+            return step ? step->exercise + std::to_string(step->level) : std::string();
+        };
+        QCOMPARE(next(), std::string("first1"));
+        standings[5].attempts = 1;
+        standings[5].latest = 9;
+        QCOMPARE(next(), std::string("second1")); // jumped ahead: the ladder begins below
+        standings[3].passedFelt = standings[4].passedShown = true;
+        QCOMPARE(next(), std::string("second3"));
+        standings[5].passedShown = true;
+        QCOMPARE(next(), std::string("first1")); // nothing is left of the exercise in hand
+        standings[0].attempts = 1;
+        standings[0].latest = 12;
+        standings[0].passedFelt = true;
+        QCOMPARE(next(), std::string("first2"));
+        standings[1].passedFelt = standings[2].passedFelt = true;
+        QCOMPARE(next(), std::string());
         QVERIFY(!session::nextStep({}));
     }
 
@@ -115,7 +128,7 @@ private slots:
         room.diskFree_bytes = 50ULL << 30;
         room.ringFree_bytes = room.ringNeeded_bytes - 1;
         QVERIFY(session::ringState(room) == session::RoomState::none);
-        QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("refused")));
+        QVERIFY(StorageWords::room(room, locale).text.contains(QStringLiteral("cannot start")));
         room.ringFree_bytes = room.ringNeeded_bytes * 2;
         QVERIFY(session::ringState(room) == session::RoomState::low);
     }

@@ -73,13 +73,17 @@ private slots:
         desktop.logIn("tina");
         QVERIFY(loaded(desktop));
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.8")));
-        auto* first = desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"));
-        QVERIFY(first && first->accessibleName().contains(QStringLiteral("Passed by touch")));
+        const auto* last = desktop.find<QLabel>(QStringLiteral("home.last"));
+        QVERIFY(last && last->text().startsWith(QStringLiteral("Last time: level ")));
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"))); // the list of exercises is a screen of its own
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.exercises")));
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("home.session.8")), Qt::LeftButton);
         QCOMPARE(here(desktop).screen, QStringLiteral("debrief"));
         desktop.go(QStringLiteral("exercises"));
         QVERIFY(desktop.screen<ExercisesScreen>() && loaded(desktop));
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.4")));
+        auto* first = desktop.find<QPushButton>(QStringLiteral("exercise.sphere_apex.1"));
+        QVERIFY(first && first->accessibleName().contains(QStringLiteral("Passed by touch")));
     }
 
     void trainerSeesTroubleFirst() {

@@ -36,7 +36,7 @@ private slots:
         for (const std::uint64_t skipped : {1U, 204U}) {
             QCOMPARE(QString::fromLatin1(StationWords::verdictKind(loop(0, skipped))), QStringLiteral("warning"));
             const QString words = StationWords::verdict(loop(0, skipped), QLocale::c());
-            QVERIFY2(words.contains(QStringLiteral("not punctual")) && words.contains(QString::number(skipped)), qPrintable(words));
+            QVERIFY2(words.contains(QStringLiteral("not run on time")) && words.contains(QString::number(skipped)), qPrintable(words));
         }
     }
 };

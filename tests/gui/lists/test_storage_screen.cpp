@@ -70,9 +70,9 @@ private slots:
         QTRY_COMPARE(table->rowCount(), 1);
         QTRY_VERIFY(noticeOf(screen, "storage.backup_notice").contains(QStringLiteral("just now")));
         QVERIFY(runTask(screen, "storage.verify_backup"));
-        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("holds")));
+        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("intact")));
         QVERIFY(runTask(screen, "storage.verify"));
-        QVERIFY(noticeOf(screen, "storage.report").startsWith(QStringLiteral("Everything holds")));
+        QVERIFY(noticeOf(screen, "storage.report").startsWith(QStringLiteral("No errors were found")));
     }
 
     void damageIsFoundAndNamed() {

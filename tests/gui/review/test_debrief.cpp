@@ -21,7 +21,11 @@ private slots:
     void initTestCase();
     void passed();
     void failedSaysWhichMarkAndByHowMuch();
+    void everyMissedMarkHasAdvice();
+    void whatChangedSinceTheLastAttempt();
+    void afterADemonstrationItIsOnesOwnTurn();
     void worstMomentIsOneClickAway();
+    void aTrainersCommentArrives();
     void unfinished_data();
     void unfinished();
     void familiarisationNeverCounts();
@@ -98,8 +102,61 @@ void TestDebrief::failedSaysWhichMarkAndByHowMuch() {
     tests::takePictures(*m_site, QStringLiteral("debrief_failed"), [this] { open(m_bad); });
 }
 
+void TestDebrief::everyMissedMarkHasAdvice() {
+    open(m_bad);
+    const QStringList reasons = texts("debrief.reason"), advice = texts("debrief.advice");
+    QCOMPARE(advice.size(), reasons.size());
+    const catalogue::Exercise* exercise = m_site->site.catalogue().find("sphere_apex");
+    QVERIFY(exercise);
+    const auto card = [&] {
+        auto connection = m_site->database().openReader();
+        return *database::ScoreRepository(**connection, *m_tina).scores(m_bad);
+    }();
+    QStringList expected;
+    for (const scoring::MetricValue& metric : card.metrics)
+        if (metric.passed == std::optional<bool>(false))
+            expected << QString::fromStdString(exercise->advice.at(metric.id).at("en"));
+    QCOMPARE(advice, expected); // each beside its own mark
+    open(m_good);
+    QVERIFY(texts("debrief.advice").isEmpty());
+}
+
+void TestDebrief::whatChangedSinceTheLastAttempt() {
+    open(m_good);
+    QVERIFY(texts("debrief.change").isEmpty()); // the first attempt
+    open(m_bad);
+    const QString change = texts("debrief.change").value(0);
+    QVERIFY2(change.startsWith(QStringLiteral("Since your last attempt:")) && change.contains(QStringLiteral("Critical errors 0 → ")), qPrintable(change));
+    QVERIFY(change.count(QStringLiteral(" → ")) <= 3);
+    // Shown force is another series: what was felt before is no attempt before it.
+    const auto shown = tests::store(m_site->database(), *m_tina, tests::ReviewSessions::shown(m_made->bad));
+    open(shown);
+    QVERIFY(texts("debrief.change").isEmpty());
+}
+
+void TestDebrief::afterADemonstrationItIsOnesOwnTurn() {
+    MadeSession made = m_made->good;
+    made.operatorName = "expert";
+    const auto id = tests::store(m_site->database(), database::Actor::simulated(), made);
+    open(id);
+    auto* now = m_site->find<QPushButton>(QStringLiteral("debrief.now_you"));
+    QVERIFY(now && now->isEnabled());
+    QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.again")));
+    now->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("exercise_setup"));
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("level")).toInt(), m_made->good.setup.level.number);
+    open(m_bad); // and who failed is offered to watch
+    QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.now_you")));
+    auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.watch"));
+    QVERIFY(watch);
+    open(m_good);
+    QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.watch")));
+}
+
 void TestDebrief::worstMomentIsOneClickAway() {
     open(m_bad);
+    const QString where = text("debrief.worst_text");
+    QVERIFY2(where.startsWith(QStringLiteral("Worst moment: ")) && where.contains(QStringLiteral("in trial")), qPrintable(where));
     auto* worst = m_site->find<QPushButton>(QStringLiteral("debrief.worst"));
     QVERIFY(worst->isEnabled());
     QVERIFY(!worst->toolTip().isEmpty());
@@ -108,6 +165,52 @@ void TestDebrief::worstMomentIsOneClickAway() {
     QCOMPARE(place.screen, QStringLiteral("playback"));
     QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_bad);
     QVERIFY(place.parameters.value(QStringLiteral("at_s")).toDouble() > 0.0);
+    QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), where); // said in the scene there
+    QCOMPARE(place.parameters.value(QStringLiteral("caption_s")).toDouble(), place.parameters.value(QStringLiteral("at_s")).toDouble());
+}
+
+void TestDebrief::aTrainersCommentArrives() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    const auto comment = [&](const database::Actor& author, const char* text, std::optional<std::uint64_t> tick) {
+        QVERIFY(m_site->database().write([&](database::WriteContext& write) {
+            return database::SessionRepository(write.connection(), author).addComment(id, text, tick);
+        }));
+    };
+    const auto atHome = [&] {
+        m_site->go(QStringLiteral("home"));
+        if (!QTest::qWaitFor([&] { return m_site->context.background().idle(); }))
+            qFatal("the home screen is not read");
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return m_site->window->screen()->findChild<QWidget*>(QStringLiteral("home.commented.%1").arg(id));
+    };
+    comment(*m_tina, "note to myself", {});
+    QVERIFY(!atHome()); // one's own is no news
+    comment(m_site->actor("tom"), "Go round the top once more.", 1500);
+    comment(m_site->actor("tom"), "Good start.", {});
+    QWidget* notice = atHome();
+    QVERIFY(notice);
+    QStringList words;
+    for (const QLabel* label : notice->findChildren<QLabel*>())
+        words << label->text();
+    QVERIFY2(words.join(QLatin1Char('|')).contains(QStringLiteral("Tom Trainer commented on your session %1").arg(id)), qPrintable(words.join(QLatin1Char('|'))));
+    notice->findChild<QPushButton*>()->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("debrief"));
+    open(id);
+    const QStringList comments = texts("debrief.comment");
+    QCOMPARE(comments.size(), 3);
+    QVERIFY(comments.contains(QStringLiteral("Tom Trainer: Good start.")));
+    QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer, at ")) && comments.last().endsWith(QStringLiteral(": Go round the top once more.")), qPrintable(comments.last()));
+    auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_watch"));
+    QVERIFY(watch);
+    watch->click();
+    const desktop::Place place = m_site->context.navigator().current();
+    QCOMPARE(place.screen, QStringLiteral("playback"));
+    QVERIFY(place.parameters.value(QStringLiteral("at_s")).toDouble() > 1.0);
+    QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), comments.last());
+    QVERIFY(!atHome()); // it was read
+    comment(m_site->actor("tom"), "And press less.", {});
+    QVERIFY(atHome()); // the next one is news again
+    m_site->context.logIn(*m_tina);
 }
 
 void TestDebrief::unfinished_data() {

@@ -130,7 +130,7 @@ TimeWasUp timeWasUp(const std::string& exercise) {
         {"urethra_insertion", {{}, of("PlaybackMarks", "Time was up before the end of the procedure")}},
         {"elastic_tube", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before the tube was held as asked")}},
         {"object_handling", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before an object was set down in the target")}},
-        {"palpation", {of("PalpationFindings", "Time was up before the end was reported."), of("PlaybackMarks", "Time was up before the search was reported as done")}}};
+        {"palpation", {of("PalpationFindings", "Time was up before the search was reported as done."), of("PlaybackMarks", "Time was up before the search was reported as done")}}};
     return said.at(exercise);
 }
 

@@ -41,6 +41,16 @@ void TestGateWords::missedByHowMuch() {
     QVERIFY2(below.contains("too little") && below.contains("(15"), qPrintable(below));
     const QString above = missed(85.0, 20.0, 80.0);
     QVERIFY2(above.contains("too much") && above.contains("(5"), qPrintable(above));
+    report::MetricRow counted = row(3.0, {}, 0.0);
+    counted.id = "apex_misses";
+    counted.unit = "count";
+    const QLocale english(QLocale::English, QLocale::UnitedKingdom);
+    const QString many = desktop::missedGateText(counted, english); // things are many, not much, and a limit of none is 0
+    QVERIFY2(many.endsWith("3, but the pass mark is 0 (3 too many)"), qPrintable(many));
+    counted.gateMaximum.reset();
+    counted.gateMinimum = 5.0;
+    const QString few = desktop::missedGateText(counted, english);
+    QVERIFY2(few.contains("(2 too few)"), qPrintable(few));
     const QString none = missed({}, 20.0, {});
     QVERIFY2(!none.contains("too") && none.contains("20"), qPrintable(none));
 }
@@ -56,6 +66,13 @@ void TestGateWords::markInWords() {
     };
     QVERIFY2(words(80.0, {}).contains("at least 80"), qPrintable(words(80.0, {})));
     QVERIFY2(words({}, 80.0).contains("at most 80"), qPrintable(words({}, 80.0)));
+    QVERIFY2(words({}, 0.0).contains("at most 0"), qPrintable(words({}, 0.0)));
+    scoring::Gate misses;
+    misses.metric = "apex_misses";
+    misses.maximum = 0.0;
+    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": none"), qPrintable(desktop::gateInWords(misses, locale)));
+    misses.maximum = 1.0;
+    QVERIFY2(desktop::gateInWords(misses, locale).endsWith(": at most 1"), qPrintable(desktop::gateInWords(misses, locale)));
     const QString band = words(20.0, 80.0);
     QVERIFY2(band.contains("from 20") && band.indexOf("20") < band.indexOf("to 80"), qPrintable(band));
 }

@@ -153,7 +153,7 @@ private slots:
         QCOMPARE(choice->count(), 4);
         auto* words = m_desktop->find<QLabel>(QStringLiteral("debrief.palpation"));
         choice->setCurrentIndex(1);
-        QVERIFY2(words->text().contains(QStringLiteral("Findings where no lump was: 1")), qPrintable(words->text()));
+        QVERIFY2(words->text().contains(QStringLiteral("Findings where there was no lump: 1")), qPrintable(words->text()));
         auto* map = m_desktop->find<desktop::PalpationMapView>(QStringLiteral("debrief.force_map"));
         QVERIFY(map && !map->accessibleDescription().isEmpty());
         QCOMPARE(int(map->view().kind), int(core::SurfaceMapKind::force));

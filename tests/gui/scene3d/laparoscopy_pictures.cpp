@@ -36,7 +36,7 @@ QPixmap taken(Picture& picture, bool flat) {
     window.move(0, 0);
     auto* layout = new QVBoxLayout(&window);
     layout->setContentsMargins(0, 0, 0, 0);
-    LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Drawn in two dimensions."), &window), {}}
+    LoadedScene scene = flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
                              : makeSceneView(picture.setup, &window);
     layout->addWidget(scene.view->widget());
     window.show();

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
                 flat ? LoadedScene{makeFlatSceneView(
                                        samples::setup(),
                                        QStringLiteral(
-                                           "Drawn in two dimensions: OpenGL is not available here."),
+                                           "Shown in 2D: OpenGL is not available here."),
                                        &window),
                                    {}}
                      : makeSceneView(samples::setup(), &window);

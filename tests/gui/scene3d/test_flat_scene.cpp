@@ -55,7 +55,7 @@ private slots:
         const LoadedScene scene = makeSceneView(samples::setup(), nullptr);
         QVERIFY(scene.view);
         QVERIFY(scene.view->widget());
-        QCOMPARE(scene.whyFlat, QStringLiteral("Drawn in two dimensions: OpenGL is not available here."));
+        QCOMPARE(scene.whyFlat, QStringLiteral("Shown in 2D: OpenGL is not available here."));
         QCOMPARE(findWhyFlat(), scene.whyFlat);
         QCOMPARE(scene.view->widget()->accessibleDescription(), scene.whyFlat);
     }

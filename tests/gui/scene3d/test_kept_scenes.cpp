@@ -111,7 +111,7 @@ private slots:
         window.move(0, 0);
         auto* layout = new QVBoxLayout(&window);
         layout->setContentsMargins(0, 0, 0, 0);
-        LoadedScene scene = m_flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Drawn in two dimensions."), &window), {}}
+        LoadedScene scene = m_flat ? LoadedScene{makeFlatSceneView(picture.setup, QStringLiteral("Shown in 2D."), &window), {}}
                                    : makeSceneView(picture.setup, &window);
         layout->addWidget(scene.view->widget());
         window.show();
@@ -152,7 +152,7 @@ private slots:
         QFETCH(QSize, size);
         Kept& picture = m_all.at(name);
         picture.state.surfaceMap = picture.map.get();
-        const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Drawn in two dimensions, for a reason that is long."), nullptr));
+        const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Shown in 2D, for a reason that is long."), nullptr));
         QVERIFY(view->widget()->minimumSizeHint().isValid());
         view->widget()->resize(size);
         view->show(picture.state);

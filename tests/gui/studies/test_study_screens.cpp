@@ -95,7 +95,7 @@ void TestStudyScreens::changedUndoneAndKept() {
     click("study.undo");
     QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(), QStringLiteral("New study"));
     click("study.redo");
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
     auto connection = m_site->database().openReader();
     const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
     QVERIFY(stored && stored->summary.title == "Feeling tubes");
@@ -104,16 +104,16 @@ void TestStudyScreens::changedUndoneAndKept() {
 void TestStudyScreens::faultsAreSaid() {
     auto* screen = m_site->screen<desktop::StudyScreen>();
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { design.conditions.front().stimulus.reference = -1.0; });
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not kept")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), 10000);
     const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
     QVERIFY(!freeze->isEnabled() && !freeze->toolTip().isEmpty());
     click("study.undo");
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
         design.questionnaires = tests::smallStudy("x").questionnaires;
         design.blindExperimenter = true;
     }, true);
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("everything is kept")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
     for (int tab = 0; tab < desktop::StudyScreen::tabs; ++tab) { // each page can be built
         screen->showTab(tab);
         QTest::qWait(30);

@@ -160,7 +160,7 @@ void TestStudyTrials::goesOnWhereItStopped() {
             words += label->text() + QLatin1Char('\n');
         return words;
     };
-    QTRY_VERIFY2(beside().contains(QStringLiteral("The fidelity of each trial will be here")), qPrintable(beside()));
+    QTRY_VERIFY2(beside().contains(QStringLiteral("The fidelity of each trial will appear here")), qPrintable(beside()));
     QVERIFY(!beside().contains(QStringLiteral("sealed")));
     stop(screen);
     QVERIFY(stored().size() >= m_stored);

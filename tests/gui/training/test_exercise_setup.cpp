@@ -56,6 +56,7 @@ void TestExerciseSetup::startIsEnough() {
     QTRY_VERIFY(start->hasFocus());
     start->click();
     QVERIFY(bench.at(QStringLiteral("training")));
+    pressGo(bench.desktop);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     QVERIFY(bench.screen()->feed()->training().pointer() != nullptr);
 }
@@ -149,6 +150,7 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.origin_y"))->setValue(-4.0);
     bench.desktop.find<QAbstractButton>(QStringLiteral("setup.left"))->click();
     tile(bench, QStringLiteral("setup.start"))->click();
+    pressGo(bench.desktop);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     const devices::WorkspaceMapping& mapping = bench.screen()->feed()->training().station().mappings.front();
     QCOMPARE(mapping.scale, 1.5);

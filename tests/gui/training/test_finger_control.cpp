@@ -24,6 +24,13 @@ struct Fingers {
         control.emplace(all, ofAHand, 1.0, false, jaw);
     }
     std::array<double, 4> moved(std::size_t tool) { return mailbox[tool].read().moved; }
+    /// As the screen does each frame: which tools press, N.
+    void feel(std::initializer_list<double> force_N) {
+        haptics::DisplayState state;
+        for (const double each : force_N)
+            state.tool[static_cast<std::size_t>(state.tools++)].tissue[2] = each;
+        control->feel(state);
+    }
     bool marked(std::size_t tool) { return mailbox[tool].read().markPresses > 0; }
     std::deque<PointerMailbox> mailbox;
     std::optional<FingerControl> control;
@@ -50,6 +57,7 @@ private slots:
         Fingers fingers(2, 1);
         int told = -1;
         fingers.control->onChosen([&told](int tool) { told = tool; });
+        fingers.feel({0.5, 0.0});
         fingers.control->wheel(-240);
         QVERIFY(fingers.control->keyDown(Qt::Key_H));
         QCOMPARE(told, 1);
@@ -67,8 +75,29 @@ private slots:
         QCOMPARE(told, 0);
     }
 
+    /// In the air a hand comes down in a few notches; where one of its fingers touches, all of them press finely.
+    void quicklyThroughTheAirFinelyInContact() {
+        Fingers fingers(4, 2);
+        fingers.feel({0.0, 0.0, 0.0, 0.0});
+        fingers.control->wheel(-120);
+        QCOMPARE(fingers.moved(0)[2], -PointerControl::kMetresPerWheelStep);
+        QVERIFY(PointerControl::kMetresPerWheelStep >= 4.0 * FingerControl::kMetresPerNotch);
+        QVERIFY(fingers.control->keyDown(Qt::Key_PageDown));
+        QCOMPARE(fingers.mailbox[0].read().rate_per_s[2], -PointerControl::kKeySpeed_m_per_s);
+        fingers.feel({0.0, 2.0 * FingerControl::kTouch_N, 0.0, 0.0}); // the key is still down
+        QCOMPARE(fingers.mailbox[0].read().rate_per_s[2], -FingerControl::kKeyPress_m_per_s);
+        fingers.control->wheel(-120);
+        QCOMPARE(fingers.moved(1)[2], -PointerControl::kMetresPerWheelStep - FingerControl::kMetresPerNotch);
+        fingers.feel({0.0, 0.0, 1.0, 0.0}); // what the other hand touches is no business of this one
+        QCOMPARE(fingers.mailbox[0].read().rate_per_s[2], -PointerControl::kKeySpeed_m_per_s);
+        fingers.control->releaseKeys();
+        fingers.feel({1.0, 0.0, 0.0, 0.0});
+        QCOMPARE(fingers.mailbox[0].read().rate_per_s[2], 0.0); // contact alone moves nothing
+    }
+
     void heldKeysLowerFinelyAndStopWhenLetGo() {
         Fingers fingers(2, 2);
+        fingers.feel({0.5, 0.5});
         QVERIFY(fingers.control->keyDown(Qt::Key_PageDown));
         QCOMPARE(fingers.mailbox[1].read().rate_per_s[2], -FingerControl::kKeyPress_m_per_s);
         QVERIFY(fingers.control->keyUp(Qt::Key_PageDown));

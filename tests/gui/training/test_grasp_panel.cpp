@@ -76,7 +76,7 @@ private slots:
         QVERIFY(find<QLabel>(panel, "training.load")->text().contains(QStringLiteral("12.3")));
         QCOMPARE(find<QLabel>(panel, "training.tool_0_0")->text(), QStringLiteral("31.2"));
         QVERIFY(find<QLabel>(panel, "training.tool_1_3") != nullptr);
-        QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two places")));
+        QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("two points")));
         QVERIFY(find<LivePlot>(panel, "training.tension_plot") && !find<LivePlot>(panel, "training.force_plot"));
     }
 

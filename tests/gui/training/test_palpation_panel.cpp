@@ -275,7 +275,7 @@ private slots:
             words.insert(hardnessWord(rating));
             words.insert(confidenceWord(rating));
         }
-        QCOMPARE(words.size(), std::size_t(11)); // "not said" is shared
+        QCOMPARE(words.size(), std::size_t(11)); // "not given" is shared
         std::set<QString> fingers;
         for (int tool = 0; tool < 4; ++tool)
             fingers.insert(fingerName(tool, 2, 2));

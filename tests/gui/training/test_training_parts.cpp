@@ -229,7 +229,7 @@ void TestTrainingParts::everyStateHasItsWords() {
     QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false}).title, QStringLiteral("Shown, not felt"));
     QCOMPARE(words(ForceState::off, ArmingWait::nothing, {.felt = false, .paused = true, .stopped = true}).title,
              QStringLiteral("Force is stopped"));
-    QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title, QStringLiteral("Force is waiting"));
+    QCOMPARE(words(ForceState::arming, ArmingWait::smallRequest).title, QStringLiteral("Force is not on yet"));
     QVERIFY(words(ForceState::ramping, ArmingWait::ramp, {.ownHand = false}).text.contains(QStringLiteral("rises")));
     QVERIFY(words(ForceState::on, ArmingWait::nothing, {.ownHand = false}).text.contains(QStringLiteral("not felt")));
     QCOMPARE(words(ForceState::on, ArmingWait::nothing).title, QStringLiteral("Force is on"));

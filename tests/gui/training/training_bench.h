@@ -26,6 +26,11 @@ struct TrainingBench {
     }
 
     void train(const QVariantMap& more = {}) {
+        show(more);
+        pressGo(desktop);
+    }
+    /// The same up to the ready card.
+    void show(const QVariantMap& more = {}) {
         QVariantMap plan{{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}, {QStringLiteral("level"), 1}};
         plan.insert(more);
         desktop.go(QStringLiteral("training"), plan);

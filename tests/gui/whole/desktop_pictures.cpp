@@ -114,6 +114,7 @@ void takePalpation(tests::DesktopFixture& desktop, const QDir& folder, const Loo
         if (!wanted.has(name) || !desktop.context.site().catalogue().find("palpation", level))
             continue;
         tests::visit(desktop, {name, "tina", {QStringLiteral("training"), {{"exercise", "palpation"}, {"level", level}}}}, person);
+        tests::pressGo(desktop);
         auto* screen = desktop.screen<desktop::TrainingScreen>();
         const auto state = [screen] { return screen->feed() ? screen->feed()->state() : haptics::DisplayState{}; };
         if (!QTest::qWaitFor([&] { return state().phase == core::TrialPhase::running; }, 20000))

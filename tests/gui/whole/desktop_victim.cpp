@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     desktop.logIn("tina");
     desktop.go(QStringLiteral("training"),
                {{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}, {QStringLiteral("level"), 1}, {QStringLiteral("device"), QStringLiteral("mouse")}});
+    tests::pressGo(desktop);
     const auto recorded = [&] {
         auto* screen = desktop.screen<desktop::TrainingScreen>();
         return screen && screen->feed() && screen->feed()->state().tick >= ticks; // each executed tick has its own number and is recorded

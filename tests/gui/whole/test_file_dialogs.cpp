@@ -64,20 +64,20 @@ std::vector<Asked> TestFileDialogs::all() const {
     const auto one = QFileDialog::ExistingFile;
     const auto any = QFileDialog::AnyFile;
     return {{"people.import", "ada", "people", {}, "Import people from a CSV file", kOpen, one, "CSV (*.csv)", "", "cannot be read"},
-            {"people.export", "ada", "people", {}, "Export everything held about tina", kSave, any, "JSON (*.json)", "tina.json"},
-            {"storage.choose", "ada", "storage", {}, "Where backups are kept", kOpen, folder, "", ""},
-            {"storage.export", "ada", "storage", {}, "Where to export to", kOpen, folder, "", ""},
-            {"station.record", "ada", "station", {}, "Write the record", kSave, any, "PDF documents (*.pdf)", "Fingertip platform.pdf"},
+            {"people.export", "ada", "people", {}, "Export all data about tina", kSave, any, "JSON (*.json)", "tina.json"},
+            {"storage.choose", "ada", "storage", {}, "Folder for backups", kOpen, folder, "", ""},
+            {"storage.export", "ada", "storage", {}, "Folder for the export", kOpen, folder, "", ""},
+            {"station.record", "ada", "station", {}, "Save the record", kSave, any, "PDF documents (*.pdf)", "Fingertip platform.pdf"},
             {"sessions.export", "tom", "sessions", {}, "Save the list", kSave, any, "Comma-separated values (*.csv)", "sessions.csv"},
-            {"results.export", "tina", "results", {}, "Where should your data go?", kOpen, folder, "", ""},
+            {"results.export", "tina", "results", {}, "Choose a folder for your data", kOpen, folder, "", ""},
             {"debrief.report", "tina", "debrief", session, "Write the report", kSave, any, "PDF documents (*.pdf)", "Chiron session"},
             {"setup.trace.choose", "tina", "exercise_setup", level, "Choose a recorded movement", kOpen, one, "Traces (*.csv)", "", "This file cannot be played"},
             {"studies.import", "rhea", "studies", {}, "Import a study", kOpen, one, "Studies (*.json)", "", "The file could not be read"},
-            {"study.import", "rhea", "study", study(m_studies.draft), "Take the design of a file", kOpen, one, "Studies (*.json)", "", "The file was not taken"},
+            {"study.import", "rhea", "study", study(m_studies.draft), "Import a design from a file", kOpen, one, "Studies (*.json)", "", "The file was not imported"},
             {"study.export", "rhea", "study", study(m_studies.draft), "Save the design", kSave, any, "Studies (*.json)", "pilot.json"},
-            {"data.csv", "rhea", "study_data", study(m_studies.data), "Where should the folder go?", kOpen, folder, "", ""},
-            {"data.bids", "rhea", "study_data", study(m_studies.data), "Where should the folder go?", kOpen, folder, "", ""},
-            {"data.pdf", "rhea", "study_data", study(m_studies.data), "Write a PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf"}};
+            {"data.csv", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", ""},
+            {"data.bids", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", ""},
+            {"data.pdf", "rhea", "study_data", study(m_studies.data), "Save as PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf"}};
 }
 
 void TestFileDialogs::initTestCase() {

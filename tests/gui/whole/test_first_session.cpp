@@ -88,6 +88,9 @@ void trainByKeys(Station& station) {
     QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 3
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
+    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QStringLiteral("training.ready.go"));
+    QVERIFY(!station.context.trialRuns());
+    press(Qt::Key_Return); // what to do was read
     QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), kPatience_ms);
     // Enter marks once a trial runs; pressed again and again it does nothing in between.
     for (int i = 0; i < 150 && !station.isOn("debrief"); ++i) {

@@ -132,9 +132,9 @@ void TestStudyReport::tellsAll() {
                                 QStringLiteral("How real did it feel?"), QStringLiteral("Weber fraction of the group"), QStringLiteral("Page"), QStringLiteral("Worth of each object")})
         QVERIFY2(text.contains(word), qPrintable(word + QStringLiteral(" is not in: ") + text));
     // A column as on the screen, for every participant, and what it means once.
-    QCOMPARE(text.count(QStringLiteral("How much of the result was assumed beforehand")), 1);
+    QCOMPARE(text.count(QStringLiteral("How much of the result comes from the prior")), 1);
     QVERIFY2(QRegularExpression(QStringLiteral("ALPHA [\\d.]+ % [\\d.]+ . [\\d.]+ % [\\d.]+ N/m [\\d.]+ % \\d+ \\d+ ")).match(text).hasMatch(), qPrintable(text));
-    QVERIFY2(text.contains(QStringLiteral("Median 4.5, middle half 4.25 to 4.75")), qPrintable(text)); // as the scale has it, without noughts
+    QVERIFY2(text.contains(QStringLiteral("Median 4.5, quartiles 4.25 and 4.75")), qPrintable(text)); // as the scale has it, without noughts
     QVERIFY(report(study, file("study_de.pdf"), "de"));
     QVERIFY(textOf(file("study_de.pdf")).contains(QStringLiteral("Steifigkeit fühlen")));
 }
@@ -179,8 +179,8 @@ void TestStudyReport::blindToUnlikeConditions() {
     for (const QString& told : known)
         QVERIFY2(!blind.contains(told), qPrintable(told));
     QVERIFY2(blind.contains(QStringLiteral("stay sealed until the study is unblinded")), qPrintable(blind));
-    QVERIFY2(blind.contains(QStringLiteral("2 of 2")) && blind.contains(QStringLiteral("Of all conditions together")), qPrintable(blind)); // quality, by participant
-    for (const char* counted : {"Same choices again", "Weber fraction", "Practice"})
+    QVERIFY2(blind.contains(QStringLiteral("2 of 2")) && blind.contains(QStringLiteral("Over all conditions together")), qPrintable(blind)); // quality, by participant
+    for (const char* counted : {"Choices reproduced", "Weber fraction", "Practice"})
         QVERIFY2(!blind.contains(QLatin1String(counted)), counted);
     QVERIFY(write([&](database::StudyRepository& all) { return all.unblindStudy(study, "all are done"); }));
     QVERIFY(report(study, file("unlike_open.pdf")));
@@ -200,7 +200,7 @@ void TestStudyReport::tellsOfMarks() {
     std::string sha256;
     QVERIFY(report(done(design, sha256), file("apex.pdf")));
     const QString text = textOf(file("apex.pdf"));
-    for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks about the true apex", "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
+    for (const char* word : {"Hidden sphere", "Bias in x", "SD in y", "Marks around the true apex", "Error in locating spheres", "mm,", "ALPHA", "BRAVO", "observer for planning"})
         QVERIFY2(text.contains(QLatin1String(word)), qPrintable(QLatin1String(word) + QStringLiteral(" is not in: ") + text));
     QVERIFY(!text.contains(QStringLiteral("Weber fraction of the group")));
     design.id = "apex_blind";

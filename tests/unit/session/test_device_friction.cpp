@@ -90,6 +90,8 @@ void TestDeviceFriction::theSmallerDampingHolds() {
     device.maximumDamping_Ns_per_m = 60.0;
     QCOMPARE(session::onDevice(law, device, {}).maximumDamping_Ns_per_m, 40.0);
     QCOMPARE(session::onDevice(law, device, {}).count_m, session::tipCount_m(device));
+    device.maximumDamping_Ns_per_m = 0.0; // a device that states none leaves the law its own
+    QCOMPARE(session::onDevice(law, device, {}).maximumDamping_Ns_per_m, 40.0);
 }
 
 void TestDeviceFriction::aScaledWorkspaceScalesBoth() {

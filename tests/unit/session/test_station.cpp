@@ -4,7 +4,9 @@
 #include "devices/api/workspace_map.h"
 #include "scoring/trace_csv.h"
 #include "catalogue/catalogue.h"
+#include "session/exercise_kind.h"
 #include "session/station.h"
+#include "simulation/palpation/tissue_surface.h"
 
 #include <QtTest>
 #include <cmath>
@@ -272,6 +274,34 @@ private slots:
         QVERIFY(!session::keyboardMouseStation({}, Graspers(5), {}));
         const auto point = session::keyboardMouseStation({}, AnyKind("gimbal_hprd"), {});
         QVERIFY(point && point->pointer != nullptr && point->graspers.empty());
+    }
+
+    /// A finger that palpates begins just above the skin, on every level, wherever the workspace was shifted and however it is scaled.
+    void aFingerBeginsJustAboveTheTissue() {
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(catalogue.has_value());
+        const auto kind = session::exerciseKind("palpation");
+        QVERIFY(kind.has_value());
+        int levels = 0;
+        for (const catalogue::ExerciseLevel& level : catalogue->find("palpation")->levels) {
+            const simulation::TissueSurface surface(std::get<simulation::PalpationParameters>(level.parameters).tissue.shape);
+            for (const session::WorkspaceChoice& choice : {session::WorkspaceChoice{}, session::WorkspaceChoice{.scale = 2.0, .origin_m = {0.01, -0.02, 0.005}},
+                                                           session::WorkspaceChoice{.scale = 0.5, .leftHanded = true}}) {
+                auto station = session::keyboardMouseStation(choice, **kind, level);
+                QVERIFY(station.has_value());
+                for (std::size_t tool = 0; tool < station->devices.size(); ++tool) {
+                    QVERIFY(station->devices[tool]->open().has_value());
+                    const Vec3 p_WT = poseOf(*station, 1, tool).p_WT;
+                    const double above_m = p_WT.z() - surface.pointAt(p_WT.head<2>()).z();
+                    QVERIFY2(std::abs(above_m - 0.005) < 1e-5, qPrintable(QStringLiteral("%1: %2 m").arg(QString::fromStdString(level.id)).arg(above_m)));
+                }
+            }
+            ++levels;
+        }
+        QVERIFY(levels >= 5);
+        auto ball = session::keyboardMouseStation({}, **session::exerciseKind("sphere_apex"), catalogue->find("sphere_apex")->levels.front());
+        QVERIFY(ball.has_value() && ball->devices.front()->open().has_value());
+        QVERIFY(std::abs(poseOf(*ball, 1, 0).p_WT.z() - 0.060) < 1e-5); // a hidden ball has to be looked for from above
     }
 
     /// Each hand at its own gimbal, at its own place, with a tremor of its own; all with jaws.

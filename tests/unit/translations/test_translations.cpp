@@ -148,6 +148,42 @@ private slots:
         QVERIFY2(misfiled.isEmpty(), qPrintable(report(misfiled)));
     }
 
+    /// A text that is a term by itself reads as docs/glossary.md has it, on every screen.
+    void termsAreTheGlossarys_data() {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<int>("cell");
+        QTest::newRow("de") << QStringLiteral("de") << 1;
+        QTest::newRow("el") << QStringLiteral("el") << 2;
+    }
+    void termsAreTheGlossarys() {
+        QFETCH(QString, locale);
+        QFETCH(int, cell);
+        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/docs/glossary.md"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QHash<QString, QStringList> terms;
+        for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+            const QStringList cells = line.split(QLatin1Char('|')).mid(1, 3);
+            if (cells.size() == 3 && !line.startsWith(QLatin1String("|---")) && cells[0].trimmed() != QLatin1String("English"))
+                for (const QString& term : formsIn(cells[0]))
+                    terms[term] << formsIn(cells[cell]);
+        }
+        QVERIFY(terms.size() > 60);
+        const auto messages = readTs(catalogue(locale));
+        QVERIFY(messages.has_value());
+        QStringList others;
+        int checked = 0;
+        for (const TsMessage& message : *messages) {
+            const auto found = terms.constFind(message.source.trimmed().toLower());
+            if (found == terms.constEnd())
+                continue;
+            ++checked;
+            if (!found->contains(message.translations.value(0).trimmed().toLower()))
+                others << QStringLiteral("%1: \"%2\", in the glossary \"%3\"").arg(message.key(), message.translations.value(0), found->join(QStringLiteral(", ")));
+        }
+        QVERIFY2(others.isEmpty(), qPrintable(report(others)));
+        QVERIFY(checked > 20);
+    }
+
     /// A text that lupdate does not see, because it is in a folder that it does not read, could never be
     /// translated.
     void everyFolderWithTextsIsRead() {
@@ -177,6 +213,16 @@ private:
         QTest::addColumn<QString>("locale");
         for (const QString& locale : kLocales)
             QTest::newRow(qPrintable(locale)) << locale;
+    }
+
+    /// The forms in a cell, without what stands in brackets, in small letters.
+    static QStringList formsIn(QString cell) {
+        static const QRegularExpression brackets(QStringLiteral("\\([^)]*\\)"));
+        QStringList forms;
+        for (const QString& form : cell.remove(brackets).split(QLatin1Char(',')))
+            if (const QString plain = form.trimmed().toLower(); !plain.isEmpty())
+                forms << plain;
+        return forms;
     }
 
     static QString report(const QStringList& lines) {

@@ -171,7 +171,7 @@ void FlatPalpation::paintLines(QPainter& painter, const FlatPanel& panel, const 
     painter.setFont(panel.font(11, false));
     painter.setPen(QColor(30, 14, 14));
     painter.drawText(panel.plot().adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
-                     tr("Height lines every %1 mm").arg(QLocale().toString(m_lineStep_mm, 'f', 0)));
+                     tr("Contour lines every %1 mm").arg(QLocale().toString(m_lineStep_mm, 'f', 0)));
 }
 
 void FlatPalpation::paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {

@@ -53,6 +53,8 @@ SceneStage::SceneStage(const SceneSetup& setup, QObject* surface)
     m_gauge->addComponent(m_overLayer);
     m_second = new ForceGauge(m_light, ForceGauge::Side::left, m_root);
     m_second->addComponent(m_overLayer);
+    m_note = new NoteCard(m_light, m_root);
+    m_note->addComponent(m_overLayer);
     change(setup);
     show(SceneState{});
 }
@@ -108,6 +110,7 @@ void SceneStage::change(const SceneSetup& setup) {
     m_forceDial = forceDial(setup);
     m_gauge->change(setup, m_forceDial, setup.cues.arrow);
     placeSecond();
+    m_note->change(setup);
     aim();
 }
 
@@ -127,6 +130,7 @@ void SceneStage::show(const SceneState& state) {
     m_ghost->show(ghost, entersLeft(0, several, m_setup.leftHanded));
     showForce(state);
     showSecond(state.laparoscopy);
+    m_note->show(state.note);
 }
 
 void SceneStage::showForce(const SceneState& state) {
@@ -160,6 +164,7 @@ void SceneStage::setPicture(const QSize& size_px, double ratio) {
     m_light.setSize_px(size_px);
     m_gauge->setPicture(size_px, ratio);
     m_second->setPicture(size_px, ratio);
+    m_note->setPicture(size_px, ratio);
     m_content->setPicture(size_px, ratio);
     aim();
 }

@@ -4,6 +4,7 @@
 #include "desktop/scene3d/plugin/force_arrow.h"
 #include "desktop/scene3d/plugin/force_gauge.h"
 #include "desktop/scene3d/plugin/instrument.h"
+#include "desktop/scene3d/plugin/note_card.h"
 #include "desktop/scene3d/plugin/place_marks.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/stage.h"
@@ -53,6 +54,7 @@ private:
     Instrument* m_ghost = nullptr;
     PlaceMarks* m_marks = nullptr;
     ForceGauge* m_gauge = nullptr;
+    NoteCard* m_note = nullptr;
     ForceGauge* m_second = nullptr; ///< tension or squeeze
     GaugeDial m_forceDial; ///< with its band, where there is one
     std::optional<GaugeDial> m_dial;

@@ -12,8 +12,9 @@ EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
       m_landmarks(m_model.drawing(), m_light.effects, m_picture.bladder()),
       m_marks(m_light.effects, m_graph.marks(), m_root), m_notice(m_light.effects, m_graph.marks(), m_root),
       m_overview(m_model, m_light, m_graph, m_root),
-      m_gauge(new ForceGauge(m_light, ForceGauge::Side::right, m_root)) {
+      m_gauge(new ForceGauge(m_light, ForceGauge::Side::right, m_root)), m_note(new NoteCard(m_light, m_root)) {
     m_gauge->addComponent(m_graph.over());
+    m_note->addComponent(m_graph.over());
     change(setup);
     show(SceneState{});
 }
@@ -27,6 +28,7 @@ void EndoscopeStage::change(const SceneSetup& setup) {
     m_notice.change(setup);
     m_overview.change(setup);
     m_gauge->change(setup, forceDial(setup), setup.cues.arrow);
+    m_note->change(setup);
     place();
 }
 
@@ -39,6 +41,7 @@ void EndoscopeStage::show(const SceneState& state) {
     m_notice.show(!m_setup.cues.object || !state.objectShown);
     m_overview.show(state);
     m_gauge->show(largestForce_N(state));
+    m_note->show(state.note);
 }
 
 void EndoscopeStage::setPicture(const QSize& size_px, double ratio) {
@@ -46,6 +49,7 @@ void EndoscopeStage::setPicture(const QSize& size_px, double ratio) {
     m_ratio = ratio;
     m_light.setSize_px(size_px);
     m_gauge->setPicture(size_px, ratio);
+    m_note->setPicture(size_px, ratio);
     place();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene3d/plugin/force_gauge.h"
+#include "desktop/scene3d/plugin/note_card.h"
 #include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/plugin/stage.h"
 #include "desktop/scene3d/urethra_insertion/endoscope_graph.h"
@@ -42,6 +43,7 @@ private:
     Notice m_notice;
     Overview m_overview;
     ForceGauge* m_gauge;
+    NoteCard* m_note;
 };
 
 } // namespace chiron::scene3d

@@ -301,6 +301,12 @@ void TestLiveStudy::stopsWhilePaused() {
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
     QVERIFY(live->result().has_value());
     QVERIFY(!live->result()->completed);
+    // What was asked of the loop is recorded, from the start on.
+    auto connection = site.fixture.database->openReader();
+    const auto events = database::SessionReader(**connection, site.actor).events(live->result()->session);
+    QVERIFY(events.has_value());
+    for (const char* kind : {"start", "pause"})
+        QCOMPARE(std::count_if(events->begin(), events->end(), [&](const auto& event) { return event.kind == kind; }), 1);
 }
 
 /// Stopped while the instructions are read: a pause that is asked for later does not hold it up.

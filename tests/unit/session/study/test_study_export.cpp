@@ -161,6 +161,22 @@ private slots:
         QVERIFY(scored[1].answer == -1 && scored[1].value == 0.02);
         QVERIFY(session::scoredTrialsOf({practice, undone, spoiled, unanswered}).empty());
     }
+    /// The order that was said is right where it is the one that lay there, the first of all orders like any other.
+    void whatWasSaidIsJudgedByWhatLayThere() {
+        Site site;
+        QTemporaryDir folder;
+        QVERIFY(site.writeTo(folder.filePath("out"), false));
+        const QByteArray table = bytesOf(folder.filePath("out/trials.csv"));
+        const QList<QByteArray> lay = column(table, ',', "arrangement"), said = column(table, ',', "response"), right = column(table, ',', "correct");
+        QVERIFY(lay.size() > 8);
+        std::set<QByteArray> judgedRight;
+        for (qsizetype i = 0; i < lay.size(); ++i) {
+            QCOMPARE(right[i], QByteArray(said[i] == lay[i] ? "1" : "0"));
+            if (said[i] == lay[i])
+                judgedRight.insert(lay[i]);
+        }
+        QVERIFY(judgedRight.count("0") == 1 && judgedRight.size() > 2);
+    }
     void labelsAreNeverTheSame() {
         using Labels = std::map<QString, QString>;
         auto made = session::bidsLabels({"S_01", "S01", "K7M", "S-01", "S01"});

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/training/control_guide.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+namespace {
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ControlGuide)
+};
+} // namespace
+
+std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates) {
+    if (tool == session::PointerTool::endoscope)
+        return {{Pictogram::wheelAway, Words::tr("Advance"), Words::tr("Roll the wheel away from you, or hold W. Towards you, or S, withdraws.")},
+                {Pictogram::moveMouse, Words::tr("Turn"), Words::tr("Move the mouse, or use the arrow keys.")},
+                {Pictogram::rightHeld, Words::tr("Shift sideways"), Words::tr("Move the mouse with the right button or Shift held.")}};
+    const ControlHint move{Pictogram::moveMouse, Words::tr("Move"), Words::tr("Move the mouse, or use the arrow keys.")};
+    const QString towards = Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.");
+    if (tool == session::PointerTool::grasper)
+        return {move,
+                {Pictogram::wheelTowards, Words::tr("Lower"), towards},
+                {Pictogram::leftHeld, Words::tr("Close the jaw"), Words::tr("Hold the left button, or G. With Shift, or H, it opens.")}};
+    if (palpates)
+        return {move,
+                {Pictogram::wheelTowards, Words::tr("Press"), towards},
+                {Pictogram::leftClick, Words::tr("Mark a finding"), Words::tr("Click, or press Enter. When nothing is left to report, press D.")}};
+    return {move,
+            {Pictogram::wheelTowards, Words::tr("Lower"), towards},
+            {Pictogram::leftClick, Words::tr("Mark"), Words::tr("Click, or press Enter, while you touch the place.")}};
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "desktop/training/control_guide.h"
+
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// A mouse seen from above, with what is used of it in colour and arrows for the way. Decorative: the words beside it say the same.
+/// GUI thread.
+class MousePictogram final : public QWidget {
+    Q_OBJECT
+public:
+    MousePictogram(const Theme& theme, Pictogram picture, QWidget* parent = nullptr);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintArrow(QPainter& painter, QPointF from, QPointF to) const;
+
+    const Theme& m_theme;
+    Pictogram m_picture;
+};
+
+} // namespace chiron::desktop

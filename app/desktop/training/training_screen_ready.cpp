@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The card that a person reads before the clock starts, and again on F1.
+#include "desktop/exercise_setup/gate_words.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/frame/help_dialogs.h"
+#include "desktop/training/key_filter.h"
+#include "desktop/training/pointer_control.h"
+#include "desktop/training/ready_card.h"
+#include "desktop/training/training_screen.h"
+#include "desktop/training/training_words.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QStackedWidget>
+
+namespace chiron::desktop {
+
+namespace {
+constexpr double kPractice_s = 60.0; // long enough to try every control once, short enough to be taken
+}
+
+ReadyFacts TrainingScreen::readyFacts() const {
+    const std::string language = context().language().toStdString();
+    const auto text = [&](const catalogue::Translated& words) { return QString::fromStdString(catalogue::textIn(words, language)); };
+    ReadyFacts facts;
+    facts.exercise = title();
+    facts.level = text(m_level->title);
+    facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
+    facts.controls = controlGuide(m_tool, m_palpated != nullptr);
+    facts.keys = keysText();
+    facts.limit = tr("Force limit: %1 N. %2.").arg(context().locale().toString(m_limit_N, 'g', 3), deviceTitle(m_plan));
+    for (const scoring::Gate& gate : m_level->gates)
+        facts.gates << gateInWords(gate, context().locale());
+    const auto kind = session::exerciseKind(m_level->exercise);
+    facts.clock = tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, kind ? (*kind)->trialCount(*m_level) : 1);
+    return facts;
+}
+
+void TrainingScreen::showCard(bool whole) {
+    takeCardAway();
+    m_card = new ReadyCard(context().theme(), readyFacts(), whole ? ReadyCard::Kind::whole : ReadyCard::Kind::brief);
+    m_card->setToolKeys({Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_W, Qt::Key_S});
+    connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
+    connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
+    connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(true); });
+    connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
+    m_pages->addWidget(m_card);
+    m_pages->setCurrentWidget(m_card);
+    m_stage->showContent();
+    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+        part->hide(); // nothing runs that could be measured or stopped: the card has the room
+    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+}
+
+void TrainingScreen::showCardAgain() {
+    if (m_card)
+        return;
+    m_card = new ReadyCard(context().theme(), readyFacts(), ReadyCard::Kind::paused);
+    connect(m_card, &ReadyCard::goAsked, this, [this] {
+        if (m_control->stopped())
+            takeCardAway(); // force comes back by Re-arm alone
+        else
+            pauseOrResume();
+    });
+    connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
+    m_pages->addWidget(m_card);
+    m_pages->setCurrentWidget(m_card);
+    for (QWidget* part : {m_side, m_foot})
+        part->hide(); // force can be stopped, whatever is read
+    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+}
+
+void TrainingScreen::takeCardAway() {
+    if (!m_card)
+        return;
+    if (m_scene)
+        m_pages->setCurrentWidget(m_scene->widget());
+    for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
+        part->show();
+    m_card->hide();
+    m_card->deleteLater(); // it may be what asked for this
+    m_card = nullptr;
+}
+
+void TrainingScreen::go() {
+    if (m_wentAhead)
+        return;
+    m_wentAhead = true;
+    context().settings().setOfPerson(context().actor().personId(), readyKey(m_plan), true);
+    m_stage->showLoading(tr("Preparing the scene …"));
+    takeCardAway();
+    setFocus();
+    if (m_request)
+        loadScene();
+}
+
+void TrainingScreen::practise() {
+    TrainingPlan plan = m_plan;
+    plan.practice_s = kPractice_s;
+    context().navigator().replace({QStringLiteral("training"), plan.toMap()});
+}
+
+bool TrainingScreen::helpItself() {
+    if (!running() || m_storing || !m_plan.ownHand() || m_card)
+        return false;
+    m_control->pause();
+    hold();
+    showControls();
+    showCardAgain();
+    return true;
+}
+
+} // namespace chiron::desktop

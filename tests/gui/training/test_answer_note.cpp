@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the scene says once a trial has its answer or its end, and over a scene that stands still.
+#include "catalogue/catalogue.h"
+#include "desktop/scene3d/scene_note_painter.h"
+#include "desktop/training/answer_note.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QtTest>
+
+using namespace chiron;
+using desktop::AnswerNote;
+using scene3d::SceneNote;
+namespace bits = core::event_bits;
+
+namespace {
+
+session::LiveSample sampleOf(std::uint32_t events, float x_m = 0.0F, float y_m = 0.0F) {
+    session::LiveSample sample;
+    sample.events = events;
+    sample.p_WT_m = {x_m, y_m, 0.0F};
+    return sample;
+}
+
+haptics::DisplayState stateAt(double t_s, double x_m, core::TrialPhase phase) {
+    haptics::DisplayState state;
+    state.now_ns = static_cast<std::int64_t>(1e9 * t_s);
+    state.phase = phase;
+    state.p_WObject_m = {x_m, 0.0, 0.0};
+    return state;
+}
+
+/// What is said after these ticks, in a trial whose ball is at x = 10 mm; then the next ball comes at once.
+QString said(const catalogue::ExerciseLevel& level, const session::LiveSample& sample, const char* language = "en") {
+    AnswerNote note(level, QLocale(QLatin1String(language)));
+    note.take(stateAt(1.0, 0.010, core::TrialPhase::running), {});
+    note.take(stateAt(1.1, -0.030, core::TrialPhase::between), std::array{sample});
+    return note.note(1'100'000'000).title;
+}
+
+QImage painted(const SceneNote& note, double scale = 1.0) {
+    scene3d::SceneSetup setup;
+    setup.scale = scale;
+    QImage image(640, 360, QImage::Format_RGB32);
+    image.fill(QColor(200, 120, 90));
+    QPainter painter(&image);
+    scene3d::SceneNotePainter(setup).paint(painter, QRectF(image.rect()), 1.0, note);
+    return image;
+}
+
+} // namespace
+
+class TestAnswerNote : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        auto loaded = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(loaded.has_value());
+        m_catalogue.emplace(std::move(*loaded));
+    }
+
+    /// Measured as it is scored: from the ball of this trial, across.
+    void aTrainingLevelTellsHowFar() {
+        const catalogue::ExerciseLevel& level = *m_catalogue->find("sphere_apex", 1);
+        QVERIFY(level.feedback);
+        QCOMPARE(said(level, sampleOf(bits::kMarked, 0.013F, 0.004F)), QStringLiteral("5.0 mm from the top"));
+        QCOMPARE(said(level, sampleOf(bits::kMarked, 0.010F, 0.0F)), QStringLiteral("0.0 mm from the top"));
+        QVERIFY(said(level, sampleOf(bits::kMarked, 0.050F, 0.0F)).startsWith(QStringLiteral("40.0 mm from the top: not on")));
+        QCOMPARE(said(level, sampleOf(bits::kMarked, 0.013F, 0.004F), "de").left(3), QStringLiteral("5,0"));
+    }
+
+    void anAssessmentTellsThatItWasTaken() {
+        const catalogue::ExerciseLevel& level = *m_catalogue->find("sphere_apex", 5);
+        QVERIFY(!level.feedback);
+        QCOMPARE(said(level, sampleOf(bits::kMarked, 0.013F, 0.004F)), QStringLiteral("Marked"));
+        QCOMPARE(said(level, sampleOf(bits::kMarked, 0.050F, 0.0F)), QStringLiteral("Marked")); // a miss looks no different
+    }
+
+    void everyEndIsSaid() {
+        for (const catalogue::Exercise& exercise : m_catalogue->exercises()) {
+            const catalogue::ExerciseLevel& level = exercise.levels.back();
+            QCOMPARE(said(level, sampleOf(bits::kTimedOut)), QStringLiteral("Time is up"));
+            QCOMPARE(said(level, sampleOf(bits::kCompleted)), QStringLiteral("Trial completed"));
+            QVERIFY(said(level, sampleOf(bits::kFailed)).contains(QStringLiteral("no longer")));
+            QVERIFY(said(level, sampleOf(bits::kContactBegan)).isEmpty());
+        }
+    }
+
+    /// Two seconds, or until the next trial runs.
+    void itIsGoneAgain() {
+        AnswerNote note(*m_catalogue->find("sphere_apex", 1), QLocale(QStringLiteral("en")));
+        note.take(stateAt(5.0, 0.0, core::TrialPhase::between), std::array{sampleOf(bits::kTimedOut)});
+        QCOMPARE(note.note(5'000'000'000 + AnswerNote::kSaid_ns).title, QStringLiteral("Time is up"));
+        QVERIFY(note.note(5'000'000'001 + AnswerNote::kSaid_ns).kind == SceneNote::Kind::none);
+        note.take(stateAt(6.0, 0.0, core::TrialPhase::running), std::array{sampleOf(bits::kTrialStarted)});
+        QVERIFY(note.note(6'000'000'000).kind == SceneNote::Kind::none);
+    }
+
+    /// A scene that stands still is dark all over, and a pause does not look like a stop; what is said leaves the scene as it is.
+    void aVeilIsUnmistakable() {
+        const QImage bare = painted({});
+        const SceneNote paused{SceneNote::Kind::paused, QStringLiteral("Paused"), QStringLiteral("Press Space.")};
+        const SceneNote stopped{SceneNote::Kind::stopped, QStringLiteral("Force is stopped"), QStringLiteral("Press R.")};
+        for (const double scale : {1.0, 2.0})
+            for (const SceneNote& note : {paused, stopped}) {
+                const QImage veiled = painted(note, scale);
+                for (const QPoint at : {QPoint(5, 5), QPoint(634, 5), QPoint(5, 354), QPoint(634, 354), QPoint(320, 350)})
+                    QVERIFY(veiled.pixelColor(at).lightness() < bare.pixelColor(at).lightness() / 2);
+                int white = 0;
+                for (int y = 0; y < veiled.height(); ++y)
+                    for (int x = 0; x < veiled.width(); ++x)
+                        white += veiled.pixelColor(x, y).lightness() > 200 ? 1 : 0;
+                QVERIFY2(white > 1500, qPrintable(QString::number(white))); // sign and words
+            }
+        const auto red = [](const QImage& image) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor c = image.pixelColor(x, y);
+                    count += c.red() > 140 && c.green() < 70 && c.blue() < 80 ? 1 : 0;
+                }
+            return count;
+        };
+        QVERIFY(red(painted(stopped)) > 1000);
+        QCOMPARE(red(painted(paused)), 0);
+        const QImage plate = painted({SceneNote::Kind::said, QStringLiteral("1.1 mm from the top"), {}});
+        QVERIFY(plate != bare);
+        QCOMPARE(plate.copy(0, 180, 640, 180), bare.copy(0, 180, 640, 180)); // its lower half is left alone
+    }
+
+private:
+    std::optional<catalogue::Catalogue> m_catalogue;
+};
+
+QTEST_MAIN(TestAnswerNote)
+#include "test_answer_note.moc"

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Before the clock starts everybody is told what to do, with which movements, up to which force, and what counts.
+#include "gui/training/training_bench.h"
+
+#include "desktop/exercise_setup/gate_words.h"
+#include "desktop/training/mouse_pictogram.h"
+#include "desktop/training/ready_card.h"
+
+#include <QDialog>
+
+using namespace chiron;
+using namespace chiron::tests;
+using desktop::ReadyCard;
+
+namespace {
+
+ReadyCard* card(TrainingBench& bench) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return bench.screen() ? bench.screen()->findChild<ReadyCard*>() : nullptr;
+}
+QPushButton* button(TrainingBench& bench, const char* name) {
+    auto* found = bench.screen()->findChild<QPushButton*>(QLatin1String(name));
+    if (!found)
+        qFatal("no %s", name);
+    return found;
+}
+std::size_t sessionsOf(TrainingBench& bench) {
+    auto connection = bench.desktop.database().openReader();
+    const auto listed = database::SessionReader(**connection, bench.desktop.context.actor()).listSessions();
+    return listed ? listed->size() : 99;
+}
+/// A level with its own words in every language.
+const catalogue::ExerciseLevel& levelOf(TrainingBench& bench, const char* exercise, int level) { return *bench.desktop.site.catalogue().find(exercise, level); }
+
+} // namespace
+
+class TestReadyCard : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
+    void nothingRunsBeforeGo();
+    void saysWhatToDo_data();
+    void saysWhatToDo();
+    void everyLevelHasAGoal();
+    void laterItIsBrief();
+    void aFirstMovementBegins_data();
+    void aFirstMovementBegins();
+    void theButtonWithTheFocusIsPressed();
+    void helpBringsItBack();
+    void stoppedItLeadsBackToReArm();
+    void whoWatchesHasNone();
+    void startingAgainDoesNotAsk();
+    void practiceDoesNotCount();
+};
+
+void TestReadyCard::nothingRunsBeforeGo() {
+    TrainingBench bench;
+    bench.show();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QTest::qWait(300);
+    QVERIFY(!bench.screen()->feed() && !bench.screen()->isBusy() && !bench.desktop.context.trialRuns());
+    QCOMPARE(sessionsOf(bench), std::size_t{0}); // who reads and leaves has no attempt
+    QVERIFY(!button(bench, "training.stop")->isEnabled() && !button(bench, "training.stop")->isVisible());
+    button(bench, "training.ready.go")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QVERIFY(!card(bench));
+    QVERIFY(bench.state().timeLeft_s > 29.0); // of 30: reading took none of it
+    QVERIFY(bench.screen()->scene()->widget()->isVisible() && button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled());
+}
+
+void TestReadyCard::saysWhatToDo_data() {
+    QTest::addColumn<QString>("exercise");
+    QTest::addColumn<QStringList>("movements");
+    QTest::newRow("point") << QStringLiteral("sphere_apex") << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"), QStringLiteral("Mark")};
+    QTest::newRow("endoscope") << QStringLiteral("urethra_insertion") << QStringList{QStringLiteral("Advance"), QStringLiteral("Turn"), QStringLiteral("Shift sideways")};
+    QTest::newRow("grasper") << QStringLiteral("elastic_tube") << QStringList{QStringLiteral("Move"), QStringLiteral("Lower"), QStringLiteral("Close the jaw")};
+    QTest::newRow("finger") << QStringLiteral("palpation") << QStringList{QStringLiteral("Move"), QStringLiteral("Press"), QStringLiteral("Mark a finding")};
+}
+
+void TestReadyCard::saysWhatToDo() {
+    QFETCH(QString, exercise);
+    QFETCH(QStringList, movements);
+    TrainingBench bench;
+    bench.show({{QStringLiteral("exercise"), exercise}});
+    const catalogue::ExerciseLevel& level = levelOf(bench, qPrintable(exercise), 1);
+    QCOMPARE(bench.text("training.ready.goal"), QString::fromStdString(level.goal.at("en")));
+    QStringList named;
+    for (auto* picture : card(bench)->findChildren<desktop::MousePictogram*>())
+        named << picture->parentWidget()->accessibleName().section(QLatin1Char(':'), 0, 0);
+    QCOMPARE(named, movements);
+    const auto kind = session::exerciseKind(level.exercise);
+    const QString limit = bench.text("training.ready.limit");
+    QVERIFY2(limit.contains(bench.desktop.context.locale().toString((*kind)->forceLimit_N(level), 'g', 3) + QStringLiteral(" N")), qPrintable(limit));
+    QVERIFY2(limit.contains(QStringLiteral("shown, not felt")), qPrintable(limit)); // a mouse is no haptic device
+    for (const scoring::Gate& gate : level.gates)
+        QVERIFY(bench.text("training.ready.gates").contains(desktop::gateInWords(gate, bench.desktop.context.locale())));
+    QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
+    QVERIFY(!bench.text("training.ready.keys").isEmpty());
+}
+
+void TestReadyCard::everyLevelHasAGoal() {
+    TrainingBench bench;
+    for (const catalogue::Exercise& exercise : bench.desktop.site.catalogue().exercises())
+        for (const catalogue::ExerciseLevel& level : exercise.levels)
+            for (const char* language : {"en", "de", "el"}) {
+                const auto goal = level.goal.find(language);
+                QVERIFY2(goal != level.goal.end(), qPrintable(QString::fromStdString(exercise.id + " " + level.id)));
+                QVERIFY2(QString::fromStdString(goal->second).count(QRegularExpression(QStringLiteral("[.!?;](\\s|$)"))) == 1, goal->second.c_str()); // one sentence
+            }
+}
+
+void TestReadyCard::laterItIsBrief() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    bench.screen()->feed()->training().requestStop();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    bench.show();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
+    QVERIFY(!bench.text("training.ready.goal").isEmpty() && !bench.text("training.ready.limit").isEmpty());
+    QVERIFY(!bench.screen()->findChild<QLabel*>(QStringLiteral("training.ready.gates")));
+    button(bench, "training.ready.more")->click();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QVERIFY(!bench.text("training.ready.gates").isEmpty());
+    bench.show({{QStringLiteral("level"), 2}}); // another level is new
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    bench.desktop.logIn("theo"); // and so is this one for somebody else
+    bench.show();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+}
+
+void TestReadyCard::aFirstMovementBegins_data() {
+    QTest::addColumn<int>("key");
+    QTest::newRow("across") << int(Qt::Key_Right);
+    QTest::newRow("down") << int(Qt::Key_PageDown);
+    QTest::newRow("Enter") << int(Qt::Key_Return);
+}
+
+void TestReadyCard::aFirstMovementBegins() {
+    QFETCH(int, key);
+    TrainingBench bench;
+    bench.show();
+    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_X); // no movement
+    QVERIFY(card(bench));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key(key));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QCOMPARE(int(bench.state().trial), 0); // and marks nothing
+}
+
+void TestReadyCard::theButtonWithTheFocusIsPressed() {
+    TrainingBench bench;
+    bench.show();
+    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    auto* help = button(bench, "training.ready.help");
+    help->setFocus();
+    QTest::keyClick(help, Qt::Key_Return);
+    QTRY_VERIFY(std::any_of(QApplication::topLevelWidgets().begin(), QApplication::topLevelWidgets().end(),
+                            [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); }));
+    QVERIFY(card(bench) && !bench.screen()->feed());
+}
+
+void TestReadyCard::helpBringsItBack() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    bench.key(Qt::Key_F1);
+    QTRY_VERIFY(bench.state().paused);
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::paused && card(bench)->isVisible());
+    QVERIFY(!bench.text("training.ready.gates").isEmpty());
+    QVERIFY(button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled()); // whatever is read
+    const double left_s = bench.state().timeLeft_s;
+    QTest::qWait(200);
+    QCOMPARE(bench.state().timeLeft_s, left_s);
+    button(bench, "training.ready.go")->click();
+    QTRY_VERIFY(!bench.state().paused);
+    QVERIFY(!card(bench) && bench.screen()->scene()->widget()->isVisible());
+    bench.key(Qt::Key_F1);
+    QTRY_VERIFY(bench.state().paused);
+    bench.key(Qt::Key_Space); // as a pause is always left
+    QTRY_VERIFY(!bench.state().paused);
+    QVERIFY(!card(bench));
+}
+
+void TestReadyCard::stoppedItLeadsBackToReArm() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    bench.key(Qt::Key_Escape);
+    QTRY_VERIFY(bench.state().paused);
+    bench.key(Qt::Key_F1);
+    QTRY_VERIFY(card(bench));
+    button(bench, "training.ready.go")->click();
+    QVERIFY(!card(bench));
+    QTest::qWait(100);
+    QVERIFY(bench.state().paused); // a card gives no force back
+    bench.key(Qt::Key_R);
+    QTRY_VERIFY(!bench.state().paused);
+}
+
+void TestReadyCard::whoWatchesHasNone() {
+    TrainingBench bench;
+    bench.show({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
+    QVERIFY(!card(bench));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 30'000);
+    QVERIFY(!bench.screen()->helpItself()); // the help of the screen is what there is
+}
+
+void TestReadyCard::startingAgainDoesNotAsk() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const database::SessionId first = bench.screen()->feed()->training().sessionId();
+    bench.key(Qt::Key_F5);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first && bench.runs(), 15'000);
+    QVERIFY(!card(bench));
+}
+
+void TestReadyCard::practiceDoesNotCount() {
+    TrainingBench bench;
+    bench.show();
+    button(bench, "training.ready.practice")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QVERIFY(bench.text("training.device").contains(QStringLiteral("not counted")));
+    const database::SessionId id = bench.screen()->feed()->training().sessionId();
+    bench.screen()->feed()->training().requestStop();
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000); // what was practised waits, and the level is still new
+    QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::whole);
+    bench.show({{QStringLiteral("practice_s"), 0.5}}); // it ends by itself
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    auto connection = bench.desktop.database().openReader();
+    const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
+    QVERIFY(record && record->summary.familiarisation);
+    QCOMPARE(sessionsOf(bench), std::size_t{2});
+}
+
+QTEST_MAIN(TestReadyCard)
+#include "test_ready_card.moc"
