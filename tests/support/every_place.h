@@ -123,7 +123,8 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, con
         add("debrief_palpation", sessions.palpation, "debrief");
         add("playback_palpation", sessions.palpation, "playback");
         places.push_back({"exercise_setup_palpation", "tina", place("exercise_setup", {{"exercise", "palpation"}, {"level", 1}})});
-        places.push_back({"training_palpation_hidden", "tina", place("training", {{"exercise", "palpation"}, {"level", 4}})}); // two hands
+        places.push_back({"training_ready", "tina", place("training", {{"exercise", "palpation"}, {"level", 4}})}); // the card with the most words
+        places.push_back({"training_palpation_hidden", "tina", place("training", {{"exercise", "palpation"}, {"level", 4}, {"at_once", true}})}); // two hands
         places.push_back({"results_palpation", "tina", place("results", {{"exercise", "palpation"}, {"level", 1}})});
     }
     if (studies.data != 0)

@@ -323,13 +323,13 @@ void TestReportParts::gatesAndBandsInWords() {
     row.unit = QStringLiteral("%");
     QVERIFY(formatGate(row, english).isEmpty());
     row.gateMaximum = 25.0;
-    QCOMPARE(formatGate(row, english), QStringLiteral("≤ 25.00\u00a0%"));
+    QCOMPARE(formatGate(row, english), QStringLiteral("≤ 25.0\u00a0%"));
     row.gateMinimum = 1.0;
-    QCOMPARE(formatGate(row, english), QStringLiteral("1.00 – 25.00\u00a0%"));
+    QCOMPARE(formatGate(row, english), QStringLiteral("1.00 – 25.0\u00a0%"));
     row.bandLow = 2.9;
     QVERIFY(formatBand(row, english).isEmpty()); // half a band is none
     row.bandHigh = 25.5;
-    QCOMPARE(formatBand(row, english), QStringLiteral("2.90 – 25.50\u00a0%"));
+    QCOMPARE(formatBand(row, english), QStringLiteral("2.90 – 25.5\u00a0%"));
 }
 
 void TestReportParts::momentsShowTheirOffset() {
