@@ -67,6 +67,7 @@ QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
         box.layout->addWidget(kit::label(m_theme, control.what, TextStyle::strong));
         if (m_kind != Kind::brief)
             box.layout->addWidget(kit::label(m_theme, control.how, TextStyle::small));
+        box.layout->addStretch();
         flow->addWidget(box.frame);
         frames.push_back(box.frame);
         height_px = std::max(height_px, box.layout->totalHeightForWidth(box.frame->width()));
