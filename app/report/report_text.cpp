@@ -45,7 +45,7 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
                             formatNumber(*row.gateMaximum, row.unit, locale),
                         row.unit);
     if (row.gateMaximum == 0.0 && isCount(row.unit))
-        return QStringLiteral("0"); // fewer than none there cannot be
+        return QStringLiteral("0"); // there can be no fewer than none
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
     if (row.gateMinimum)
