@@ -4852,6 +4852,10 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <source>Since your last attempt: %1</source>
         <translation>Seit Ihrem letzten Versuch: %1</translation>
     </message>
+    <message>
+        <source>Since the attempt before: %1</source>
+        <translation>Seit dem Versuch davor: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AddPersonDialog</name>

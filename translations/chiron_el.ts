@@ -4852,6 +4852,10 @@ Recording and scores are kept but do not count.</source>
         <source>Since your last attempt: %1</source>
         <translation>Από την προηγούμενη προσπάθειά σας: %1</translation>
     </message>
+    <message>
+        <source>Since the attempt before: %1</source>
+        <translation>Από την προηγούμενη προσπάθεια: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AddPersonDialog</name>

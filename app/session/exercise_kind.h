@@ -77,7 +77,7 @@ public:
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
     /// How high above W's origin a pointer's tool begins over this place of W, metres, where there is nothing to be found on the way
     /// down; empty: as high as the driver begins.
-    virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double, double) const { return {}; }
+    virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double /*x_m*/, double /*y_m*/) const { return {}; }
     /// What the scene puts into `SceneOutput::quantities`, in that order; recorded with the session. At most core::kMaxQuantities.
     virtual std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel&) const { return {}; }
     /// Whether the books of energy are recorded (TickHeader::energySupplied_J, energyStored_J) and plotted in playback.

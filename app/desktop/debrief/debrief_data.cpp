@@ -3,6 +3,7 @@
 
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
+#include "session/level_standing.h"
 #include "session/palpation_marks.h"
 #include "session/playback_builder.h"
 #include "session_report/exercise_parts.h"
@@ -17,6 +18,9 @@ namespace {
 /// Values of the latest attempt before this one that can be compared with it.
 core::Result<std::map<std::string, double>> valuesBefore(database::Connection& connection, const database::Actor& actor,
                                                          const database::SessionSummary& now) {
+    std::map<std::string, double> values;
+    if (now.person == database::Actor::kSimulatedPerson || !session::countsAsAttempt(now)) // a demonstration is nobody's attempt
+        return values;
     database::SessionFilter filter;
     filter.person = now.person;
     filter.exercise = now.exercise;
@@ -26,10 +30,8 @@ core::Result<std::map<std::string, double>> valuesBefore(database::Connection& c
         return tl::unexpected(listed.error());
     std::optional<database::SessionId> latest;
     for (const database::SessionSummary& other : *listed)
-        if (other.id < now.id && other.felt == now.felt && other.operatorName == now.operatorName &&
-            other.state == database::SessionState::completed && !other.familiarisation)
+        if (other.id < now.id && other.felt == now.felt && other.state == database::SessionState::completed && session::countsAsAttempt(other))
             latest = std::max(latest.value_or(0), other.id);
-    std::map<std::string, double> values;
     if (!latest)
         return values;
     const auto card = database::ScoreRepository(connection, actor).scores(*latest);
@@ -67,6 +69,10 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
             return tl::unexpected(before.error());
         head.before = std::move(*before);
     }
+    auto comments = loadComments(connection, actor, session);
+    if (!comments)
+        return tl::unexpected(comments.error());
+    head.comments = std::move(*comments);
     return head;
 }
 

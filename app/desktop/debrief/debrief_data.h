@@ -25,12 +25,13 @@ struct DebriefHead {
     report::ReportData report; ///< facts and metrics; no samples
     /// The same person's attempt at this level before this one, on a device of the same class: its values by metric. Empty: none.
     std::map<std::string, double> before;
+    std::vector<NamedComment> comments; ///< as written; there without a recording, too
 };
 
 /// What somebody wrote about a session, and when in it.
 struct CommentAtMoment {
     NamedComment named;
-    std::optional<double> t_s; ///< on the recording's time; empty: about the whole session
+    std::optional<double> t_s; ///< on the recording's time; empty: about the whole session, or the recording was not read
 };
 
 /// What has to be read from the recording, some tenths of a second later.

@@ -74,7 +74,7 @@ QWidget* DebriefScreen::verdictBox() {
             words->addWidget(coach);
         }
     }
-    if (const QString change = changeText(*m_head, context().locale()); !change.isEmpty()) {
+    if (const QString change = changeText(*m_head, context().locale(), isMine()); !change.isEmpty()) {
         auto* line = kit::label(theme, change, TextStyle::body, "muted");
         line->setObjectName(QStringLiteral("debrief.change"));
         words->addWidget(line);
@@ -158,9 +158,12 @@ QWidget* DebriefScreen::actionRow() {
 void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
     const Theme& theme = context().theme();
     context().settings().setOfPerson(context().actor().personId(), commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
+    delete m_commentBox; // shown without moments until the recording was read
+    m_commentBox = nullptr;
     if (comments.empty())
         return;
     const kit::Box box = kit::box(theme, "info");
+    m_commentBox = box.frame;
     box.frame->setObjectName(QStringLiteral("debrief.comments"));
     box.layout->addWidget(kit::label(theme, tr("Comments"), TextStyle::title));
     for (const CommentAtMoment& comment : comments) {

@@ -83,6 +83,10 @@ void DebriefScreen::showHead(DebriefHead head) {
     m_column->addWidget(verdictBox());
     m_comments = new QVBoxLayout;
     m_column->addLayout(m_comments);
+    std::vector<CommentAtMoment> comments;
+    for (const NamedComment& named : m_head->comments)
+        comments.push_back({named, {}});
+    showComments(comments);
     if (QWidget* cards = headlineRow())
         m_column->addWidget(cards);
     m_column->addWidget(answersBox());

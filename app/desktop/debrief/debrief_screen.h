@@ -64,7 +64,8 @@ private:
     QLabel* m_force = nullptr;  ///< what was felt of what the tissue answered
     QLabel* m_beyond = nullptr; ///< that the law was left
     QPushButton* m_worst = nullptr;
-    QVBoxLayout* m_comments = nullptr; ///< what was written about the session; nothing until it is read
+    QVBoxLayout* m_comments = nullptr; ///< where m_commentBox is
+    QWidget* m_commentBox = nullptr;   ///< what was written about the session; null: nothing
     QLabel* m_worstText = nullptr; ///< what was worst, and where
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;

@@ -113,7 +113,7 @@ QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
                  : Words::tr("%1: %2, but the pass mark is %3 (%4 too little)").arg(name, value, gate, by);
 }
 
-QString changeText(const DebriefHead& head, const QLocale& locale) {
+QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
     constexpr int kMost = 3; // as many as there are cards
     QStringList changes;
     for (const bool failed : {true, false})
@@ -124,7 +124,9 @@ QString changeText(const DebriefHead& head, const QLocale& locale) {
                 continue;
             changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id), report::formatValue(before->second, row.unit, locale), report::formatValue(row.value, row.unit, locale));
         }
-    return changes.isEmpty() ? QString() : Words::tr("Since your last attempt: %1").arg(changes.join(QStringLiteral(" · ")));
+    if (changes.isEmpty())
+        return {};
+    return (own ? Words::tr("Since your last attempt: %1") : Words::tr("Since the attempt before: %1")).arg(changes.join(QStringLiteral(" · ")));
 }
 
 Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {

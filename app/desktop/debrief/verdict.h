@@ -22,9 +22,9 @@ struct Verdict {
 /// GUI thread (words). Reads what was stored; decides nothing. `advice`: of the exercise, by metric, in the person's language.
 Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice = {});
 
-/// "Since your last attempt: mean apex error 14.20 % to 9.10 %, ...": of the metrics with a pass mark, at most three, those that failed
-/// first. Empty where there was none, or nothing of it can be compared.
-QString changeText(const DebriefHead& head, const QLocale& locale);
+/// "Since your last attempt: mean apex error 14.2 % → 9.10 % · ...": of the metrics with a pass mark, at most three, those that failed
+/// first. `own`: the reader's attempt. Empty where there was no attempt before, or nothing of it can be compared.
+QString changeText(const DebriefHead& head, const QLocale& locale, bool own);
 
 /// "12.40 % against a pass mark of ≤ 10.00 %: 2.40 % too much", for a metric whose gate did not hold.
 QString missedGateText(const report::MetricRow& row, const QLocale& locale);

@@ -35,14 +35,19 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
     return rows;
 }
 
-core::Result<void> readCommented(database::Connection& connection, const std::vector<database::SessionSummary>& own, const HomeQuestion& question,
-                                 HomeData& data) {
+core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const std::vector<database::SessionSummary>& own,
+                                 const HomeQuestion& question, HomeData& data) {
     for (std::size_t i = 0; i < std::min(own.size(), kLookedThrough); ++i) {
-        const auto comments = loadComments(connection, question.actor, own[i].id);
+        const auto written = reader.comments(own[i].id);
+        if (!written)
+            return tl::unexpected(written.error());
+        const auto byOther = [&](const database::SessionComment& comment) { return comment.author != question.actor.personId(); };
+        if (std::none_of(written->begin(), written->end(), byOther))
+            continue;
+        const auto comments = loadComments(connection, question.actor, own[i].id); // with names
         if (!comments)
             return tl::unexpected(comments.error());
-        const auto latest = std::find_if(comments->rbegin(), comments->rend(),
-                                         [&](const NamedComment& named) { return named.comment.author != question.actor.personId(); });
+        const auto latest = std::find_if(comments->rbegin(), comments->rend(), [&](const NamedComment& named) { return byOther(named.comment); });
         if (latest != comments->rend())
             data.commented.push_back({makeSessionRow(own[i], question.titles), latest->author, static_cast<int>(comments->size())});
     }
@@ -58,7 +63,7 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
         return tl::unexpected(own.error());
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
-    if (auto read = readCommented(connection, *own, question, data); !read)
+    if (auto read = readCommented(connection, reader, *own, question, data); !read)
         return read;
     data.own = rowsOf(std::move(*own), question.titles, kOwnShown);
     return {};

@@ -13,26 +13,23 @@ struct Words {
 namespace bits = core::event_bits;
 } // namespace
 
-AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale) : m_feedback(level.feedback), m_locale(locale) {
-    if (const auto* ball = std::get_if<simulation::SphereApexParameters>(&level.parameters)) {
-        m_marks = true;
-        m_radius_m = ball->radius_m;
-    }
-}
+AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth)
+    : m_feedback(level.feedback), m_locale(locale), m_truth(std::move(truth)) {}
 
 // A mark is measured as it is scored: across, from the line through the ball's centre.
 QString AnswerNote::markedWords(const session::LiveSample& at) const {
-    if (!m_feedback || m_radius_m <= 0.0)
+    const auto object = m_feedback && m_truth ? m_truth->object(m_trial) : std::nullopt;
+    if (!object || object->radius_m <= 0.0)
         return Words::tr("Marked");
-    const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - m_p_WObject_m[0], static_cast<double>(at.p_WT_m[1]) - m_p_WObject_m[1]);
+    const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - object->p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - object->p_WObject.y());
     const QString mm = m_locale.toString(1e3 * beside_m, 'f', 1);
-    return beside_m > m_radius_m ? Words::tr("%1 mm from the top: not on the sphere").arg(mm) : Words::tr("%1 mm from the top").arg(mm);
+    return beside_m > object->radius_m ? Words::tr("%1 mm from the top: not on the sphere").arg(mm) : Words::tr("%1 mm from the top").arg(mm);
 }
 
 void AnswerNote::take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
     for (const session::LiveSample& sample : samples) {
         QString said;
-        if (m_marks && (sample.events & bits::kMarked) != 0)
+        if ((sample.events & bits::kMarked) != 0)
             said = markedWords(sample);
         else if ((sample.events & bits::kTimedOut) != 0)
             said = Words::tr("Time is up");
@@ -48,7 +45,7 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
         m_since_ns = state.now_ns;
     }
     if (state.phase == core::TrialPhase::running || state.phase == core::TrialPhase::ready)
-        m_p_WObject_m = state.p_WObject_m;
+        m_trial = state.trial;
 }
 
 scene3d::SceneNote AnswerNote::note(std::int64_t now_ns) const {

@@ -5,10 +5,12 @@
 #include "desktop/scene3d/scene_note.h"
 #include "haptics/display_state.h"
 #include "session/live_sample.h"
+#include "session/trial_surfaces.h"
 
 #include <QLocale>
 #include <QString>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace chiron::desktop {
@@ -19,7 +21,9 @@ class AnswerNote {
 public:
     static constexpr std::int64_t kSaid_ns = 2'000'000'000;
 
-    AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale);
+    /// `truth`: of the session, what was there to be found; the state on the screen does not tell where a hidden object lies. Empty: marks
+    /// are taken without a word about them.
+    AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth);
 
     /// Each frame: the newest state, and every tick since the frame before.
     void take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
@@ -29,10 +33,9 @@ private:
     QString markedWords(const session::LiveSample& at) const;
 
     bool m_feedback;
-    bool m_marks = false;        ///< a mark answers a trial: not where findings are reported
-    double m_radius_m = 0.0;     ///< of the ball whose top is asked for; 0: none
     QLocale m_locale;
-    std::array<double, 3> m_p_WObject_m{}; ///< of the trial that runs
+    std::unique_ptr<session::TrialSurfaces> m_truth;
+    int m_trial = 0; ///< that runs, or ran last
     QString m_said;
     std::int64_t m_since_ns = 0;
 };

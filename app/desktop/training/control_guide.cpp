@@ -31,4 +31,11 @@ std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates) 
             {Pictogram::leftClick, Words::tr("Mark"), Words::tr("Click, or press Enter, while you touch the place.")}};
 }
 
+std::vector<int> movementKeys(session::PointerTool tool) {
+    std::vector<int> keys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown};
+    if (tool == session::PointerTool::endoscope)
+        keys.insert(keys.end(), {Qt::Key_W, Qt::Key_S, Qt::Key_Q, Qt::Key_E});
+    return keys;
+}
+
 } // namespace chiron::desktop

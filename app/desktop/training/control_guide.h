@@ -21,5 +21,7 @@ struct ControlHint {
 /// The three movements without which nobody can begin, in the order in which they are needed, for mouse and keyboard. Everything else
 /// is in keysInWords(). GUI thread.
 std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates);
+/// The keys (Qt::Key) that move this tool.
+std::vector<int> movementKeys(session::PointerTool tool);
 
 } // namespace chiron::desktop

@@ -105,9 +105,9 @@ bool ReadyCard::eventFilter(QObject*, QEvent* event) {
         return false;
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-    const auto* button = qobject_cast<QPushButton*>(focusWidget());
+    auto* button = qobject_cast<QPushButton*>(focusWidget());
     if (enter && button && button != m_go && button->hasFocus()) {
-        const_cast<QPushButton*>(button)->click(); // the button that has the focus, as everywhere
+        button->click(); // the button that has the focus, as everywhere
         return true;
     }
     if (!enter && std::find(m_toolKeys.begin(), m_toolKeys.end(), key.key()) == m_toolKeys.end())

@@ -20,7 +20,7 @@ struct ReadyFacts {
     QString keys;                      ///< all of its controls, as a line of text
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
-    QString clock;                     ///< "3 trials, at most 60 s each"
+    QString clock;                     ///< how many trials, and when the clock starts
 };
 
 /// The card before the first trial of a level: what to do, with which movements, up to which force, and what counts. Whole when

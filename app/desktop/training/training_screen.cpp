@@ -66,6 +66,8 @@ void TrainingScreen::take(core::Result<session::TrainingRequest> request) {
         return;
     }
     m_request = std::move(*request);
+    const auto kind = session::exerciseKind(m_level->exercise);
+    m_answer.emplace(*m_level, context().locale(), kind ? (*kind)->makeSurfaces(*m_level, m_request->seed) : nullptr);
     if (m_wentAhead)
         loadScene();
 }

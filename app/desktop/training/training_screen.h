@@ -140,7 +140,7 @@ private:
     const simulation::PalpationParameters* m_palpated = nullptr; ///< the level's; null where nothing is palpated
     PalpationPanel* m_palpation = nullptr; ///< m_info, where something is palpated
     std::optional<PalpationMap> m_map;     ///< of the trial that runs, where the level shows it
-    std::optional<AnswerNote> m_answer;    ///< once there is a level
+    std::optional<AnswerNote> m_answer;    ///< once the session is prepared
     ForceNotice* m_notice = nullptr;
     SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
     ControlBar* m_controls = nullptr;

@@ -46,10 +46,8 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
-    if (m_level) {
+    if (m_level)
         m_palpated = palpationOf(*m_level);
-        m_answer.emplace(*m_level, context.locale());
-    }
     m_sound = SoundCuePlayer(m_limit_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };

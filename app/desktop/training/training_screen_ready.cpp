@@ -3,8 +3,6 @@
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/help_dialogs.h"
-#include "desktop/training/key_filter.h"
-#include "desktop/training/pointer_control.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/training_screen.h"
 #include "desktop/training/training_words.h"
@@ -38,7 +36,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
 void TrainingScreen::showCard(bool whole) {
     takeCardAway();
     m_card = new ReadyCard(context().theme(), readyFacts(), whole ? ReadyCard::Kind::whole : ReadyCard::Kind::brief);
-    m_card->setToolKeys({Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_W, Qt::Key_S});
+    m_card->setToolKeys(movementKeys(m_tool));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
     connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(true); });

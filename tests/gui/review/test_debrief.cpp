@@ -137,8 +137,10 @@ void TestDebrief::whatChangedSinceTheLastAttempt() {
 void TestDebrief::afterADemonstrationItIsOnesOwnTurn() {
     MadeSession made = m_made->good;
     made.operatorName = "expert";
+    (void)tests::store(m_site->database(), database::Actor::simulated(), made);
     const auto id = tests::store(m_site->database(), database::Actor::simulated(), made);
     open(id);
+    QVERIFY(texts("debrief.change").isEmpty()); // a script's earlier demonstration is nobody's last attempt
     auto* now = m_site->find<QPushButton>(QStringLiteral("debrief.now_you"));
     QVERIFY(now && now->isEnabled());
     QVERIFY(!m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.again")));
@@ -279,6 +281,10 @@ void TestDebrief::shownIsSaidAndHasNoFeltBand() {
 void TestDebrief::erasedRecordingKeepsTheScores() {
     const auto theo = m_site->actor("theo");
     const auto id = tests::store(m_site->database(), theo, m_made->good);
+    const auto tom = m_site->actor("tom");
+    QVERIFY(m_site->database().write([&](database::WriteContext& write) {
+        return database::SessionRepository(write.connection(), tom).addComment(id, "Well held.", {});
+    }));
     const auto ada = m_site->actor("ada");
     auto erased = database::AccountService(m_site->database()).erasePerson(ada, tests::kTestPassword, theo.personId(), "withdrew", true);
     QVERIFY2(erased, erased ? "" : erased.error().message.c_str());
@@ -290,11 +296,14 @@ void TestDebrief::erasedRecordingKeepsTheScores() {
     for (const QString& title : texts("state.title"))
         said = said || title == QStringLiteral("The recording was erased");
     QVERIFY(said);
+    QCOMPARE(texts("debrief.comment").size(), 1); // that there was one is still told
     m_site->context.logIn(*m_tina);
 }
 
 void TestDebrief::notMine() {
     m_site->logIn("tom");
+    open(m_bad);
+    QVERIFY2(texts("debrief.change").value(0).startsWith(QStringLiteral("Since the attempt before: ")), qPrintable(texts("debrief.change").value(0)));
     open(m_good);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.again")));
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("debrief.playback")));

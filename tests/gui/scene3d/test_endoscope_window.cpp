@@ -84,6 +84,14 @@ double brightness(const QImage& image, double from, double to) {
     return difference(image, black, from, to);
 }
 
+int whitePixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            count += image.pixelColor(x, y).lightness() > 250;
+    return count;
+}
+
 } // namespace
 
 class TestEndoscopeWindow : public QObject {
@@ -124,6 +132,20 @@ private slots:
         const double atRim = difference(off, on, 0.75, 0.95);
         QVERIFY2(atRim > 1.5 && atRim > 3.0 * atFocus, qPrintable(QString("rim %1, focus %2").arg(atRim).arg(atFocus)));
         QCOMPARE(shown.picture(plain(), state), off); // and it can be switched off again
+    }
+
+    /// A pause darkens the picture, and the bar and the overview beside it; going on leaves nothing of it.
+    void aPauseVeilsThePicture() {
+        Shown shown(samples::urethraSetup());
+        SceneState state = samples::urethraState(samples::urethraSetup(), {.s_m = 0.060});
+        const QImage alive = shown.picture(state);
+        state.note = {SceneNote::Kind::paused, QStringLiteral("Paused"), QStringLiteral("Press Space.")};
+        const QImage veiled = shown.picture(state);
+        QVERIFY(brightness(alive, 0.6, 0.9) > 20.0);
+        QVERIFY2(brightness(veiled, 0.6, 2.0) < 0.6 * brightness(alive, 0.6, 2.0), qPrintable(QStringLiteral("%1 of %2").arg(brightness(veiled, 0.6, 2.0)).arg(brightness(alive, 0.6, 2.0))));
+        QVERIFY(whitePixels(veiled) > whitePixels(alive) + 500); // the sign and the words
+        state.note = {};
+        QCOMPARE(shown.picture(state), alive);
     }
 
     void theWallOpensAheadOfTheTip() {

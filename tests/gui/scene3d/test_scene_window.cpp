@@ -118,6 +118,27 @@ private slots:
         QVERIFY(reddish(once) > 480 * 360 / 6);
     }
 
+    /// So is a note, in a playback that stands still at the moment it is about; and when it goes, nothing of it is left.
+    void aNoteIsThereAtOnceAndGoesWhole() {
+        Shown shown;
+        SceneState state = samples::pressed(2.0);
+        shown.scene.view->show(state);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QVERIFY(tests::comesToRest(*shown.scene.view));
+        const QImage bare = shown.picture(state);
+        for (const SceneNote::Kind kind : {SceneNote::Kind::said, SceneNote::Kind::paused, SceneNote::Kind::stopped}) {
+            state.note = {kind, QStringLiteral("Here it was"), QStringLiteral("Press Space.")};
+            shown.scene.view->show(state);
+            QVERIFY(tests::comesToRest(*shown.scene.view));
+            const QImage once = shown.window.screen()->grabWindow(shown.window.winId()).toImage().convertToFormat(QImage::Format_RGB32);
+            QVERIFY2(once != bare, qPrintable(QString::number(int(kind))));
+            QCOMPARE(shown.picture(state), once);
+            QCOMPARE(reddish(once) > 480 * 360 / 6, kind == SceneNote::Kind::said); // a veil darkens the tissue, a line does not
+            state.note = {};
+            QCOMPARE(shown.picture(state), bare);
+        }
+    }
+
     /// The object comes and goes with the trials: no frame may lack the field.
     void noFrameLacksTheField() {
         Shown shown;

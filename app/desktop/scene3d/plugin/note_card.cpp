@@ -3,7 +3,7 @@
 
 #include "desktop/scene3d/plugin/qt3d_parts.h"
 #include "desktop/scene3d/scene_note_painter.h"
-#include "desktop/scene3d/urethra_insertion/flat_shapes.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 
 #include <QPainter>
 

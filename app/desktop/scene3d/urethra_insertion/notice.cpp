@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene3d/urethra_insertion/notice.h"
 
-#include "desktop/scene3d/urethra_insertion/flat_shapes.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 #include "desktop/scene3d/urethra_insertion/notice_painter.h"
 
 #include <QPainter>

@@ -3,7 +3,7 @@
 
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/cystoscope_mesh.h"
-#include "desktop/scene3d/urethra_insertion/flat_shapes.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 #include "desktop/scene3d/urethra_insertion/lining_picture.h"
 #include "desktop/scene3d/urethra_insertion/overview_fit.h"
 

@@ -2,7 +2,7 @@
 #include "desktop/scene3d/urethra_insertion/picture_marks.h"
 
 #include "core/units.h"
-#include "desktop/scene3d/urethra_insertion/flat_shapes.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/plugin/picture_texture.h"
-#include "desktop/scene3d/urethra_insertion/flat_shapes.h"
+#include "desktop/scene3d/parts/flat_shapes.h"
 #include "desktop/scene3d/urethra_insertion/lining_picture.h"
 
 #include <algorithm>
