@@ -17,7 +17,6 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr const char* kExpert = "expert"; // who shows how it is done
 }
 
 QWidget* DebriefScreen::headBox() {
@@ -120,14 +119,11 @@ QWidget* DebriefScreen::actionRow() {
         connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
         row->add(again, 0);
     }
-    if (isMine() && !passed && hasDemonstration()) {
+    if (const auto expert = demonstration(); expert && isMine() && !passed) {
         auto* watch = kit::button(theme, tr("Watch an expert"), "", QStringLiteral("view-visible"));
         watch->setObjectName(QStringLiteral("debrief.watch"));
-        connect(watch, &QPushButton::clicked, this, [this, level] {
-            context().navigator().go(QStringLiteral("training"), {{QStringLiteral("exercise"), QString::fromStdString(m_head->record.summary.exercise)},
-                                                                  {QStringLiteral("level"), level},
-                                                                  {QStringLiteral("device"), QStringLiteral("demonstration")},
-                                                                  {QStringLiteral("operator"), QLatin1String(kExpert)}});
+        connect(watch, &QPushButton::clicked, this, [this, plan = *expert] {
+            context().navigator().go(QStringLiteral("training"), plan.toMap());
         });
         row->add(watch, 0);
     }

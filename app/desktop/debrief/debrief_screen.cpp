@@ -199,13 +199,9 @@ bool DebriefScreen::mayTryNow() const {
            context().site().catalogue().find(summary.exercise, summary.level) != nullptr;
 }
 
-bool DebriefScreen::hasDemonstration() const {
+std::optional<TrainingPlan> DebriefScreen::demonstration() const {
     const database::SessionSummary& summary = m_head->record.summary;
-    const auto kind = session::exerciseKind(summary.exercise);
-    if (!kind || !context().site().catalogue().find(summary.exercise, summary.level))
-        return false;
-    const std::vector<std::string> names = (*kind)->operatorNames();
-    return std::find(names.begin(), names.end(), "expert") != names.end();
+    return context().site().catalogue().find(summary.exercise, summary.level) ? expertPlan(summary.exercise, summary.level) : std::nullopt;
 }
 
 void DebriefScreen::openPlayback(std::optional<double> at_s, const QString& caption) {

@@ -3,6 +3,7 @@
 
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/frame/screen.h"
+#include "desktop/training/training_plan.h"
 
 #include <memory>
 #include <optional>
@@ -55,7 +56,7 @@ private:
     std::map<std::string, QString> adviceNow() const; ///< of the exercise, in the person's language
     bool isMine() const;
     bool mayTryNow() const;       ///< a script has shown this person how it is done
-    bool hasDemonstration() const;
+    std::optional<TrainingPlan> demonstration() const; ///< of this level
     bool hasNextLevel() const;
 
     StatePanel* m_panel = nullptr;

@@ -92,6 +92,13 @@ QWidget* ExerciseSetupScreen::buildStart() {
     m_summary = kit::label(theme, {}, TextStyle::body);
     m_summary->setObjectName(QStringLiteral("setup.summary"));
     row->addWidget(m_summary, 1);
+    m_watch = kit::button(theme, tr("Watch first"), "", QStringLiteral("view-visible"));
+    m_watch->setObjectName(QStringLiteral("setup.watch"));
+    m_watch->setToolTip(tr("Watch a scripted expert at this level. Nothing is counted."));
+    m_watch->setMinimumHeight(theme.px(52));
+    m_watch->setAutoDefault(true);
+    row->addWidget(m_watch);
+    connect(m_watch, &QPushButton::clicked, this, &ExerciseSetupScreen::watchFirst);
     m_start = kit::button(theme, tr("Start"), "primary", QStringLiteral("media-playback-start"));
     m_start->setObjectName(QStringLiteral("setup.start"));
     m_start->setFont(theme.font(TextStyle::title));

@@ -185,6 +185,12 @@ void ExerciseSetupScreen::showStart() {
     m_summary->setText(tr("Level %1. %2").arg(context().locale().toString(chosen.level), deviceTitle(chosen)));
     m_start->setText(chosen.ownHand() ? tr("Start") : tr("Watch"));
     m_start->setEnabled(m_devices->ready());
+    m_watch->setVisible(chosen.ownHand() && expertPlan(m_exercise->id, chosen.level));
+}
+
+void ExerciseSetupScreen::watchFirst() {
+    if (const auto expert = expertPlan(m_exercise->id, m_levels->level()))
+        context().navigator().go(QStringLiteral("training"), expert->toMap());
 }
 
 void ExerciseSetupScreen::noteChoices() { context().navigator().note(plan().toMap()); }

@@ -46,6 +46,7 @@ private:
     void showStart();
     void noteChoices();
     void start();
+    void watchFirst();
     const catalogue::ExerciseLevel* level() const;
     QString textOf(const catalogue::Translated& text) const;
 
@@ -65,6 +66,7 @@ private:
     QCheckBox* m_familiarisation = nullptr;
     QLabel* m_standing = nullptr;
     QLabel* m_summary = nullptr;
+    QPushButton* m_watch = nullptr; ///< an expert, before one begins oneself
     QPushButton* m_start = nullptr;
 };
 

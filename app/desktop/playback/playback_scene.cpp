@@ -52,6 +52,7 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
     scene.colours.ink = theme.color(Colour::text);
     scene.colours.arrow = theme.color(Colour::accent);
     scene.colours.over = theme.color(Colour::bad);
+    scene.colours.stop = theme.color(Colour::danger);
     scene.colours.ghost = theme.color(Colour::ghost);
     scene.colours.highContrast = theme.name() == ThemeName::highContrast;
     scene.leftHanded = !setup.mappings.empty() && setup.mappings.front().leftHanded;

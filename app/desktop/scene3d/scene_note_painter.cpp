@@ -77,7 +77,7 @@ void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double u
     if (note.kind == SceneNote::Kind::paused)
         paintBars(painter, spot);
     else
-        paintOctagon(painter, spot, m_setup.colours.over);
+        paintOctagon(painter, spot, m_setup.colours.stop);
     y += sign + gap;
     painter.setPen(Qt::white);
     painter.setFont(large);

@@ -31,6 +31,7 @@ struct SceneColours {
     QColor ink{27, 38, 49};      ///< lines and words
     QColor arrow{0, 95, 135};    ///< force under the limit
     QColor over{176, 32, 36};    ///< force over the limit
+    QColor stop{168, 30, 34};    ///< the sign over a scene whose force is stopped
     QColor ghost{120, 90, 160};
     bool highContrast = false;
 };

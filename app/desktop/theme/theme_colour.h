@@ -7,7 +7,7 @@ namespace chiron::desktop {
 #define CHIRON_THEME_COLOURS(X)                                                                              \
     X(window) X(surface) X(raised) X(sidebar) X(sidebarText) X(sidebarActive) X(border) X(borderStrong)      \
     X(text) X(muted) X(accent) X(accentText) X(accentHover) X(accentSoft) X(focus) X(good) X(goodSoft)       \
-    X(warning) X(warningSoft) X(bad) X(badSoft) X(badText) X(seriesA) X(seriesB) X(seriesC) X(overFill)      \
+    X(warning) X(warningSoft) X(bad) X(badSoft) X(danger) X(dangerText) X(seriesA) X(seriesB) X(seriesC) X(overFill)      \
     X(grid) X(sceneBackground) X(sceneField) X(ghost)
 
 enum class Colour {

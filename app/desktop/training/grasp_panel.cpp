@@ -52,9 +52,7 @@ GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session:
     }
     if (!cues.plots)
         m_column->addStretch();
-    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
-    m_loop->setObjectName(QStringLiteral("training.loop"));
-    m_column->addWidget(m_loop);
+    addLoopLine(theme, *m_column);
 }
 
 void GraspPanel::addHead() {
@@ -106,7 +104,9 @@ void GraspPanel::addNumbers() {
     m_load = kit::label(m_theme, {}, TextStyle::body);
     m_load->setObjectName(QStringLiteral("training.load"));
     m_column->addWidget(m_load);
-    auto* grid = new QGridLayout;
+    auto* tips = new QWidget;
+    auto* grid = new QGridLayout(tips);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(m_theme.px(8));
     grid->setVerticalSpacing(0);
     const std::array<QString, 4> heads{tr("right"), tr("away"), tr("up"), tr("jaw (°)")};
@@ -128,7 +128,8 @@ void GraspPanel::addNumbers() {
         row += i == 0 ? 2 : 1;
         m_rows.push_back(cells);
     }
-    m_column->addLayout(grid);
+    m_column->addWidget(tips);
+    addDetail(tips);
 }
 
 LivePlot* GraspPanel::plot(const char* name, const QString& title, double top, std::optional<double> limit) {
@@ -163,7 +164,7 @@ void GraspPanel::show(const haptics::DisplayState& state, std::span<const sessio
     showWords(state);
     if (m_cues.numbers)
         showNumbers(state);
-    m_loop->setText(InfoPanel::loopText(state));
+    showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 

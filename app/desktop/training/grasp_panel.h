@@ -63,7 +63,6 @@ private:
     LivePlot* m_targetPlot = nullptr;
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
-    QLabel* m_loop = nullptr;
     std::int64_t m_worked_ms = 0;
     int m_frame = 0;
 };

@@ -44,9 +44,7 @@ InfoPanel::InfoPanel(const Theme& theme, const QLocale& locale, const session::L
     }
     if (!cues.plots)
         m_column->addStretch();
-    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
-    m_loop->setObjectName(QStringLiteral("training.loop"));
-    m_column->addWidget(m_loop);
+    addLoopLine(theme, *m_column);
 }
 
 void InfoPanel::addBars() {
@@ -56,17 +54,23 @@ void InfoPanel::addBars() {
     m_torque = new ForceBar(m_theme, m_locale, {tr("Torque"), tr("mN·m"), m_limits.torque_Nm * 1e3, 0}, m_cues.numbers);
     m_torque->setObjectName(QStringLiteral("training.torque_bar"));
     m_column->addWidget(m_torque);
+    addDetail(m_torque);
 }
 
 void InfoPanel::addNumbers() {
-    m_column->addWidget(kit::label(m_theme, tr("Tip of the tool (mm)"), TextStyle::label));
+    auto* numbers = new QWidget;
+    auto* column = new QVBoxLayout(numbers);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(kit::label(m_theme, tr("Tip of the tool (mm)"), TextStyle::label));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(m_theme.px(8));
     grid->setVerticalSpacing(0);
     m_tip[0] = addNumber(tr("right"), QStringLiteral("training.tip_x"), *grid, 0);
     m_tip[1] = addNumber(tr("away"), QStringLiteral("training.tip_y"), *grid, 1);
     m_tip[2] = addNumber(tr("up"), QStringLiteral("training.tip_z"), *grid, 2);
-    m_column->addLayout(grid);
+    column->addLayout(grid);
+    m_column->addWidget(numbers);
+    addDetail(numbers);
 }
 
 QLabel* InfoPanel::addNumber(const QString& name, const QString& objectName, QGridLayout& grid, int column) {
@@ -86,6 +90,7 @@ void InfoPanel::addPlots() {
     m_speedPlot = new LivePlot(m_theme, m_locale, tr("Speed (mm/s)"), kSpeedAxis_mm_per_s);
     m_speedPlot->setObjectName(QStringLiteral("training.speed_plot"));
     m_column->addWidget(m_speedPlot, 1);
+    addDetail(m_speedPlot);
 }
 
 void InfoPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -122,8 +127,6 @@ void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
     for (std::size_t i = 0; i < m_tip.size(); ++i)
         m_tip[i]->setText(m_locale.toString(std::round(tip_m[i] * 1e4) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
 }
-
-void InfoPanel::showLoop(const haptics::DisplayState& state) { m_loop->setText(loopText(state)); }
 
 QString InfoPanel::elapsedText(std::int64_t second) {
     return tr("Elapsed: %1").arg(QStringLiteral("%1:%2").arg(second / 60).arg(second % 60, 2, 10, QLatin1Char('0')));

@@ -36,7 +36,6 @@ private:
     void addPlots();
     QLabel* addNumber(const QString& name, const QString& objectName, class QGridLayout& grid, int column);
     void showNumbers(const haptics::ToolDisplay& tool);
-    void showLoop(const haptics::DisplayState& state);
 
     const Theme& m_theme;
     QLocale m_locale;
@@ -49,7 +48,6 @@ private:
     std::array<QLabel*, 3> m_tip{};
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
-    QLabel* m_loop = nullptr;
     std::int64_t m_worked_ms = 0; ///< since the first trial, pauses left out
     std::int64_t m_shownSecond = -1;
     int m_frame = 0;

@@ -50,9 +50,7 @@ InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const 
     }
     if (!cues.plots)
         m_column->addStretch();
-    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
-    m_loop->setObjectName(QStringLiteral("training.loop"));
-    m_column->addWidget(m_loop);
+    addLoopLine(theme, *m_column);
 }
 
 void InsertionPanel::addStage() {
@@ -91,15 +89,21 @@ void InsertionPanel::addForces(const simulation::UrethraInsertionParameters& par
         return;
     const double force_N = parameters.maximumForce_N;
     const double torque_mNm = parameters.maximumTorque_Nm * 1e3;
-    m_column->addWidget(kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
-    addComponents(m_force,
+    auto* components = new QWidget;
+    auto* column = new QVBoxLayout(components);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(m_column->spacing());
+    column->addWidget(kit::label(m_theme, tr("Forces (N) and torques (mN·m) on the endoscope"), TextStyle::small, "muted"));
+    addComponents(*column, m_force,
                   {component("training.force_x", tr("Fx"), tr("Force along x, to the side"), tr("N"), force_N, 2),
                    component("training.force_y", tr("Fy"), tr("Force along y, upwards"), tr("N"), force_N, 2),
                    component("training.force_z", tr("Fz"), tr("Force along z, into the patient"), tr("N"), force_N, 2)});
-    addComponents(m_torque,
+    addComponents(*column, m_torque,
                   {component("training.torque_x", tr("Tx"), tr("Torque about x"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_y", tr("Ty"), tr("Torque about y"), tr("mN·m"), torque_mNm, 0),
                    component("training.torque_z", tr("Tz"), tr("Torque about the endoscope's axis"), tr("mN·m"), kAxialTorqueLimit_Nm * 1e3, 1)});
+    m_column->addWidget(components);
+    addDetail(components);
 }
 
 SignedBar* InsertionPanel::component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit,
@@ -109,34 +113,42 @@ SignedBar* InsertionPanel::component(const char* name, const QString& sign, cons
     return bar;
 }
 
-void InsertionPanel::addComponents(std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars) {
+void InsertionPanel::addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars) {
     auto* row = new QHBoxLayout;
     row->setSpacing(m_theme.px(10));
     for (SignedBar* bar : bars)
         row->addWidget(bar, 1);
-    m_column->addLayout(row);
+    column.addLayout(row);
     into = bars;
 }
 
 void InsertionPanel::addNumbers() {
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(m_theme.px(8));
-    grid->setVerticalSpacing(0);
-    m_numbers[0] = addNumber(tr("Tip x (mm)"), "training.tip_x", *grid, 0, 0);
-    m_numbers[1] = addNumber(tr("Tip y (mm)"), "training.tip_y", *grid, 0, 1);
-    m_numbers[2] = addNumber(tr("Tip z (mm)"), "training.tip_z", *grid, 0, 2);
-    m_numbers[3] = addNumber(tr("Depth (mm)"), "training.depth", *grid, 2, 0);
-    m_numbers[4] = addNumber(tr("Off-centre (mm)"), "training.offset", *grid, 2, 1);
-    m_numbers[5] = addNumber(tr("Alignment (°)"), "training.alignment", *grid, 2, 2);
-    m_column->addLayout(grid);
+    const auto row = [this] {
+        auto* box = new QWidget;
+        auto* grid = new QGridLayout(box);
+        grid->setContentsMargins(0, 0, 0, 0);
+        grid->setHorizontalSpacing(m_theme.px(8));
+        grid->setVerticalSpacing(0);
+        m_column->addWidget(box);
+        return grid;
+    };
+    QGridLayout* tip = row();
+    m_numbers[0] = addNumber(tr("Tip x (mm)"), "training.tip_x", *tip, 0);
+    m_numbers[1] = addNumber(tr("Tip y (mm)"), "training.tip_y", *tip, 1);
+    m_numbers[2] = addNumber(tr("Tip z (mm)"), "training.tip_z", *tip, 2);
+    addDetail(tip->parentWidget());
+    QGridLayout* way = row();
+    m_numbers[3] = addNumber(tr("Depth (mm)"), "training.depth", *way, 0);
+    m_numbers[4] = addNumber(tr("Off-centre (mm)"), "training.offset", *way, 1);
+    m_numbers[5] = addNumber(tr("Alignment (°)"), "training.alignment", *way, 2);
 }
 
-QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, QGridLayout& grid, int row, int column) {
-    grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), row, column, Qt::AlignBottom);
+QLabel* InsertionPanel::addNumber(const QString& name, const char* objectName, QGridLayout& grid, int column) {
+    grid.addWidget(kit::label(m_theme, name, TextStyle::small, "muted"), 0, column, Qt::AlignBottom);
     auto* number = kit::line(m_theme, QStringLiteral("–"), TextStyle::mono);
     number->setObjectName(QLatin1String(objectName));
     number->setAccessibleName(name);
-    grid.addWidget(number, row + 1, column);
+    grid.addWidget(number, 1, column);
     grid.setColumnStretch(column, 1);
     return number;
 }
@@ -158,9 +170,10 @@ void InsertionPanel::addPlots(const simulation::UrethraInsertionParameters& para
         row->add(left);
         row->add(right);
         m_column->addWidget(row, 1);
+        return row;
     };
-    pair(m_forcePlot, m_lateralPlot);
-    pair(m_offsetPlot, m_alignmentPlot);
+    pair(m_forcePlot, m_offsetPlot);
+    addDetail(pair(m_lateralPlot, m_alignmentPlot));
 }
 
 void InsertionPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -177,7 +190,7 @@ void InsertionPanel::show(const haptics::DisplayState& state, std::span<const se
     showStage(state.endoscope);
     if (m_cues.numbers)
         showNumbers(values);
-    m_loop->setText(InfoPanel::loopText(state));
+    showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 

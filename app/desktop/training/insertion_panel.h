@@ -31,10 +31,10 @@ public:
 private:
     void addStage();
     void addForces(const simulation::UrethraInsertionParameters& parameters);
-    void addComponents(std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
+    void addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
     SignedBar* component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit, int decimals);
     void addNumbers();
-    QLabel* addNumber(const QString& name, const char* objectName, QGridLayout& grid, int row, int column);
+    QLabel* addNumber(const QString& name, const char* objectName, QGridLayout& grid, int column);
     void addPlots(const simulation::UrethraInsertionParameters& parameters);
     LivePlot* plot(const char* name, const QString& title, double top, std::optional<double> limit = {});
 
@@ -61,7 +61,6 @@ private:
     LivePlot* m_lateralPlot = nullptr;
     LivePlot* m_offsetPlot = nullptr;
     LivePlot* m_alignmentPlot = nullptr;
-    QLabel* m_loop = nullptr;
     std::int64_t m_worked_ms = 0;
     int m_frame = 0;
 };

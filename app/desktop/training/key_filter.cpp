@@ -47,7 +47,7 @@ bool KeyFilter::takes(const QKeyEvent& event, QObject* watched) const {
         return false;
     if (isTab(key))
         return m_scene && watched == m_scene && !watched->isWidgetType();
-    return key == Qt::Key_Space || key == Qt::Key_R || key == Qt::Key_F5 || (key == Qt::Key_F && m_depthOfFieldKey) || isEnter(key) ||
+    return key == Qt::Key_Space || key == Qt::Key_R || key == Qt::Key_F4 || key == Qt::Key_F5 || (key == Qt::Key_F && m_depthOfFieldKey) || isEnter(key) ||
            isToolKey(key);
 }
 
@@ -75,6 +75,8 @@ void KeyFilter::act(const QKeyEvent& event) {
         emit pauseAsked();
     } else if (key == Qt::Key_R) {
         emit rearmAsked();
+    } else if (key == Qt::Key_F4) {
+        emit detailsAsked();
     } else if (key == Qt::Key_F5) {
         emit startAgainAsked();
     } else if (key == Qt::Key_F) {

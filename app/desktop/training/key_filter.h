@@ -35,6 +35,7 @@ signals:
     void markAsked();
     void startAgainAsked();
     void depthOfFieldAsked();
+    void detailsAsked(); ///< F4
     void toolKey(int key, bool down);
     void leaveSceneAsked(bool forward); ///< Tab while the scene has the focus
 

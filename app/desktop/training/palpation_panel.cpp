@@ -59,9 +59,7 @@ PalpationPanel::PalpationPanel(const Theme& theme, const QLocale& locale, const 
     }
     if (!cues.plots)
         m_column->addStretch();
-    m_loop = kit::label(theme, {}, TextStyle::small, "muted");
-    m_loop->setObjectName(QStringLiteral("training.loop"));
-    m_column->addWidget(m_loop);
+    addLoopLine(theme, *m_column);
 }
 
 void PalpationPanel::addHead() {
@@ -111,7 +109,9 @@ void PalpationPanel::switchMap() {
 }
 
 void PalpationPanel::addNumbers() {
-    auto* grid = new QGridLayout;
+    auto* numbers = new QWidget;
+    auto* grid = new QGridLayout(numbers);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(m_theme.px(8));
     grid->setVerticalSpacing(0);
     const std::array<QString, 3> heads{tr("rendered force (N)"), tr("tilt (°)"), tr("depth (mm)")};
@@ -134,7 +134,8 @@ void PalpationPanel::addNumbers() {
         }
         m_rows.push_back(cells);
     }
-    m_column->addLayout(grid);
+    m_column->addWidget(numbers);
+    addDetail(numbers);
 }
 
 LivePlot* PalpationPanel::plot(const char* name, const QString& title, double top, double limit) {
@@ -150,6 +151,8 @@ void PalpationPanel::addPlots() {
                        m_level.maximumForce_N);
     if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"), kLeanAxis_deg, kLeanLimit_deg);
+    if (m_leanPlot)
+        addDetail(m_leanPlot); // the dial shows it
 }
 
 void PalpationPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -167,7 +170,7 @@ void PalpationPanel::show(const haptics::DisplayState& state, std::span<const se
         showNumbers(state);
     if (m_coverage)
         m_coverage->setText(tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * state.palpation.coverage))));
-    m_loop->setText(InfoPanel::loopText(state));
+    showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 

@@ -61,7 +61,6 @@ private:
     std::vector<FingerRow> m_rows;
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_leanPlot = nullptr;
-    QLabel* m_loop = nullptr;
     std::int64_t m_worked_ms = 0;
     int m_frame = 0;
 };

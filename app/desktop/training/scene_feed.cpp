@@ -39,6 +39,7 @@ scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const se
                      .ink = theme.color(Colour::text),
                      .arrow = theme.color(Colour::accent),
                      .over = theme.color(Colour::bad),
+                     .stop = theme.color(Colour::danger),
                      .ghost = theme.color(Colour::ghost),
                      .highContrast = theme.name() == ThemeName::highContrast};
     setup.leftHanded = leftHanded;

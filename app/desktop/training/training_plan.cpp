@@ -5,10 +5,13 @@
 #include "scoring/trace_csv.h"
 
 #include <QRandomGenerator>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
+
+const std::string kExpert = "expert"; // who shows how it is done
 
 core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
     auto kind = session::exerciseKind(level.exercise);
@@ -94,6 +97,21 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     plan.practice_s = map.value(QStringLiteral("practice_s")).toDouble();
     if (map.contains(QStringLiteral("depth_of_field")))
         plan.depthOfField = map.value(QStringLiteral("depth_of_field")).toBool();
+    return plan;
+}
+
+std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level) {
+    const auto kind = session::exerciseKind(exercise);
+    if (!kind)
+        return std::nullopt;
+    const std::vector<std::string> names = (*kind)->operatorNames();
+    if (std::find(names.begin(), names.end(), kExpert) == names.end())
+        return std::nullopt;
+    TrainingPlan plan;
+    plan.exercise = QString::fromStdString(exercise);
+    plan.level = level;
+    plan.device = PlanDevice::demonstration;
+    plan.operatorName = QString::fromStdString(kExpert);
     return plan;
 }
 

@@ -33,6 +33,9 @@ struct TrainingPlan {
     static TrainingPlan fromMap(const QVariantMap& map); ///< what is missing or unknown is as in a new plan
 };
 
+/// An expert's demonstration of a level; nothing where this program has none.
+std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level);
+
 /// In a place of the training screen, beside its plan: true where nobody has to be asked whether they are ready.
 inline constexpr const char* kAtOnce = "at_once";
 /// The person's setting (Settings::ofPerson) that tells that they know this level's ready card.

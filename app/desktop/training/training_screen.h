@@ -64,6 +64,7 @@ private:
     void build();
     void makeHeader();
     QWidget* buildSide();
+    QWidget* buildDetailsSwitch();
     QWidget* buildFoot();
     InfoView* makeInfo();
     void buildKeys();
@@ -149,6 +150,7 @@ private:
     QLabel* m_keysText = nullptr;
     QLabel* m_activeText = nullptr; ///< which of several instruments is moved; null where there is one
     QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
+    QCheckBox* m_details = nullptr; ///< all that is measured, or what somebody needs who learns
     QWidget* m_foot = nullptr;
 
     bool m_painted = false;

@@ -29,6 +29,7 @@ namespace chiron::desktop {
 namespace {
 constexpr double kSideWidth_px = 290;
 constexpr double kEndoscopeSideWidth_px = 372; // more is measured, and the round picture is as large beside it
+constexpr char kDetails[] = "all_measurements"; // a person's setting
 constexpr double kLargestSideShare = 0.44; // of a small window: the scene stays the larger part
 } // namespace
 
@@ -179,9 +180,25 @@ QWidget* TrainingScreen::buildSide() {
                                      TextStyle::small, "muted"));
     m_info = makeInfo();
     column->addWidget(m_info, 1);
+    column->addWidget(buildDetailsSwitch());
     side->setWidget(inner);
     m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()}, context().locale()));
     return side;
+}
+
+QWidget* TrainingScreen::buildDetailsSwitch() {
+    const database::RoleSet& roles = context().actor().roles();
+    const bool learns = roles.contains(database::Role::trainee) || roles.empty();
+    m_details = new QCheckBox(tr("All measurements (F4)"));
+    m_details->setObjectName(QStringLiteral("training.details"));
+    m_details->setToolTip(tr("Also shows single components, coordinates and further plots. Everything is recorded either way."));
+    m_details->setChecked(context().settings().ofPerson(context().actor().personId(), QString::fromLatin1(kDetails), !learns).toBool());
+    m_info->setDetailed(m_details->isChecked());
+    connect(m_details, &QCheckBox::toggled, this, [this](bool on) {
+        context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kDetails), on);
+        m_info->setDetailed(on);
+    });
+    return m_details;
 }
 
 void TrainingScreen::buildKeys() {
@@ -191,6 +208,7 @@ void TrainingScreen::buildKeys() {
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrainingScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
     connect(m_keys, &KeyFilter::startAgainAsked, this, &TrainingScreen::askToStartAgain);
+    connect(m_keys, &KeyFilter::detailsAsked, m_details, &QCheckBox::toggle);
     m_keys->setDepthOfFieldKey(m_depthOfField != nullptr);
     connect(m_keys, &KeyFilter::depthOfFieldAsked, this, [this] {
         if (m_depthOfField->isEnabled())
@@ -259,6 +277,7 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
         {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
         {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
+        {tr("All measurements, or those a trainee needs"), QKeySequence(Qt::Key_F4), [this] { m_details->toggle(); }, false},
         {tr("Start again from the beginning"), QKeySequence(Qt::Key_F5), [this] { askToStartAgain(); }, false},
         {tr("End the session"), {}, [this] { end(); }, true},
     };

@@ -12,7 +12,7 @@ Colour inkOf(const char* kind) {
     if (std::strcmp(kind, "primary") == 0)
         return Colour::accentText;
     if (std::strcmp(kind, "danger") == 0)
-        return Colour::badText;
+        return Colour::dangerText;
     if (std::strcmp(kind, "quiet") == 0)
         return Colour::accent;
     return Colour::text;

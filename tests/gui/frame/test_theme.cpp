@@ -53,7 +53,7 @@ private slots:
             double least;
         };
         const double most = theme == static_cast<int>(ThemeName::highContrast) ? 7.0 : 4.5;
-        std::vector<Pair> pairs{{accentText, accent, most}, {accentText, accentHover, most}, {badText, bad, most}, {sidebarText, sidebar, most}, {sidebarText, sidebarActive, most}, {warning, warningSoft, most}};
+        std::vector<Pair> pairs{{accentText, accent, most}, {accentText, accentHover, most}, {dangerText, danger, most}, {sidebarText, sidebar, most}, {sidebarText, sidebarActive, most}, {warning, warningSoft, most}};
         for (const Colour paper : {window, surface, raised})
             for (const Colour ink : {text, muted, accent, good, warning, bad})
                 pairs.push_back({ink, paper, most});
@@ -61,6 +61,9 @@ private slots:
             pairs.push_back({text, paper, most});
         for (const Colour line : {borderStrong, focus, seriesA, seriesB, seriesC}) // WCAG 1.4.11: what is no text needs 3:1
             pairs.push_back({line, surface, 3.0});
+        if (theme != static_cast<int>(ThemeName::highContrast)) // a button that stops force is red, and never pale
+            QVERIFY(loaded->color(danger).hslSaturationF() > 0.5f && loaded->color(danger).lightnessF() < 0.55f);
+        pairs.push_back({danger, surface, 3.0});
         for (const Pair& pair : pairs)
             QVERIFY2(contrast(loaded->color(pair.ink), loaded->color(pair.paper)) >= pair.least,
                      qPrintable(QStringLiteral("%1 on %2: %3").arg(loaded->color(pair.ink).name(), loaded->color(pair.paper).name()).arg(contrast(loaded->color(pair.ink), loaded->color(pair.paper)))));
