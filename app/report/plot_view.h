@@ -95,6 +95,10 @@ public:
     /// A filled band between two values, behind everything: what is usual, or published.
     void addBand(const QString& name, double low, double high);
 
+    /// Shows this part of the x axis alone, with all that was recorded in it; what was fixed before is forgotten.
+    void setXWindow(double low, double high);
+    double xLow() const; ///< ends of what the x axis shows
+    double xHigh() const;
     /// The same width left of the axis in plots that stand one above the other, so that one cursor stands in one column.
     /// Logical pixels at scale 1.
     void setLeftMargin(double pixels);

@@ -78,6 +78,17 @@ void PlotView::onSeek(std::function<void(double)> call) {
     connect(m_impl->plot, &QCustomPlot::mouseMove, this, follow);
 }
 
+void PlotView::setXWindow(double low, double high) {
+    m_impl->xAxis.minimum = low;
+    m_impl->xAxis.maximum = high;
+    m_impl->prepare(size());
+    m_impl->plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+double PlotView::xLow() const { return m_impl->plot->xAxis->range().lower; }
+
+double PlotView::xHigh() const { return m_impl->plot->xAxis->range().upper; }
+
 double PlotView::pixelOf(double x) const { return m_impl->plot->xAxis->coordToPixel(x); }
 
 } // namespace chiron::report

@@ -49,9 +49,18 @@ void styleAxis(QCPAxis* axis, const PlotTheme& theme) {
     axis->grid()->setZeroLinePen(QPen(theme.rule, 1.0));
 }
 
+/// Leaves the wheel to the page that the plot stands on: nobody is held up by a plot while they scroll.
+class QuietPlot final : public QCustomPlot {
+public:
+    using QCustomPlot::QCustomPlot;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
 } // namespace
 
-PlotView::Impl::Impl(const PlotTheme& look, QWidget* parent) : theme(look), plot(new QCustomPlot(parent)) {
+PlotView::Impl::Impl(const PlotTheme& look, QWidget* parent) : theme(look), plot(new QuietPlot(parent)) {
     plot->setLocale(theme.locale);
     plot->setBackground(QBrush(theme.paper));
     plot->setAntialiasedElements(QCP::aeAll);
@@ -168,8 +177,18 @@ void PlotView::Impl::arrangeLegend(int width) {
 }
 
 void PlotView::Impl::fillLines(int columns) {
+    const QCPRange shown = plot->xAxis->range();
     for (const Line& line : lines) {
-        Polyline reduced = decimate(line.x, line.y, columns);
+        // What is shown, and one sample beyond either end, so that the line goes on to the edge.
+        const std::size_t count = std::min(line.x.size(), line.y.size());
+        const auto begin = line.x.begin();
+        const auto end = begin + static_cast<std::ptrdiff_t>(count);
+        const bool ordered = fixed() && std::is_sorted(begin, end);
+        const auto after = ordered ? std::upper_bound(begin, end, shown.upper) : end;
+        const auto from = ordered ? std::lower_bound(begin, end, shown.lower) : begin;
+        const auto first = static_cast<std::size_t>((from == begin ? from : from - 1) - begin);
+        const auto last = static_cast<std::size_t>((after == end ? after : after + 1) - begin);
+        Polyline reduced = decimate(std::span(line.x).subspan(first, last - first), std::span(line.y).subspan(first, last - first), columns);
         if (line.above)
             reduced = partAbove(reduced, line.limit);
         line.graph->setData(QVector<double>(reduced.x.begin(), reduced.x.end()),
@@ -184,7 +203,7 @@ void PlotView::Impl::placeEventLabels(int axisWidth) {
     for (const Event& event : events) {
         const double left = (event.t_s - plot->xAxis->range().lower) * scale;
         const double width = metrics.horizontalAdvance(event.label) + 6.0;
-        const bool fits = left >= free && left + width <= axisWidth && !event.label.isEmpty();
+        const bool fits = left >= 0.0 && left >= free && left + width <= axisWidth && !event.label.isEmpty();
         event.text->setVisible(fits);
         if (fits)
             free = left + width;

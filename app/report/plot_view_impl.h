@@ -49,6 +49,7 @@ struct PlotView::Impl {
     void prepare(QSize size);
     void arrangeLegend(int width);
     void fillLines(int columns);
+    bool fixed() const { return xAxis.minimum && xAxis.maximum; } ///< the x axis shows what it was told to
     void placeEventLabels(int axisWidth);
     void equaliseScale();
 

@@ -33,6 +33,8 @@ void addDetection(PooledDetection& pooled, const scoring::SessionTrace& trace) {
             ++pooled.unjudged;
             continue;
         }
+        if (judged.answer->truth.introduction)
+            continue;
         ++pooled.trials;
         pooled.ratings.add(judged.answer->regions);
     }

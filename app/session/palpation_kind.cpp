@@ -29,7 +29,7 @@ public:
             object.p_WObject = m_surface.pointAt(core::Vec2::Zero());
             for (const simulation::Lump& lump : trial.list()) {
                 const core::Vec3 above = m_surface.pointAt(lump.place_m);
-                object.lumps.push_back({above - lump.depth_m * m_surface.normalAt(lump.place_m), above, lump.radius_m});
+                object.lumps.push_back({above - lump.depth_m * m_surface.normalAt(lump.place_m), above, lump.radius_m, std::max(lump.radius_m, p.hitRadius_m)});
             }
             m_trials.push_back(std::move(object));
         }
@@ -188,6 +188,8 @@ void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_
     const simulation::TissueSurface surface(p.tissue.shape);
     const bool moved = wasMoved(trial);
     trial.truth = {{"lumps", static_cast<double>(planned.lumps)}};
+    if (planned.introduction)
+        trial.truth.push_back({"introduction", 1.0});
     for (int i = 0; i < planned.lumps; ++i) {
         const simulation::Lump& lump = planned.lump[static_cast<std::size_t>(i)];
         const core::Vec2 place_m = moved ? simulation::palpationMovedPlace_m(p, lump.place_m) : lump.place_m;

@@ -13,6 +13,7 @@ struct TrialLump {
     core::Vec3 p_WCentre = core::Vec3::Zero();
     core::Vec3 p_WAbove = core::Vec3::Zero(); ///< the surface point above it: where a mark should be
     double radius_m = 0.0;
+    double reach_m = 0.0; ///< a mark so near to the place above it has found it
 };
 
 /// The object of one trial, as playback draws it: what was true, from content and seed.

@@ -78,7 +78,8 @@ std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionT
     report::PalpationReport out;
     for (const session::PalpationTrialRecord& record : *records) {
         out.trials.push_back(palpationTrialOf(record, *parameters));
-        out.regions += scoring::countsOf(record.answer.regions);
+        if (!record.answer.truth.introduction)
+            out.regions += scoring::countsOf(record.answer.regions);
     }
     return out;
 }

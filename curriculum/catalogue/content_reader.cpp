@@ -184,10 +184,13 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
             else if (!out.advice.emplace(metric, entry.translated("text")).second)
                 problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("each metric once")});
         });
+    if (reader.has("legend"))
+        reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("cue"), entry.translated("text")}); });
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
-    QJsonObject stored = resolved; // with a session; words about its result are not part of what was done
+    QJsonObject stored = resolved; // with a session; words about it are not part of what was done
     stored.remove(QStringLiteral("advice"));
+    stored.remove(QStringLiteral("legend"));
     if (auto presets = checkPresets(folder + "/presets", *kind); !presets)
         return tl::unexpected(presets.error());
     for (const QFileInfo& file :

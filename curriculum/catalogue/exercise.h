@@ -66,12 +66,19 @@ struct ExerciseLevel {
     std::string resolvedSha256; ///< of those bytes, lower-case hex
 };
 
+/// What something drawn in the scene means.
+struct LegendLine {
+    std::string cue; ///< told on levels that give it
+    Translated text;
+};
+
 struct Exercise {
     std::string id;
     int version = 1;
     Translated title;
     Translated objective;
     std::map<std::string, Translated> advice; ///< by metric: what to do otherwise when its gate did not hold; may lack some
+    std::vector<LegendLine> legend; ///< in the order told
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
 };
 

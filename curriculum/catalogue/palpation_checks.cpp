@@ -38,6 +38,8 @@ public:
         if (m_p.catchTrials >= m_p.trials)
             add("catch_trials", QString::number(m_p.catchTrials),
                 QStringLiteral("less than trials, %1: else there is nothing to find").arg(m_p.trials));
+        if (m_p.lumpFirst && (m_p.catchTrials + 1 > m_p.trials || m_p.lumpsHigh < 1))
+            add("lump_first", QStringLiteral("true"), QStringLiteral("a trial that is no catch trial, and lumps_high of at least 1"));
         if (m_p.tools() > core::kMaxTools)
             add("fingers", QString::number(m_p.fingers),
                 QStringLiteral("at most %1 fingers in all").arg(core::kMaxTools));

@@ -49,6 +49,7 @@ constexpr Whole kWholes[] = {
 };
 
 constexpr Flag kFlags[] = {
+    {"lump_first", &Parameters::lumpFirst},
     {"asks_size", &Parameters::asksSize},
     {"asks_hardness", &Parameters::asksHardness},
     {"asks_confidence", &Parameters::asksConfidence},

@@ -17,10 +17,14 @@ constexpr const char* kSummaryColumns =
     "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, "
     "s.frames, "
     "s.dropped, s.chunks, s.recording_bytes, "
-    "(SELECT passed FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)";
+    "(SELECT passed FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1), "
+    "(SELECT count(c.passed) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
+    "(SELECT coalesce(sum(c.passed), 0) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
+    "(SELECT count(*) FROM session_comment m WHERE m.session_id = s.id), "
+    "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> s.person_id)";
 constexpr const char* kSummaryTables = " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN "
                                        "person_code k ON k.person_id = s.person_id";
-constexpr int kSummaryCount = 21;
+constexpr int kSummaryCount = 25;
 
 SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     SessionSummary summary;
@@ -44,6 +48,10 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     summary.chunks = unsignedFromStored(row.integer(18));
     summary.recordingBytes = unsignedFromStored(row.integer(19));
     summary.passed = row.isNull(20) ? std::nullopt : std::optional(row.integer(20) != 0);
+    summary.gates = static_cast<int>(row.integer(21));
+    summary.gatesMet = static_cast<int>(row.integer(22));
+    summary.comments = static_cast<int>(row.integer(23));
+    summary.reviewed = row.integer(24) != 0;
     return summary;
 }
 
@@ -51,6 +59,7 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
 void withhold(SessionSummary& summary) {
     summary.sealed = true;
     summary.passed.reset();
+    summary.gates = summary.gatesMet = 0;
     summary.ticks = summary.frames = summary.dropped = summary.chunks = summary.recordingBytes = 0;
 }
 

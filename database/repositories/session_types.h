@@ -103,12 +103,16 @@ struct SessionSummary {
     bool archived = false;
     bool recordingErased = false;
     std::optional<bool> passed; ///< of the latest scores; absent while unscored
+    int gates = 0;              ///< of the latest scores: how many limits the level sets
+    int gatesMet = 0;
+    int comments = 0;
+    bool reviewed = false; ///< somebody else has commented on it
     std::uint64_t ticks = 0;
     std::uint64_t frames = 0;
     std::uint64_t dropped = 0;
     std::uint64_t chunks = 0;
     std::uint64_t recordingBytes = 0;
-    /// A sitting of a blinded study: whether it passed and the five numbers above are withheld (absent, 0), because how long it took and how much was
+    /// A sitting of a blinded study: whether it passed, its gates and the five numbers above are withheld (absent, 0), because how long it took and how much was
     /// recorded tell the conditions apart.
     bool sealed = false;
 };

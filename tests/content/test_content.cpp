@@ -39,6 +39,7 @@ private slots:
     void blindLevelsTellNothing();
     void levelsHaveGatesOnTheirHeadlines();
     void everyPassMarkHasAdvice();
+    void marksInTheSceneAreExplained();
     void urethraLevelsHaveTheirGates();
     void palpationLevelsHaveTheirGates();
     void tissueThatGivesWayFails();
@@ -239,6 +240,27 @@ void TestContent::everyPassMarkHasAdvice() {
         // Words about a result are no part of what was done: they are not stored with a session.
         for (const ExerciseLevel& level : exercise.levels)
             QVERIFY(level.resolvedJson.find("\"advice\"") == std::string::npos);
+    }
+}
+
+/// What is drawn to guide a trainee is explained, in three languages, and nothing is explained that no level draws.
+void TestContent::marksInTheSceneAreExplained() {
+    for (const Exercise& exercise : shipped().exercises()) {
+        std::set<std::string> given, told;
+        for (const ExerciseLevel& level : exercise.levels) {
+            given.insert(level.cues.begin(), level.cues.end());
+            if (level.shownForce)
+                given.insert(level.shownForce->cues.begin(), level.shownForce->cues.end());
+            QVERIFY(level.resolvedJson.find("\"legend\"") == std::string::npos);
+        }
+        for (const LegendLine& line : exercise.legend) {
+            told.insert(line.cue);
+            QVERIFY2(given.contains(line.cue), (exercise.id + ": " + line.cue).c_str());
+            for (const char* language : {"en", "de", "el"})
+                QVERIFY2(!line.text.at(language).empty(), (exercise.id + ": " + line.cue).c_str());
+        }
+        for (const char* mark : {"arrow", "guidance", "coverage", "overview"})
+            QVERIFY2(!given.contains(mark) || told.contains(mark), (exercise.id + ": " + mark).c_str());
     }
 }
 

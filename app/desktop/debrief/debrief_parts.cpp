@@ -153,7 +153,12 @@ QWidget* DebriefScreen::actionRow() {
 // What a trainer wrote is what its reader came for: above the numbers, each with the way to its moment.
 void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
     const Theme& theme = context().theme();
-    context().settings().setOfPerson(context().actor().personId(), commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
+    const auto person = context().actor().personId();
+    const bool news = context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() < static_cast<int>(comments.size()) &&
+                      std::any_of(comments.begin(), comments.end(), [person](const CommentAtMoment& comment) { return comment.named.comment.author != person; });
+    if (news && m_head->record.summary.person == person)
+        context().setUnread(std::max(0, context().unread() - 1));
+    context().settings().setOfPerson(person, commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
     delete m_commentBox; // shown without moments until the recording was read
     m_commentBox = nullptr;
     if (comments.empty())

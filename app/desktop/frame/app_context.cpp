@@ -55,6 +55,7 @@ void AppContext::takeSite(std::unique_ptr<database::Database> database, catalogu
 
 void AppContext::logIn(const database::Actor& actor) {
     m_actor = actor;
+    m_unread = 0;
     emit actorChanged();
     m_navigator.replace({QStringLiteral("home"), {}});
     m_navigator.forget();
@@ -79,6 +80,13 @@ void AppContext::logOutNow() {
 void AppContext::applyAppearance() {
     m_theme = themeOf(m_settings);
     emit appearanceChanged();
+}
+
+void AppContext::setUnread(int sessions) {
+    if (m_unread == sessions)
+        return;
+    m_unread = sessions;
+    emit unreadChanged(sessions);
 }
 
 void AppContext::setTrialRuns(bool runs) {

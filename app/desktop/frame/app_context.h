@@ -50,6 +50,9 @@ public:
     /// Something shows whether a session is running right now (idle lock, theme changes wait for its end).
     bool trialRuns() const noexcept { return m_trialRuns; }
     void setTrialRuns(bool runs);
+    /// How many of the person's sessions have comments by others that they have not read; counted where they are shown.
+    int unread() const noexcept { return m_unread; }
+    void setUnread(int sessions);
     /// A device moved: counts as activity for the idle lock.
     void touch() { emit activity(); }
 
@@ -59,6 +62,7 @@ signals:
     void appearanceChanged();
     void actorChanged();
     void trialRunsChanged(bool runs);
+    void unreadChanged(int sessions);
     void activity();
     void lockAsked(); ///< Ctrl+L or idle: the main window covers itself with the lock
     void unlocked();
@@ -72,6 +76,7 @@ private:
     Theme m_theme;
     database::Actor m_actor = database::Actor::anonymous();
     bool m_trialRuns = false;
+    int m_unread = 0;
 };
 
 } // namespace chiron::desktop

@@ -33,6 +33,19 @@ SideBar::SideBar(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
     scroll->setMinimumWidth(scroll->widget()->sizeHint().width() + theme.px(14));
     column->addWidget(scroll, 1);
     column->addWidget(personArea());
+    connect(&context, &AppContext::unreadChanged, this, &SideBar::showUnread);
+    showUnread(context.unread());
+}
+
+void SideBar::showUnread(int sessions) {
+    for (const auto& [id, button] : m_buttons) {
+        if (id != QStringLiteral("home"))
+            continue;
+        const QString title = button->property("title").toString();
+        button->setText(sessions > 0 ? tr("%1 (%2)").arg(title, m_context.locale().toString(sessions)) : title);
+        button->setAccessibleName(sessions > 0 ? tr("%1: %n session(s) with new comments", nullptr, sessions).arg(title) : title);
+        button->setToolTip(sessions > 0 ? button->accessibleName() : QString());
+    }
 }
 
 QPushButton* SideBar::entry(const QString& icon, const QString& text, const QString& name) {
@@ -55,6 +68,7 @@ QWidget* SideBar::entries() {
             continue;
         const QString id = QLatin1String(screen.id);
         auto* button = entry(QLatin1String(screen.icon), titleOf(screen), QStringLiteral("nav.") + id);
+        button->setProperty("title", titleOf(screen));
         button->setCheckable(true);
         connect(button, &QPushButton::clicked, this, [this, id] {
             m_context.navigator().go(id);

@@ -25,6 +25,7 @@ signals:
 private:
     QWidget* entries();
     QWidget* personArea();
+    void showUnread(int sessions); ///< on the way to Home, where they are listed
     QBoxLayout* inOnePlace(std::initializer_list<QPushButton*> buttons) const;
     QPushButton* entry(const QString& icon, const QString& text, const QString& name);
 

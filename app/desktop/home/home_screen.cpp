@@ -89,10 +89,12 @@ QPushButton* HomeScreen::opener(const QString& text, const QString& screen, cons
 // What has not been read yet, until its debrief was opened.
 void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
+    int unread = 0;
     for (const CommentedSession& commented : home.commented) {
         const database::SessionSummary& session = commented.row.summary;
         if (context().settings().ofPerson(context().actor().personId(), commentsSeenKey(session.id), 0).toInt() >= commented.comments)
             continue;
+        ++unread;
         const QString author = commented.author.empty() ? tr("Somebody") : QString::fromStdString(commented.author);
         auto* notice = kit::notice(theme, "info", tr("%1 commented on your session %2 (%3, level %4).")
                                                       .arg(author, QString::number(session.id), commented.row.exercise, context().locale().toString(session.level)));
@@ -104,6 +106,7 @@ void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
         notice->layout()->addWidget(open);
         column.addWidget(notice);
     }
+    context().setUnread(unread);
 }
 
 void HomeScreen::addRecovered(QVBoxLayout& column, const HomeData& home) {

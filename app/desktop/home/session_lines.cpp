@@ -25,10 +25,8 @@ QWidget* SessionLines::line(const SessionRow& row, bool names) {
     const QString what = names ? tr("%1: %2, level %3").arg(row.person, row.exercise, level) : tr("%1, level %2").arg(row.exercise, level);
     const QString when = SessionWords::ago(SessionWords::timeOf(session.startedUtc), QDateTime::currentDateTimeUtc(), m_context.locale());
     // What did not come to its end says why; the rest says whether it was passed.
-    const bool ended = session.state == database::SessionState::completed;
-    const Outcome outcome = SessionWords::outcomeOf(session);
-    const QString came = ended ? SessionWords::outcome(outcome) : SessionWords::state(session.state);
-    const WordSign sign = ended ? SessionWords::sign(outcome) : SessionWords::sign(session.state);
+    const QString came = SessionWords::cameTo(session);
+    const WordSign sign = SessionWords::cameToSign(session);
 
     auto* button = new TileButton(theme);
     button->setObjectName(QStringLiteral("home.session.%1").arg(session.id));

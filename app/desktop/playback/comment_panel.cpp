@@ -23,9 +23,9 @@ CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, QWidget* p
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
     m_none = kit::label(theme, tr("No comments yet."), TextStyle::body, "muted");
+    buildDraft(*column);
     column->addWidget(m_none);
     column->addWidget(m_list, 1);
-    buildDraft(*column);
     const auto jump = [this](const QListWidgetItem* item) {
         if (item && item->data(Qt::UserRole).isValid())
             emit seekAsked(item->data(Qt::UserRole).toDouble());
@@ -44,7 +44,7 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
     m_text->setAccessibleName(tr("New comment"));
     m_text->setPlaceholderText(tr("What do you see here?"));
     m_text->setTabChangesFocus(true);
-    m_text->setFixedHeight(m_theme.px(72));
+    m_text->setFixedHeight(m_theme.px(56));
     m_add = kit::button(m_theme, {}, "", QStringLiteral("edit-comment"));
     m_add->setObjectName(QStringLiteral("playback.comment_add"));
     m_add->setEnabled(false);
@@ -59,6 +59,10 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
 QString CommentPanel::draft() const {
     return m_text->toPlainText().trimmed();
 }
+
+bool CommentPanel::mayAdd() const { return !m_draft->isHidden(); }
+
+void CommentPanel::write() { m_text->setFocus(Qt::ShortcutFocusReason); }
 
 void CommentPanel::clearDraft() {
     m_text->clear();

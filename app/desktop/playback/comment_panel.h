@@ -27,6 +27,8 @@ public:
     void show(std::vector<NamedComment> comments, database::PersonId reader, const std::function<double(std::uint64_t)>& timeOf);
     void setMoment(double t_s); ///< where a new comment would go
     void setMayAdd(bool may);   ///< what the screen offers; what is permitted is checked where it is stored
+    bool mayAdd() const;
+    void write(); ///< the field takes the focus
     void clearDraft();
     QString draft() const;
 

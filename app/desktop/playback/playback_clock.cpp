@@ -65,7 +65,11 @@ void PlaybackClock::advance(double real_s) {
     if (!m_playing)
         return;
     m_sinceTick.start();
-    seek(m_position_s + m_speed * std::min(real_s, kLongestJump_s));
+    double next_s = m_position_s + m_speed * std::min(real_s, kLongestJump_s);
+    for (const auto& [begin_s, end_s] : m_leapt_s)
+        if (next_s >= begin_s && next_s < end_s)
+            next_s = end_s;
+    seek(next_s);
     if (m_position_s >= m_duration_s)
         setPlaying(false);
 }

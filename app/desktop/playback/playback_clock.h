@@ -4,6 +4,8 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <utility>
+#include <vector>
 
 namespace chiron::desktop {
 
@@ -27,6 +29,8 @@ public:
     void pause();
     void toggle() { m_playing ? pause() : play(); }
     void setSpeed(double times); ///< 0.1..4
+    /// Stretches of the recording that playing leaps over; whoever seeks into one sees it. By time, not overlapping.
+    void setLeapt(std::vector<std::pair<double, double>> spans_s) { m_leapt_s = std::move(spans_s); }
     /// Time that has passed for the person; the timer calls it, and tests.
     void advance(double real_s);
 
@@ -43,6 +47,7 @@ private:
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     double m_speed = 1.0;
+    std::vector<std::pair<double, double>> m_leapt_s; ///< begin, end
     bool m_playing = false;
 };
 

@@ -118,7 +118,7 @@ void PlaybackPlots::putRetraction() {
 void PlaybackPlots::putEnergy() {
     const session::PlaybackQuantity* in = m_track.quantity("energy_supplied_J");
     const session::PlaybackQuantity* held = m_track.quantity("energy_stored_J");
-    if (!m_grasp || !in || !held || in->values.empty() || held->values.size() != in->values.size())
+    if (!m_books || !m_grasp || !in || !held || in->values.empty() || held->values.size() != in->values.size())
         return;
     auto view = empty(tr("Energy supplied by the hand and stored in the object"));
     const std::vector<report::TimeSpan> excess = made(m_series.t_s, in->values, held->values);

@@ -111,8 +111,12 @@ QWidget* PlaybackScreen::stageColumn() {
     m_scrubber->setTrack(m_data->track, m_data->setup.level.parameters);
     connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_scrubber);
-    column->addWidget(new TransportBar(theme, locale, m_clock));
-    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->grasp ? &*m_data->grasp : nullptr);
+    std::vector<std::pair<double, double>> pauses_s;
+    for (const session::PlaybackSpan& span : m_data->track.paused)
+        pauses_s.emplace_back(span.begin_s, span.end_s);
+    column->addWidget(new TransportBar(theme, locale, m_clock, std::move(pauses_s)));
+    const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) || context().has(database::Role::admin);
+    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->grasp ? &*m_data->grasp : nullptr, expert);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;
@@ -143,20 +147,20 @@ QWidget* PlaybackScreen::sideColumn() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     column->addWidget(ghostBox());
-    auto* tabs = new QTabWidget;
-    tabs->setObjectName(QStringLiteral("playback.tabs"));
-    tabs->setMinimumHeight(theme.px(300));
+    m_tabs = new QTabWidget;
+    m_tabs->setObjectName(QStringLiteral("playback.tabs"));
+    m_tabs->setMinimumHeight(theme.px(300));
     auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.parameters);
     connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
-    tabs->addTab(marks, tr("Events"));
+    m_tabs->addTab(marks, tr("Events"));
     m_comments = new CommentPanel(theme, context().locale());
     connect(m_comments, &CommentPanel::seekAsked, &m_clock, &PlaybackClock::seek);
     connect(m_comments, &CommentPanel::addAsked, this, &PlaybackScreen::addComment);
     const bool mine = m_data->record.summary.person == context().actor().personId();
     m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
                           context().has(database::Role::admin));
-    tabs->addTab(m_comments, tr("Comments"));
-    column->addWidget(tabs, 1);
+    m_tabs->addTab(m_comments, tr("Comments (C)"));
+    column->addWidget(m_tabs, 1);
     return side;
 }
 

@@ -2,6 +2,7 @@
 #include "desktop/playback/playback_plots.h"
 
 #include "desktop/plots/plot_theme_of.h"
+#include "desktop/widgets/kit.h"
 #include "report/session_plots.h"
 #include "session_report/track_series.h"
 
@@ -15,15 +16,57 @@ namespace {
 constexpr double kLeftMargin = 64.0;
 constexpr int kForceHeight_px = 170;
 constexpr int kLowHeight_px = 134;
+constexpr double kZoomStep = 0.5;
+constexpr double kLeast_s = 0.5;   // some hundred samples: beyond that there is nothing more to see
+constexpr double kPageLead = 0.05; // of the page, before the cursor when a page is turned
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
-                             const catalogue::ExerciseParameters& level, const GraspReplay* grasp, QWidget* parent)
+                             const catalogue::ExerciseParameters& level, const GraspReplay* grasp, bool books, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_grasp(grasp), m_series(session_report::seriesOf(track, level, locale)),
-      m_limit_N(track.forceLimit_N), m_column(new QVBoxLayout(this)) {
+      m_limit_N(track.forceLimit_N), m_books(books), m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.px(4));
+    m_to_s = end_s();
+    m_column->addWidget(zoomRow());
     setGhost({}, {});
+}
+
+double PlaybackPlots::end_s() const { return m_series.t_s.empty() ? 1e-3 : std::max(m_series.t_s.back(), 1e-3); }
+
+QWidget* PlaybackPlots::zoomRow() {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addStretch(1);
+    const auto add = [&](const char* name, const char* icon, const QString& text, auto act) {
+        QPushButton* button = kit::iconButton(m_theme, QLatin1String(icon), text);
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, act);
+        line->addWidget(button);
+    };
+    add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
+    add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
+    add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"), [this] { zoomWhole(); });
+    return row;
+}
+
+void PlaybackPlots::zoom(double factor) {
+    const double whole_s = end_s();
+    const double wide_s = std::clamp((m_to_s - m_from_s) * factor, std::min(kLeast_s, whole_s), whole_s);
+    const double share = (m_cursor_s - m_from_s) / (m_to_s - m_from_s);
+    const double from_s = std::clamp(m_cursor_s - std::clamp(share, 0.0, 1.0) * wide_s, 0.0, whole_s - wide_s);
+    showWindow(from_s, from_s + wide_s);
+}
+
+void PlaybackPlots::zoomWhole() { showWindow(0.0, end_s()); }
+
+void PlaybackPlots::showWindow(double from_s, double to_s) {
+    m_from_s = from_s;
+    m_to_s = to_s;
+    for (report::PlotView* view : views())
+        if (view)
+            view->setXWindow(from_s, to_s);
 }
 
 void PlaybackPlots::put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px) {
@@ -80,7 +123,7 @@ void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
     view.setTitle({});
     view.setAccessibleName(spoken);
     if (!m_series.t_s.empty())
-        view.setXAxis({time, 0.0, std::max(m_series.t_s.back(), 1e-3)});
+        view.setXAxis({time, m_from_s, m_to_s});
 }
 
 void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity,
@@ -94,7 +137,12 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    for (report::PlotView* view : {m_force, m_felt, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed})
+    if (t_s < m_from_s || t_s > m_to_s) { // turns the page, as a chart recorder does
+        const double wide_s = m_to_s - m_from_s;
+        const double from_s = std::clamp(t_s - kPageLead * wide_s, 0.0, std::max(0.0, end_s() - wide_s));
+        showWindow(from_s, from_s + wide_s);
+    }
+    for (report::PlotView* view : views())
         if (view)
             view->showCursor(t_s);
 }

@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace chiron::desktop {
@@ -40,7 +41,8 @@ QString PlaybackScreen::title() const {
 QString PlaybackScreen::help() const {
     return tr("A session as it was recorded.\n\nSpace plays and pauses. The arrow keys move one frame forward or back, with Shift one "
               "second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps "
-              "to that time.\n\nPauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are "
+              "to that time. Plus and minus zoom the plots, 0 shows the whole session.\n\nC writes a comment at the moment shown.\n\nPauses "
+              "are hatched, and skipped unless you switch that off. Triangles on the time bar are penalties, flags are answers, squares below it are "
               "comments.\n\nChoose a second session to see it beside this one: each of its trials starts together with the trial here and "
               "is drawn in the same place.");
 }
@@ -51,6 +53,10 @@ std::vector<ScreenCommand> PlaybackScreen::commands() {
             {tr("One frame back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
             {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
             {tr("Previous event"), QKeySequence(Qt::CTRL | Qt::Key_Left), [this] { seekMark(-1); }, false},
+            {tr("Write a comment at this moment"), QKeySequence(Qt::Key_C), [this] { writeComment(); }, false},
+            {tr("Zoom in on the plots"), QKeySequence(Qt::Key_Plus), [this] { zoomPlots(Qt::Key_Plus); }, false},
+            {tr("Zoom out of the plots"), QKeySequence(Qt::Key_Minus), [this] { zoomPlots(Qt::Key_Minus); }, false},
+            {tr("The whole session in the plots"), QKeySequence(Qt::Key_0), [this] { zoomPlots(Qt::Key_0); }, false},
             {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
             {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
 }
@@ -167,6 +173,8 @@ bool PlaybackScreen::handleKey(QKeyEvent* event) {
     const bool second = (event->modifiers() & Qt::ShiftModifier) != 0;
     const bool mark = (event->modifiers() & Qt::ControlModifier) != 0;
     const int direction = event->key() == Qt::Key_Left ? -1 : 1;
+    if (mark && event->key() != Qt::Key_Left && event->key() != Qt::Key_Right)
+        return false; // Ctrl+C copies, Ctrl+0 is nobody's
     switch (event->key()) {
     case Qt::Key_Space:
         m_clock.toggle();
@@ -179,6 +187,15 @@ bool PlaybackScreen::handleKey(QKeyEvent* event) {
             m_clock.seek(m_clock.position_s() + direction);
         else
             m_clock.step(direction);
+        return true;
+    case Qt::Key_C:
+        writeComment();
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: // plus without Shift, on many keyboards
+    case Qt::Key_Minus:
+    case Qt::Key_0:
+        zoomPlots(event->key());
         return true;
     case Qt::Key_Home:
         m_clock.seek(0.0);
@@ -246,6 +263,23 @@ void PlaybackScreen::loadComments() {
             m_comments->show(std::move(*comments), context().actor().personId(),
                              [this](std::uint64_t tick) { return m_data->track.timeOfTick(tick); });
         });
+}
+
+void PlaybackScreen::writeComment() {
+    if (!m_data || !m_comments->mayAdd())
+        return;
+    m_clock.pause();
+    m_tabs->setCurrentWidget(m_comments);
+    m_comments->write();
+}
+
+void PlaybackScreen::zoomPlots(int key) {
+    if (!m_plots)
+        return;
+    if (key == Qt::Key_0)
+        m_plots->zoomWhole();
+    else
+        m_plots->zoom(key == Qt::Key_Minus ? 2.0 : 0.5);
 }
 
 void PlaybackScreen::addComment(const QString& text) {

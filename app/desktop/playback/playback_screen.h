@@ -10,6 +10,7 @@
 #include <optional>
 
 class QCheckBox;
+class QTabWidget;
 class QComboBox;
 class QLabel;
 class QVBoxLayout;
@@ -70,6 +71,7 @@ private:
     void notePlace();
     bool handleKey(QKeyEvent* event);
     void seekMark(int direction);
+    void zoomPlots(int key);
 
     void loadGhosts();
     void showGhosts(const std::vector<GhostCandidate>& candidates);
@@ -77,6 +79,7 @@ private:
     void showGhost(PlaybackData ghost);
 
     void loadComments();
+    void writeComment(); ///< at the moment shown: the clock stops, the field has the focus
     void addComment(const QString& text);
     void askVoid();
 
@@ -94,6 +97,7 @@ private:
     QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
     Scrubber* m_scrubber = nullptr;
     PlaybackPlots* m_plots = nullptr;
+    QTabWidget* m_tabs = nullptr; ///< events, comments
     CommentPanel* m_comments = nullptr;
     QComboBox* m_ghostChoice = nullptr;
 };

@@ -6,6 +6,7 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <array>
@@ -16,7 +17,7 @@ namespace {
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 }
 
-TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, QWidget* parent)
+TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, std::vector<std::pair<double, double>> pauses_s, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -26,6 +27,7 @@ TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackCl
     auto* row = new FlowLayout(theme.px(4), controls);
     buildButtons(*row);
     buildSpeed(*row);
+    buildLeap(*row, std::move(pauses_s));
     parts->add(controls, 1);
     m_time = kit::line(theme, {}, TextStyle::mono);
     m_time->setObjectName(QStringLiteral("playback.time"));
@@ -67,6 +69,18 @@ void TransportBar::buildSpeed(QLayout& row) {
     }
     connect(m_speed, &QComboBox::currentIndexChanged, this, [this] { m_clock.setSpeed(m_speed->currentData().toDouble()); });
     row.addWidget(m_speed);
+}
+
+void TransportBar::buildLeap(QLayout& row, std::vector<std::pair<double, double>> pauses_s) {
+    if (pauses_s.empty())
+        return;
+    auto* leap = new QCheckBox(tr("Skip pauses"));
+    leap->setObjectName(QStringLiteral("playback.skip_pauses"));
+    leap->setChecked(true);
+    row.addWidget(leap);
+    const auto set = [this, pauses = std::move(pauses_s)](bool on) { m_clock.setLeapt(on ? pauses : std::vector<std::pair<double, double>>()); };
+    connect(leap, &QCheckBox::toggled, this, set);
+    set(true);
 }
 
 void TransportBar::showPlaying(bool playing) {

@@ -17,11 +17,14 @@ namespace chiron::desktop {
 class TransportBar : public QWidget {
     Q_OBJECT
 public:
-    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, QWidget* parent = nullptr);
+    /// `pauses_s`: begin and end of each, which playing leaps over unless somebody wants to see them.
+    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, std::vector<std::pair<double, double>> pauses_s = {},
+                 QWidget* parent = nullptr);
 
 private:
     void buildButtons(class QLayout& row);
     void buildSpeed(class QLayout& row);
+    void buildLeap(class QLayout& row, std::vector<std::pair<double, double>> pauses_s);
     void showPlaying(bool playing);
     void showTime();
 

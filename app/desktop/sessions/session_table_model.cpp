@@ -22,10 +22,16 @@ std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int colum
         return byText(a.exercise, b.exercise);
     case SessionTableModel::level:
         return a.summary.level <=> b.summary.level;
-    case SessionTableModel::state:
-        return a.summary.state <=> b.summary.state;
-    case SessionTableModel::outcome:
-        return SessionWords::outcomeOf(a.summary) <=> SessionWords::outcomeOf(b.summary);
+    case SessionTableModel::operatorName:
+        return a.summary.operatorName <=> b.summary.operatorName;
+    case SessionTableModel::result:
+        return std::pair(a.summary.state, SessionWords::outcomeOf(a.summary)) <=> std::pair(b.summary.state, SessionWords::outcomeOf(b.summary));
+    case SessionTableModel::score:
+        return a.summary.gatesMet * std::max(1, b.summary.gates) <=> b.summary.gatesMet * std::max(1, a.summary.gates); // as shares
+    case SessionTableModel::comments:
+        return a.summary.comments <=> b.summary.comments;
+    case SessionTableModel::review:
+        return a.summary.reviewed <=> b.summary.reviewed;
     case SessionTableModel::device:
         return b.summary.felt <=> a.summary.felt;
     case SessionTableModel::length:
@@ -58,10 +64,9 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
         return picture(row, index.column());
     case Qt::ToolTipRole:
-        return row.summary.sealed && index.column() == length ? QVariant(tr("The length of a session in a blinded study is shown once the "
-                                                                            "study is unblinded.")) : QVariant();
+        return tip(row);
     case Qt::TextAlignmentRole:
-        if (index.column() == number || index.column() == level || index.column() == length)
+        if (index.column() == number || index.column() == level || index.column() == length || index.column() == comments)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
         return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
@@ -84,10 +89,16 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
         return row.exercise;
     case level:
         return session.exercise == SessionWords::kComparison ? QStringLiteral("–") : m_locale.toString(session.level);
-    case state:
-        return session.archived ? tr("%1, archived").arg(SessionWords::state(session.state)) : SessionWords::state(session.state);
-    case outcome:
-        return SessionWords::outcome(SessionWords::outcomeOf(session));
+    case operatorName:
+        return SessionWords::moved(session);
+    case result:
+        return session.archived ? tr("%1, archived").arg(SessionWords::cameTo(session)) : SessionWords::cameTo(session);
+    case score:
+        return SessionWords::gates(session, m_locale);
+    case comments:
+        return session.comments > 0 ? m_locale.toString(session.comments) : QString();
+    case review:
+        return SessionWords::review(session);
     case device:
         return SessionWords::device(session.felt);
     case length:
@@ -97,12 +108,16 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
     }
 }
 
+QString SessionTableModel::tip(const SessionRow& row) const {
+    const QString length = row.summary.sealed ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
+                                              : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
+    const QString gates = SessionWords::gates(row.summary, m_locale);
+    return (gates.isEmpty() ? QString() : tr("Pass marks met: %1.").arg(gates) + QLatin1Char('\n')) +
+           tr("Session %1. %2").arg(m_locale.toString(static_cast<qlonglong>(row.summary.id)), length);
+}
+
 QVariant SessionTableModel::picture(const SessionRow& row, int column) const {
-    if (column == state)
-        return icon(SessionWords::sign(row.summary.state));
-    if (column == outcome)
-        return icon(SessionWords::sign(SessionWords::outcomeOf(row.summary)));
-    return {};
+    return column == result ? QVariant(icon(SessionWords::cameToSign(row.summary))) : QVariant();
 }
 
 QIcon SessionTableModel::icon(const WordSign& sign) const {
@@ -125,10 +140,16 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
         return tr("Exercise");
     case level:
         return tr("Level");
-    case state:
-        return tr("State");
-    case outcome:
+    case operatorName:
+        return tr("Operator");
+    case result:
         return tr("Result");
+    case score:
+        return tr("Score");
+    case comments:
+        return tr("Comments");
+    case review:
+        return tr("Review");
     case device:
         return tr("Force");
     case length:

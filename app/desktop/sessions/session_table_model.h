@@ -16,7 +16,8 @@ namespace chiron::desktop {
 class SessionTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { number, started, person, exercise, level, state, outcome, device, length, columns };
+    /// The person first; what a narrow window leaves out comes last.
+    enum Column { person, operatorName, exercise, level, started, result, score, comments, review, device, length, number, columns };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
 
@@ -41,6 +42,7 @@ private:
     void show();
     void sortShown();
     QString text(const SessionRow& row, int column) const;
+    QString tip(const SessionRow& row) const; ///< with what a narrow window leaves out
     QVariant picture(const SessionRow& row, int column) const;
     QIcon icon(const WordSign& sign) const;
 
@@ -49,7 +51,7 @@ private:
     std::vector<SessionRow> m_rows;
     std::vector<std::size_t> m_shown;
     SessionListFilter m_filter;
-    int m_sortColumn = number;
+    int m_sortColumn = number; ///< newest first
     Qt::SortOrder m_sortOrder = Qt::DescendingOrder;
     mutable std::map<std::pair<QString, Colour>, QIcon> m_icons;
 };

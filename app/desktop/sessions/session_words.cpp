@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/sessions/session_words.h"
 
+#include "desktop/training/training_words.h"
+
 namespace chiron::desktop {
 
 using database::SessionState;
@@ -79,9 +81,27 @@ WordSign SessionWords::sign(Outcome outcome) {
     return {"list-remove", Colour::muted};
 }
 
-QString SessionWords::device(bool felt) {
-    return felt ? tr("Felt") : tr("Shown, not felt");
+QString SessionWords::cameTo(const database::SessionSummary& session) {
+    return session.state == SessionState::completed ? outcome(outcomeOf(session)) : state(session.state);
 }
+
+WordSign SessionWords::cameToSign(const database::SessionSummary& session) {
+    return session.state == SessionState::completed ? sign(outcomeOf(session)) : sign(session.state);
+}
+
+QString SessionWords::moved(const database::SessionSummary& session) {
+    return session.operatorName.empty() ? tr("Own hand") : tr("%1 (scripted)").arg(operatorTitle(session.operatorName));
+}
+
+QString SessionWords::device(bool felt) {
+    return felt ? tr("Felt") : tr("Shown");
+}
+
+QString SessionWords::gates(const database::SessionSummary& session, const QLocale& locale) {
+    return session.gates > 0 ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
+}
+
+QString SessionWords::review(const database::SessionSummary& session) { return session.reviewed ? tr("Reviewed") : QStringLiteral("–"); }
 
 QDateTime SessionWords::timeOf(const std::string& utc) {
     return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);

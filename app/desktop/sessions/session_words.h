@@ -29,7 +29,13 @@ public:
     static Outcome outcomeOf(const database::SessionSummary& session);
     static QString outcome(Outcome outcome);
     static WordSign sign(Outcome outcome);
+    /// What became of it in one word: whether it was passed, or how it ended where it did not come to its end.
+    static QString cameTo(const database::SessionSummary& session);
+    static WordSign cameToSign(const database::SessionSummary& session);
+    static QString moved(const database::SessionSummary& session); ///< who moved the tool
     static QString device(bool felt);
+    static QString gates(const database::SessionSummary& session, const QLocale& locale); ///< "3 of 5"; empty where there are none
+    static QString review(const database::SessionSummary& session);
     /// Date and time where it was recorded; empty where the label cannot be read.
     static QString started(const database::SessionSummary& session, const QLocale& locale);
     static QString length(std::uint64_t ticks, const QLocale& locale); ///< a tick is a millisecond

@@ -27,14 +27,18 @@ QByteArray line(const database::SessionSummary& s) {
                                 s.familiarisation ? "true" : "false",
                                 s.archived ? "true" : "false",
                                 field(s.operatorName),
-                                s.sealed ? QByteArray() : QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3)};
+                                s.sealed ? QByteArray() : QByteArray::number(static_cast<double>(s.ticks) * 1e-3, 'f', 3),
+                                s.gates > 0 ? QByteArray::number(s.gates) : QByteArray(),
+                                s.gates > 0 ? QByteArray::number(s.gatesMet) : QByteArray(),
+                                QByteArray::number(s.comments),
+                                s.reviewed ? "true" : "false"};
     return fields.join(',') + "\r\n";
 }
 
 } // namespace
 
 QByteArray sessionsCsv(const std::vector<SessionRow>& rows) {
-    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,archived,operator,length_s\r\n";
+    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,archived,operator,length_s,gates,gates_met,comments,reviewed\r\n";
     for (const SessionRow& row : rows)
         text += line(row.summary);
     return text;

@@ -41,10 +41,9 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
         return width;
     };
     using enum database::SessionState;
-    QStringList states;
-    for (const database::SessionState state : {running, completed, stopped, interrupted, incomplete, faulted, voided})
-        states << SessionWords::state(state);
     QStringList outcomes;
+    for (const database::SessionState state : {running, stopped, interrupted, incomplete, faulted, voided})
+        outcomes << SessionWords::state(state);
     for (const Outcome outcome : {Outcome::passed, Outcome::notPassed, Outcome::notScored, Outcome::practice})
         outcomes << SessionWords::outcome(outcome);
     const int sign = theme.px(26);
@@ -53,8 +52,15 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::started] = widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
     widths[SessionTableModel::person] = widest({QStringLiteral("Nikos Newcomer")});
     widths[SessionTableModel::exercise] = widest(titles.values());
-    widths[SessionTableModel::state] = widest(states) + sign;
-    widths[SessionTableModel::outcome] = widest(outcomes) + sign;
+    database::SessionSummary expert;
+    expert.operatorName = "expert";
+    widths[SessionTableModel::operatorName] = widest({SessionWords::moved({}), SessionWords::moved(expert)});
+    widths[SessionTableModel::result] = widest(outcomes) + sign;
+    database::SessionSummary reviewed;
+    reviewed.reviewed = true;
+    reviewed.gates = reviewed.gatesMet = 10;
+    widths[SessionTableModel::score] = widest({SessionWords::gates(reviewed, locale)});
+    widths[SessionTableModel::review] = widest({SessionWords::review(reviewed)});
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
@@ -63,6 +69,9 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
         table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(14), head));
     }
 }
+
+/// What a narrow window leaves out, first to last; a row's tool tip still says it.
+constexpr std::array<int, 4> kMayGo{SessionTableModel::number, SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName};
 
 } // namespace
 
@@ -139,8 +148,31 @@ QWidget* SessionsScreen::buildTable() {
     head->setStretchLastSection(true);
     head->setSortIndicator(SessionTableModel::number, Qt::DescendingOrder);
     setWidths(*m_table, theme, context().locale(), m_titles);
+    for (int column = 0; column < SessionTableModel::columns; ++column)
+        m_widths[static_cast<std::size_t>(column)] = m_table->columnWidth(column);
     m_table->setSortingEnabled(true);
+    m_table->viewport()->installEventFilter(this);
     return m_table;
+}
+
+bool SessionsScreen::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
+        fitColumns();
+    return Screen::eventFilter(watched, event);
+}
+
+void SessionsScreen::fitColumns() {
+    int wanted_px = 0;
+    for (int column = 0; column < SessionTableModel::columns; ++column) {
+        m_table->setColumnHidden(column, false);
+        wanted_px += m_widths[static_cast<std::size_t>(column)];
+    }
+    for (const int column : kMayGo) {
+        if (wanted_px <= m_table->viewport()->width())
+            break;
+        m_table->setColumnHidden(column, true);
+        wanted_px -= m_widths[static_cast<std::size_t>(column)];
+    }
 }
 
 QWidget* SessionsScreen::buildActions() {

@@ -3,6 +3,9 @@
 
 #include "desktop/frame/screen.h"
 #include "desktop/sessions/session_list_filter.h"
+#include "desktop/sessions/session_table_model.h"
+
+#include <array>
 
 class QLabel;
 class QPushButton;
@@ -11,7 +14,6 @@ class QTableView;
 namespace chiron::desktop {
 
 class SessionFilterBar;
-class SessionTableModel;
 class StatePanel;
 class WorkToken;
 
@@ -37,11 +39,15 @@ signals:
     void firstRowsShown();
     void loaded();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QWidget* buildHead();
     QWidget* buildTable();
     QWidget* buildActions();
     void connectTable();
+    void fitColumns(); ///< those that the table has room for
     void load();
     void loadRest(database::SessionId before);
     void take(core::Result<std::vector<SessionRow>> rows, bool first);
@@ -61,6 +67,7 @@ private:
     SessionFilterBar* m_filterBar = nullptr;
     SessionTableModel* m_model = nullptr;
     QTableView* m_table = nullptr;
+    std::array<int, SessionTableModel::columns> m_widths{}; ///< pixels
     StatePanel* m_panel = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_open = nullptr;

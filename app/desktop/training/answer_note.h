@@ -9,14 +9,15 @@
 
 #include <QLocale>
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace chiron::desktop {
 
-/// What is said over the scene for two seconds once a trial has its answer or its end: how far a mark lies from the top where the
-/// level gives feedback, that it was taken where it does not, and that time ran out. GUI thread.
+/// What is said over the scene for two seconds once a trial has its answer or its end: where the level gives feedback, how far a mark
+/// lies from the top, or which lumps were found; where it does not, that it was taken; and that time ran out. GUI thread.
 class AnswerNote {
 public:
     static constexpr std::int64_t kSaid_ns = 2'000'000'000;
@@ -31,11 +32,14 @@ public:
 
 private:
     QString markedWords(const session::LiveSample& at) const;
+    QString foundWords() const; ///< of the findings as they were at the end; empty where nothing was to be found
 
     bool m_feedback;
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
     int m_trial = 0; ///< that runs, or ran last
+    bool m_palpates = false;
+    std::array<core::Finding, core::kMaxFindings> m_findings{}; ///< in the newest state of the trial
     QString m_said;
     std::int64_t m_since_ns = 0;
 };

@@ -21,10 +21,10 @@ HeaderBar::HeaderBar(const Theme& theme, const QLocale& locale, const Titles& ti
     auto* what = new QVBoxLayout;
     what->setSpacing(0);
     what->addWidget(kit::label(theme, tr("%1: %2").arg(titles.exercise, titles.level), TextStyle::strong));
-    auto* device = kit::label(theme, titles.familiarisation ? tr("%1 · familiarisation, not counted").arg(titles.device) : titles.device,
+    m_device = kit::label(theme, titles.familiarisation ? tr("%1 · familiarisation, not counted").arg(titles.device) : titles.device,
                               TextStyle::small, "muted");
-    device->setObjectName(QStringLiteral("training.device"));
-    what->addWidget(device);
+    m_device->setObjectName(QStringLiteral("training.device"));
+    what->addWidget(m_device);
     row->addLayout(what, 3);
     m_trial = kit::label(theme, {}, TextStyle::title);
     m_trial->setObjectName(QStringLiteral("training.trial"));
@@ -53,6 +53,8 @@ void HeaderBar::show(const haptics::DisplayState& state) {
     m_shownLeft_s = left_s;
     m_left->setText(left_s == kNoTime ? QString() : tr("%1 s left").arg(m_locale.toString(left_s)));
 }
+
+void HeaderBar::setCompact(bool compact) { m_device->setVisible(!compact); }
 
 void HeaderBar::setMuted(bool muted) {
     if (!m_mute)

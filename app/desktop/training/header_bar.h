@@ -28,6 +28,7 @@ public:
     HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state);
+    void setCompact(bool compact); ///< one line, where the scene needs the height
     void setMuted(bool muted);
     void setSilent(const QString& why); ///< no output: said here, once, quietly
 
@@ -38,6 +39,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     int m_trials;
+    QLabel* m_device = nullptr;
     QLabel* m_trial;
     QLabel* m_left;
     QPushButton* m_mute = nullptr;

@@ -48,6 +48,8 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     if (m_kind != Kind::brief) {
         if (!facts.gates.isEmpty())
             line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))), "training.ready.gates");
+        if (!facts.marks.isEmpty())
+            line(tr("In the scene:\n•  %1").arg(facts.marks.join(QStringLiteral("\n•  "))), "training.ready.marks");
         line(facts.keys, "training.ready.keys", "muted");
     }
     column.addStretch(1);

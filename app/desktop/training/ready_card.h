@@ -18,6 +18,7 @@ struct ReadyFacts {
     QString goal;                      ///< the objective in one sentence
     std::vector<ControlHint> controls; ///< of the device in hand
     QString keys;                      ///< all of its controls, as a line of text
+    QStringList marks;                 ///< what the marks in the scene mean
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
     QString clock;                     ///< how many trials, and when the clock starts

@@ -30,6 +30,7 @@ namespace {
 constexpr double kSideWidth_px = 290;
 constexpr double kEndoscopeSideWidth_px = 372; // more is measured, and the round picture is as large beside it
 constexpr char kDetails[] = "all_measurements"; // a person's setting
+constexpr double kCompactBelow_px = 420; // of the height
 constexpr double kLargestSideShare = 0.44; // of a small window: the scene stays the larger part
 } // namespace
 
@@ -228,10 +229,10 @@ void TrainingScreen::buildKeys() {
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
     const double wanted_px = isEndoscope() || m_palpated ? kEndoscopeSideWidth_px : kSideWidth_px;
-    if (m_palpated) { // more keys than elsewhere: large letters in a small window would leave no room for the scene; Help has them too
-        constexpr double kLargestKeysShare = 0.13;
-        m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
-    }
+    // Large letters in a small window: the scene keeps its room. The ready card and Help have the keys too.
+    constexpr double kLargestKeysShare = 0.13;
+    m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
+    m_header->setCompact(height() < context().theme().px(kCompactBelow_px));
     m_side->setFixedWidth(std::min(context().theme().px(wanted_px), static_cast<int>(kLargestSideShare * width())));
 }
 

@@ -9,6 +9,7 @@
 #include "desktop/widgets/state_panel.h"
 
 #include <QStackedWidget>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -28,6 +29,12 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.limit = tr("Force limit: %1 N. %2.").arg(context().locale().toString(m_limit_N, 'g', 3), deviceTitle(m_plan));
     for (const scoring::Gate& gate : m_level->gates)
         facts.gates << gateInWords(gate, context().locale());
+    if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_level->exercise)) {
+        const std::vector<std::string>& cues = session::cueWordsOf(*m_level, false);
+        for (const catalogue::LegendLine& line : exercise->legend)
+            if (std::find(cues.begin(), cues.end(), line.cue) != cues.end())
+                facts.marks << text(line.text);
+    }
     const auto kind = session::exerciseKind(m_level->exercise);
     facts.clock = tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, kind ? (*kind)->trialCount(*m_level) : 1);
     return facts;

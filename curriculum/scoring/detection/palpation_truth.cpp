@@ -74,6 +74,7 @@ std::optional<PalpationTruth> palpationTruthOf(std::span<const NamedValue> truth
     out.bandLow_N = read.optional("band_low_N");
     out.bandHigh_N = read.optional("band_high_N");
     out.coverForce_N = read.optional("cover_force_N");
+    out.introduction = read.optional("introduction") != 0.0;
     out.asksSize = read.optional("asks_size") != 0.0;
     out.asksHardness = read.optional("asks_hardness") != 0.0;
     return read.whole() ? std::optional(std::move(out)) : std::nullopt;

@@ -29,6 +29,7 @@ struct PalpationTruth {
     double bandLow_N = 0.0; ///< high ≤ low: the trace has no band
     double bandHigh_N = 0.0;
     double coverForce_N = 0.0;
+    bool introduction = false; ///< had a lump because the level says so, and is left out of d′, c and the ROC
     bool asksSize = false;
     bool asksHardness = false;
 };

@@ -33,7 +33,7 @@ MetricDefinition palpationDPrimeMetric2() {
     MetricDefinition metric = palpationDPrimeMetric();
     metric.version = 2;
     metric.definition = "d' = z(H) - z(F) over the regions of all trials; with p the share of regions with a lump, H = (hits + p)/(regions with a lump + 2p), F = "
-                        "(false alarms + 1 - p)/(regions without + 2(1 - p)): 0 for who says nothing; a lump pressed harder than the limit is not found; absent below 20 of either kind.";
+                        "(false alarms + 1 - p)/(regions without + 2(1 - p)): 0 for who says nothing; a trial that has a lump because the level introduces itself with one is left out; a lump pressed harder than the limit is not found; absent below 20 of either kind.";
     metric.measure = measurePalpationDPrime2;
     return metric;
 }

@@ -14,6 +14,8 @@ Measurement measurePalpationRocAreaOf(const JudgedTrials& judgedTrials) {
     RatingCounts ratings;
     bool rated = false;
     for (const PalpationAnswer& answer : answers) {
+        if (answer.truth.introduction)
+            continue;
         ratings.add(answer.regions);
         for (const DetectionRegion& region : answer.regions)
             rated = rated || region.confidence > 0;
@@ -39,7 +41,7 @@ MetricDefinition palpationRocAreaMetric() {
             .aggregate = Aggregate::pooled,
             .tools = MetricTools::first,
             .definition = "Area under the ROC of the regions of all trials, straight lines between the confidence ratings 5 to "
-                          "1, unrated and not reported; 0.5 says nothing, 1 is perfect; absent below 20 regions of either kind.",
+                          "1, unrated and not reported; a trial that has a lump because the level introduces itself with one is left out; 0.5 says nothing, 1 is perfect; absent below 20 regions of either kind.",
             .source = "Macmillan & Creelman 2005, ch. 3",
             .measure = measurePalpationRocArea};
 }

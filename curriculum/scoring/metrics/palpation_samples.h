@@ -73,11 +73,12 @@ inline int lumpsOf(const std::vector<PalpationAnswer>& answers) {
     return lumps;
 }
 
-/// Regions of all trials, pooled.
+/// Regions of all trials, pooled; those of an introduction are left out.
 inline core::DetectionCounts countsOf(const std::vector<PalpationAnswer>& answers) {
     core::DetectionCounts counts;
     for (const PalpationAnswer& answer : answers)
-        counts += countsOf(answer.regions);
+        if (!answer.truth.introduction)
+            counts += countsOf(answer.regions);
     return counts;
 }
 

@@ -48,6 +48,11 @@ inline std::vector<desktop::SessionRow> madeRows(int count, const desktop::Exerc
         s.frames = s.ticks;
         if (s.state == database::SessionState::completed)
             s.passed = n % 3 == 0;
+        s.gates = 3;
+        s.gatesMet = n % 4;
+        s.comments = n % 5;
+        s.reviewed = n % 5 > 2;
+        s.operatorName = n % 6 == 2 ? "expert" : "";
         rows.push_back(desktop::makeSessionRow(std::move(s), titles));
     }
     return rows;

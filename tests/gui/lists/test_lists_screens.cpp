@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 
@@ -149,6 +150,52 @@ private slots:
         QTest::keyClick(table, Qt::Key_Return); // 3
         QCOMPARE(here(desktop).screen, QStringLiteral("debrief"));
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("session")).toInt(), 123);
+    }
+
+    /// What a small window has no room for goes whole, and what matters stays.
+    void nothingIsCutInASmallWindow() {
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}) {
+            DesktopFixture desktop;
+            desktop.context.settings().setLanguage(language);
+            desktop.context.applyAppearance();
+            tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 30);
+            desktop.window->resize(1280, 720);
+            desktop.logIn("tom");
+            QVERIFY(openSessions(desktop));
+            auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
+            QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+            using Model = SessionTableModel;
+            for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
+                QVERIFY(!table->isColumnHidden(column));
+            QVERIFY(table->isColumnHidden(Model::number));
+            desktop.window->resize(2400, 900);
+            QTRY_VERIFY(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName));
+        }
+    }
+
+    void commentsAndReviewAreCounted() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 2);
+        const auto say = [&](const char* who, database::SessionId session) {
+            const auto actor = desktop.actor(who);
+            QVERIFY(desktop.database().write([&](database::WriteContext& write) {
+                return database::SessionRepository(write.connection(), actor).addComment(session, "Slower here.", {});
+            }));
+        };
+        say("tina", 1);
+        say("tina", 2);
+        say("tom", 2);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        const auto row = [&](database::SessionId id) { return screen->model().at(screen->model().rowOf(id)).summary; };
+        QCOMPARE(row(1).comments, 1);
+        QVERIFY(!row(1).reviewed); // one's own remark is no review
+        QCOMPARE(row(2).comments, 2);
+        QVERIFY(row(2).reviewed);
+        QCOMPARE(row(1).gates, 1);
+        QCOMPARE(row(1).gatesMet, 1);
+        QCOMPARE(row(2).gatesMet, 0);
     }
 
     void backReturnsToTheFilter() {

@@ -189,8 +189,11 @@ void TestDebrief::aTrainersCommentArrives() {
     QVERIFY(!atHome()); // one's own is no news
     comment(m_site->actor("tom"), "Go round the top once more.", 1500);
     comment(m_site->actor("tom"), "Good start.", {});
+    const auto badge = [&] { return m_site->find<QPushButton>(QStringLiteral("nav.home"))->text(); };
+    QCOMPARE(badge(), QStringLiteral("Home"));
     QWidget* notice = atHome();
     QVERIFY(notice);
+    QCOMPARE(badge(), QStringLiteral("Home (1)"));
     QStringList words;
     for (const QLabel* label : notice->findChildren<QLabel*>())
         words << label->text();
@@ -200,6 +203,7 @@ void TestDebrief::aTrainersCommentArrives() {
     open(id);
     const QStringList comments = texts("debrief.comment");
     QCOMPARE(comments.size(), 3);
+    QCOMPARE(badge(), QStringLiteral("Home")); // read
     QVERIFY(comments.contains(QStringLiteral("Tom Trainer: Good start.")));
     QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer, at ")) && comments.last().endsWith(QStringLiteral(": Go round the top once more.")), qPrintable(comments.last()));
     auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_watch"));

@@ -9,12 +9,16 @@
 #include "review_sessions.h"
 #include "session/playback_builder.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
+#include <QWheelEvent>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -32,6 +36,10 @@ private slots:
     void cursorsAndScrubberAgree();
     void keysStepAndSeek();
     void playsAndStopsAtTheEnd();
+    void pausesAreSkipped();
+    void thePlotsZoom();
+    void theWheelIsThePages();
+    void aKeyOpensTheCommentField();
     void marksJump();
     void ghostBesideIt();
     void ghostsAreOfTheSameDeviceClass();
@@ -152,6 +160,88 @@ void TestPlayback::playsAndStopsAtTheEnd() {
     QCOMPARE(clock.position_s(), 0.0);
     clock.seek(-5.0);
     QCOMPARE(clock.position_s(), 0.0);
+}
+
+void TestPlayback::pausesAreSkipped() {
+    open(m_bad, {{QStringLiteral("at_s"), 4.9}});
+    const auto& paused = screen()->clock();
+    auto* skip = find<QCheckBox>("playback.skip_pauses");
+    QVERIFY(skip && skip->isChecked());
+    screen()->clock().play();
+    screen()->clock().advance(0.2);
+    QVERIFY2(paused.position_s() >= 6.5 - 0.01 && paused.position_s() < 6.7, qPrintable(QString::number(paused.position_s())));
+    screen()->clock().pause();
+    screen()->clock().seek(5.5); // who wants to see it goes there
+    QCOMPARE(paused.position_s(), 5.5);
+    skip->setChecked(false);
+    screen()->clock().seek(4.9);
+    screen()->clock().play();
+    screen()->clock().advance(0.2);
+    QVERIFY(std::abs(paused.position_s() - 5.1) < 1e-9);
+    screen()->clock().pause();
+    open(m_good);
+    QVERIFY(!find<QCheckBox>("playback.skip_pauses")); // nothing to skip
+}
+
+void TestPlayback::thePlotsZoom() {
+    open(m_bad, {{QStringLiteral("at_s"), 8.0}});
+    auto* plots = screen()->findChild<desktop::PlaybackPlots*>();
+    const double whole_s = plots->to_s();
+    QCOMPARE(plots->from_s(), 0.0);
+    const double share = plots->force().pixelOf(8.0);
+    auto* scrubber = find<desktop::Scrubber>("playback.scrubber");
+    QTest::keyClick(scrubber, Qt::Key_Plus);
+    QVERIFY(std::abs(plots->to_s() - plots->from_s() - 0.5 * whole_s) < 1e-9);
+    QVERIFY(std::abs(plots->force().pixelOf(8.0) - share) < 1.5); // what is looked at stays where it was
+    QCOMPARE(plots->force().xLow(), plots->from_s());
+    QCOMPARE(plots->speed().xHigh(), plots->to_s()); // all together
+    for (int i = 0; i < 20; ++i)
+        QTest::mouseClick(find<QPushButton>("playback.zoom_in"), Qt::LeftButton);
+    QCOMPARE(plots->to_s() - plots->from_s(), 0.5); // and no farther
+    screen()->clock().seek(2.0); // beyond the page: it is turned
+    QVERIFY(plots->from_s() <= 2.0 && plots->to_s() >= 2.0);
+    QVERIFY(std::abs(plots->to_s() - plots->from_s() - 0.5) < 1e-9);
+    QTest::mouseClick(find<QPushButton>("playback.zoom_out"), Qt::LeftButton);
+    QVERIFY(std::abs(plots->to_s() - plots->from_s() - 1.0) < 1e-9);
+    screen()->clock().seek(screen()->clock().duration_s());
+    QVERIFY(std::abs(plots->to_s() - whole_s) < 1e-9);
+    QTest::keyClick(scrubber, Qt::Key_0);
+    QCOMPARE(plots->from_s(), 0.0);
+    QCOMPARE(plots->to_s(), whole_s);
+    QTest::keyClick(scrubber, Qt::Key_Minus); // nothing beyond all
+    QCOMPARE(plots->to_s(), whole_s);
+}
+
+void TestPlayback::theWheelIsThePages() {
+    open(m_bad);
+    auto* canvas = find<QWidget>("playback.force")->findChild<QWidget*>();
+    QWheelEvent turned(canvas->rect().center(), canvas->mapToGlobal(canvas->rect().center()), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    turned.setAccepted(true);
+    auto* page = screen()->findChild<QScrollArea*>();
+    m_site->window->resize(1280, 500);
+    QTRY_VERIFY(page->verticalScrollBar()->maximum() > 0);
+    page->verticalScrollBar()->setValue(0);
+    QApplication::sendEvent(canvas, &turned);
+    QVERIFY(page->verticalScrollBar()->value() > 0);
+    m_site->window->resize(1280, 800);
+}
+
+/// Within the first screen, above what was said before.
+void TestPlayback::aKeyOpensTheCommentField() {
+    m_site->window->resize(1280, 800);
+    m_site->logIn("tom");
+    open(m_bad, {{QStringLiteral("at_s"), 3.0}});
+    screen()->clock().play();
+    QTest::keyClick(find<desktop::Scrubber>("playback.scrubber"), Qt::Key_C);
+    auto* field = find<QPlainTextEdit>("playback.comment_text");
+    QTRY_COMPARE(QApplication::focusWidget(), field);
+    QVERIFY(!screen()->clock().playing()); // the moment does not run away
+    QVERIFY(field->mapTo(screen(), QPoint(0, field->height())).y() < screen()->height());
+    auto* list = find<QListWidget>("playback.comments");
+    QVERIFY(field->mapTo(screen(), QPoint()).y() < list->mapTo(screen(), QPoint()).y());
+    QTest::keyClicks(field, QStringLiteral("c0+"));
+    QCOMPARE(field->toPlainText(), QStringLiteral("c0+")); // letters are letters there
+    m_site->context.logIn(*m_tina);
 }
 
 void TestPlayback::marksJump() {

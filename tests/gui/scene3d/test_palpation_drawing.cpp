@@ -4,6 +4,7 @@
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/palpation/finding_flag.h"
 #include "desktop/scene3d/palpation/finger_mesh.h"
+#include "desktop/scene3d/palpation/hand_mesh.h"
 #include "desktop/scene3d/palpation/finger_pose.h"
 #include "desktop/scene3d/palpation/map_legend.h"
 #include "desktop/scene3d/palpation/map_picture.h"
@@ -160,6 +161,30 @@ private slots:
         QVERIFY2(std::abs(lowest) < 0.8, qPrintable(QString::number(lowest)));
         for (int i = 1; i < core::kMaxTools; ++i)
             QVERIFY(fingerBands(i + 1).vertices.size() > fingerBands(i).vertices.size());
+    }
+
+    /// Whole, from the knuckle to the cuff, on its own side, and never in the tissue before the finger is.
+    void theHandIsBehindItsFinger() {
+        for (const int used : {1, 2}) {
+            const TriangleMesh right = handMesh(used, false);
+            const TriangleMesh left = handMesh(used, true);
+            QCOMPARE(facingWrong(right), 0);
+            QCOMPARE(facingWrong(left), 0);
+            QCOMPARE(left.vertices.size(), right.vertices.size());
+            double middle_mm = 0.0, lowest_mm = 1e3, farthest_mm = 1e3;
+            for (std::size_t i = 0; i < right.vertices.size(); ++i) {
+                const auto& p = right.vertices[i].position_mm;
+                middle_mm += double(p[0]) / double(right.vertices.size());
+                lowest_mm = std::min(lowest_mm, double(p[2]));
+                farthest_mm = std::min(farthest_mm, double(p[1]));
+                QVERIFY(p[1] < 0.0F);
+                QCOMPARE(left.vertices[i].position_mm[0], -p[0]);
+            }
+            QVERIFY2(lowest_mm > 8.0, qPrintable(QString::number(lowest_mm))); // a finger presses deeper than it without the hand's help
+            QVERIFY(middle_mm > 5.0); // thumb to the left, palm down
+            QVERIFY(farthest_mm < -200.0);
+        }
+        QVERIFY(handMesh(2, false).vertices.size() < handMesh(1, false).vertices.size()); // the second finger is drawn by itself
     }
 
     void mapSaysWhereWasPressed() {

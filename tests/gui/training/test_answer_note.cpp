@@ -97,6 +97,48 @@ private slots:
         QVERIFY(training >= 2); // one that hides its ball among them
     }
 
+    /// By the same rule as the score: within reach of the place above the lump, and each lump once.
+    void aTrainingLevelTellsWhatWasFound() {
+        int training = 0;
+        for (const catalogue::ExerciseLevel& level : m_catalogue->find("palpation")->levels) {
+            if (!level.feedback)
+                continue;
+            ++training;
+            const auto truth = (*session::exerciseKind("palpation"))->makeSurfaces(level, kSeed);
+            bool without = false;
+            for (int trial = 0; truth->object(trial); ++trial) {
+                const auto lumps = truth->object(trial)->lumps;
+                without = without || lumps.empty();
+                QVERIFY(trial > 0 || lumps.size() == 1); // the introduction
+                const auto after = [&](std::vector<core::Vec3> places) {
+                    AnswerNote note = noteOf(level);
+                    haptics::DisplayState state = stateAt(1.0, trial, core::TrialPhase::running);
+                    state.palpation.present = true;
+                    for (std::size_t i = 0; i < places.size(); ++i)
+                        state.palpation.finding[i] = {true, {places[i].x(), places[i].y(), places[i].z()}, 0.0, 0, 0};
+                    note.take(state, {});
+                    note.take(stateAt(1.1, trial, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
+                    return note.note(1'100'000'000).title;
+                };
+                if (lumps.empty()) {
+                    QCOMPARE(after({}), QStringLiteral("Trial completed. Right: there was no lump"));
+                    QCOMPARE(after({core::Vec3::Zero()}), QStringLiteral("Trial completed. There was no lump, 1 false alarm"));
+                    continue;
+                }
+                const core::Vec3 above = lumps.front().p_WAbove;
+                const double reach = lumps.front().reach_m;
+                const core::Vec3 inward = above.x() > 0.0 ? -core::Vec3::UnitX() : core::Vec3::UnitX();
+                QCOMPARE(after({above + 0.004 * inward}), QStringLiteral("Trial completed. Lump found, 4.0 mm off"));
+                QVERIFY(after({above + (reach - 1e-6) * inward}).contains(QStringLiteral("found")));
+                QCOMPARE(after({above + (reach + 1e-4) * inward}), QStringLiteral("Trial completed. The lump was missed, 1 false alarm"));
+                QCOMPARE(after({}), QStringLiteral("Trial completed. The lump was missed"));
+                QVERIFY(after({above, above + 0.001 * inward}).contains(QStringLiteral("1 false alarm"))); // one lump is found once
+            }
+            QVERIFY(without); // a level without an empty pad would hide a mistake here
+        }
+        QCOMPARE(training, 2);
+    }
+
     void anAssessmentTellsThatItWasTaken() {
         const catalogue::ExerciseLevel& level = *m_catalogue->find("sphere_apex", 5);
         QVERIFY(!level.feedback);

@@ -37,6 +37,7 @@ private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void startIsEnough();
     void enterStarts();
+    void anExpertCanBeWatchedFirst();
     void saysWhatIsAskedFor();
     void recommendsTheNextLevel();
     void demonstrationIsNobodysScore();
@@ -67,6 +68,24 @@ void TestExerciseSetup::enterStarts() {
     QTRY_VERIFY(tile(bench, QStringLiteral("setup.start"))->hasFocus());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QVERIFY(bench.at(QStringLiteral("training")));
+}
+
+void TestExerciseSetup::anExpertCanBeWatchedFirst() {
+    TrainingBench bench;
+    open(bench, {{QStringLiteral("level"), 1}});
+    auto* watch = tile(bench, QStringLiteral("setup.watch"));
+    QVERIFY(watch->isVisibleTo(screen(bench)));
+    tile(bench, QStringLiteral("setup.device.demonstration"))->click();
+    QVERIFY(!watch->isVisibleTo(screen(bench))); // Start watches already
+    tile(bench, QStringLiteral("setup.device.mouse"))->click();
+    tile(bench, QStringLiteral("setup.level.2"))->click();
+    watch->setFocus();
+    QTest::keyClick(watch, Qt::Key_Return); // the button that has the focus, and not Start
+    QVERIFY(bench.at(QStringLiteral("training")));
+    const desktop::TrainingPlan plan = desktop::TrainingPlan::fromMap(bench.desktop.context.navigator().current().parameters);
+    QVERIFY(plan.device == desktop::PlanDevice::demonstration);
+    QCOMPARE(plan.operatorName, QStringLiteral("expert"));
+    QCOMPARE(plan.level, 2);
 }
 
 void TestExerciseSetup::saysWhatIsAskedFor() {

@@ -54,6 +54,7 @@ private slots:
     void progressOnlyWhereItMayBeTold();
     void everyValueIsShown();
     void aLevelWithoutCuesTellsNothing();
+    void aTraineeSeesWhatTheyNeed();
     void overTheLimitIsSaid();
     void fitsItsPlace();
 
@@ -144,6 +145,35 @@ void TestInsertionPanel::aLevelWithoutCuesTellsNothing() {
     words.remove(panel.findChild<QLabel*>(QStringLiteral("training.elapsed"))->text());
     QVERIFY2(!words.contains(QRegularExpression(QStringLiteral("\\d"))), qPrintable(words));
     QVERIFY(!words.contains(QStringLiteral("limit")));
+}
+
+/// Who learns sees depth, place and two plots; an expert also the six components; lost samples are everybody's business.
+void TestInsertionPanel::aTraineeSeesWhatTheyNeed() {
+    const simulation::UrethraInsertionParameters p;
+    InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
+    const auto shown = [&](const char* name) {
+        auto* part = panel.findChild<QWidget*>(QLatin1String(name));
+        return part && part->isVisibleTo(&panel);
+    };
+    const std::array needed{"training.stage", "training.resistance_bar", "training.lateral_bar", "training.depth", "training.offset", "training.alignment", "training.force_plot", "training.offset_plot"};
+    const std::array details{"training.force_x", "training.force_y", "training.force_z", "training.torque_x", "training.torque_y", "training.torque_z", "training.tip_x",
+                             "training.lateral_plot", "training.alignment_plot", "training.loop"};
+    QVERIFY(!panel.detailed());
+    for (const bool detailed : {false, true, false}) {
+        panel.setDetailed(detailed);
+        for (const char* name : needed)
+            QVERIFY2(shown(name), name);
+        for (const char* name : details)
+            QVERIFY2(shown(name) == detailed, name);
+    }
+    haptics::DisplayState state;
+    state.lateTicks = 198;
+    panel.show(state, {});
+    QVERIFY(!shown("training.loop"));
+    state.droppedFrames = 1;
+    for (int frame = 0; frame < 7; ++frame)
+        panel.show(state, {});
+    QVERIFY(shown("training.loop"));
 }
 
 void TestInsertionPanel::overTheLimitIsSaid() {

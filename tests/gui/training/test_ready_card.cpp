@@ -96,6 +96,11 @@ void TestReadyCard::saysWhatToDo() {
         QVERIFY(bench.text("training.ready.gates").contains(desktop::gateInWords(gate, bench.desktop.context.locale())));
     QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
     QVERIFY(!bench.text("training.ready.keys").isEmpty());
+    // What is drawn to guide is explained; what this level does not draw is not.
+    const std::vector<std::string>& cues = session::cueWordsOf(level, false);
+    const QString marks = bench.text("training.ready.marks");
+    for (const catalogue::LegendLine& line : bench.desktop.site.catalogue().find(exercise.toStdString())->legend)
+        QCOMPARE(marks.contains(QString::fromStdString(line.text.at("en"))), std::find(cues.begin(), cues.end(), line.cue) != cues.end());
 }
 
 void TestReadyCard::everyLevelHasAGoal() {

@@ -6,6 +6,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "haptics/safety_settings.h"
 
+#include <QCheckBox>
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QWindow>
@@ -54,6 +55,7 @@ class TestTrainingScreen : public QObject {
 private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void aWholeSetWithTheMouse();
+    void measurementsAreThePersons();
     void onlyKeys();
     void keysWhileTheSceneHasTheFocus();
     void aDialogPauses();
@@ -104,6 +106,28 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
     QCOMPARE(trials->size(), std::size_t{3});
     for (const database::TrialRecord& trial : *trials)
         QVERIFY(trial.marked);
+}
+
+/// Measurements for a trainee to begin with, all of them on request, and remembered; a trainer has them all from the start.
+void TestTrainingScreen::measurementsAreThePersons() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    const auto details = [&] { return bench.desktop.find<QCheckBox>(QStringLiteral("training.details")); };
+    const auto torque = [&] { return bench.screen()->findChild<QWidget*>(QStringLiteral("training.torque_bar"))->isVisibleTo(bench.screen()); };
+    QVERIFY(!details()->isChecked() && !torque());
+    bench.key(Qt::Key_F4);
+    QVERIFY(details()->isChecked() && torque());
+    bench.screen()->feed()->training().requestStop();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    bench.show();
+    QVERIFY(details()->isChecked());
+    bench.desktop.logIn("theo"); // each their own
+    bench.show();
+    QVERIFY(!details()->isChecked());
+    bench.desktop.logIn("tom");
+    bench.show();
+    QVERIFY(details()->isChecked());
 }
 
 void TestTrainingScreen::onlyKeys() {

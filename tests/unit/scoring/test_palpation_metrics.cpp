@@ -5,6 +5,7 @@
 #include "palpation_traces.h"
 #include "scoring/detection/palpation_truth.h"
 #include "scoring/metric.h"
+#include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
@@ -97,6 +98,25 @@ private slots:
         std::erase_if(unasked.truth, [](const NamedValue& v) { return v.id.starts_with("asks"); });
         QCOMPARE(reasonOf({unasked}, "size_error"), QString("the level asks for no size"));
         QCOMPARE(reasonOf({unasked}, "hardness_order"), QString("the level asks for no hardness"));
+    }
+
+    /// That a lump lies there is known beforehand: no evidence of detection. Everything else counts it.
+    void anIntroductionIsLeftOutOfDetection() {
+        const auto plain = oneLumpEach(40, 30, 20);
+        auto introduced = plain;
+        TrialTrace first = MadeTrial({{0.0, 0.0}}).found(0, 0.0, 0.0, 5);
+        first.truth.push_back({"introduction", 1.0});
+        introduced.insert(introduced.begin(), first);
+        for (const char* metric : {"palpation_d_prime", "palpation_d_prime_low", "palpation_d_prime_high", "palpation_criterion", "palpation_roc_area"})
+            for (const int version : {1, 2})
+                if (findMetric(metric, version)) {
+                    QVERIFY(std::isfinite(valueOf(plain, metric, version)));
+                    QCOMPARE(valueOf(introduced, metric, version), valueOf(plain, metric, version));
+                }
+        QCOMPARE(valueOf(introduced, "palpation_hits"), valueOf(plain, "palpation_hits") + 1.0);
+        first.truth.back().value = 0.0; // and without the mark it is one as any other
+        introduced.front() = first;
+        QVERIFY(valueOf(introduced, "palpation_d_prime") > valueOf(plain, "palpation_d_prime"));
     }
 
     void hardness() {

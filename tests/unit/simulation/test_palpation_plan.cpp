@@ -78,6 +78,43 @@ private slots:
             QVERIFY(std::abs(here - 1000.0 / 3.0) < 75.0);
     }
 
+    /// A level that teaches begins with a lump; the empty trials are drawn among the others, and nothing else changes.
+    void anIntroductionHasALump() {
+        PalpationParameters p = severalInABreast();
+        p.lumpsLow = 0; // even where a trial may come out empty by itself
+        PalpationParameters introduced = p;
+        introduced.lumpFirst = true;
+        std::array<int, 6> catches{};
+        bool wouldHaveBeenEmpty = false;
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+            const auto trials = planPalpationTrials(introduced, seed);
+            const auto plain = planPalpationTrials(p, seed);
+            wouldHaveBeenEmpty = wouldHaveBeenEmpty || plain[0].lumps == 0;
+            for (std::size_t i = 0; i < trials.size(); ++i) {
+                keepsItsConstraints(introduced, trials[i]);
+                if (QTest::currentTestFailed())
+                    return;
+                QCOMPARE(trials[i].introduction, i == 0);
+                QVERIFY(!plain[i].introduction);
+            }
+            QVERIFY(trials[0].lumps >= 1);
+        }
+        QVERIFY(wouldHaveBeenEmpty);
+        introduced.lumpsLow = p.lumpsLow = 1;
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+            const auto trials = planPalpationTrials(introduced, seed);
+            QCOMPARE(std::count_if(trials.begin(), trials.end(), [](const PalpationTrial& t) { return t.lumps == 0; }), 2);
+            for (std::size_t i = 0; i < trials.size(); ++i)
+                catches[i] += trials[i].lumps == 0 ? 1 : 0;
+        }
+        QCOMPARE(catches[0], 0);
+        for (std::size_t i = 1; i < catches.size(); ++i)
+            QVERIFY(std::abs(catches[i] - 1000.0 * 2.0 / 5.0) < 80.0); // two of five, 5 standard deviations
+        introduced.catchTrials = introduced.trials - 1; // the only one that is not empty
+        const auto trials = planPalpationTrials(introduced, 7);
+        QVERIFY(trials[0].lumps >= 1 && std::all_of(trials.begin() + 1, trials.end(), [](const PalpationTrial& t) { return t.lumps == 0; }));
+    }
+
     // What the control moves is at a good place before and after.
     void movedPlacesKeepThemToo() {
         PalpationParameters p = severalInABreast();

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::scene3d {
@@ -36,18 +37,48 @@ void FlatFingers::paintOutline(const ToolView& tool, std::size_t index, const QC
     QPainterPath line(along(tool, index, 2.0, 7.7));
     line.lineTo(along(tool, index, -11.0, 11.2));
     line.lineTo(along(tool, index, -34.0, 24.6));
-    line.lineTo(along(tool, index, -52.0, 38.4));
+    line.lineTo(along(tool, index, -53.0, 38.4));
+    line.lineTo(along(tool, index, -74.0, 47.0));
     QPainterPathStroker stroker;
     stroker.setWidth(m_panel.pixels(kWide_mm));
     stroker.setCapStyle(Qt::RoundCap);
     stroker.setJoinStyle(Qt::RoundJoin);
-    const QPainterPath finger = stroker.createStroke(line).simplified();
+    QPainterPath finger = stroker.createStroke(line).simplified();
+    if (!ghost && static_cast<int>(index) % std::max(1, std::get<simulation::PalpationParameters>(m_setup.parameters).fingers) == 0)
+        finger = finger.united(backOfHand(tool, index));
     QColor fill = glove;
-    fill.setAlphaF(ghost ? 0.22F : m_panel.side() == FlatPanel::Side::above ? 0.45F : 0.72F); // what lies below is seen
+    fill.setAlphaF(ghost ? 0.22F : 1.0F);
     m_painter.setBrush(fill);
     m_painter.setPen(QPen(ghost ? m_setup.colours.ghost : m_setup.colours.ink, (m_setup.colours.highContrast ? 2.5 : 1.5) * m_panel.unit(),
                           ghost ? Qt::DashLine : Qt::SolidLine));
     m_painter.drawPath(finger);
+}
+
+/// The outline of hand_mesh.h, as it looks from here.
+QPainterPath FlatFingers::backOfHand(const ToolView& tool, std::size_t index) const {
+    const double side = isLeftHand(m_setup, index) ? -1.0 : 1.0;
+    const core::Quat held = tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
+    const core::Quat q = held * core::Quat(Eigen::AngleAxisd(fingerYaw_rad(m_setup, index), core::Vec3::UnitZ()));
+    const auto at = [&](double x_mm, double y_mm, double z_mm) {
+        return m_panel.project(drawnTip(tool) + q * core::Vec3(1e-3 * side * x_mm, 1e-3 * y_mm, 1e-3 * z_mm));
+    };
+    const auto rope = [&](std::initializer_list<QPointF> points, double wide_mm) {
+        QPainterPath middle(*points.begin());
+        for (const QPointF& point : points)
+            middle.lineTo(point);
+        QPainterPathStroker stroker;
+        stroker.setWidth(m_panel.pixels(wide_mm));
+        stroker.setCapStyle(Qt::RoundCap);
+        stroker.setJoinStyle(Qt::RoundJoin);
+        return stroker.createStroke(middle).simplified();
+    };
+    QPainterPath hand = rope({at(24, -90, 56), at(26, -140, 74)}, 62.0);             // back of the hand
+    hand = hand.united(rope({at(24, -150, 78), at(24, -226, 106)}, 58.0));           // wrist and cuff
+    hand = hand.united(rope({at(6, -126, 60), at(-22, -72, 34), at(-20, -40, 28)}, 20.0)); // thumb
+    const int used = std::get<simulation::PalpationParameters>(m_setup.parameters).fingers;
+    for (int i = used; i < 4; ++i)
+        hand = hand.united(rope({at(19.0 * i, -76.0 - 3.0 * i, 46), at(19.0 * i, -42.0 - 4.0 * i, 34)}, 18.0)); // folded fingers
+    return hand;
 }
 
 void FlatFingers::paintBands(const ToolView& tool, std::size_t index, bool active) const {

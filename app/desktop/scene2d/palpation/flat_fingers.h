@@ -5,6 +5,8 @@
 #include "desktop/scene3d/scene_state.h"
 #include "simulation/palpation/tissue_surface.h"
 
+#include <QPainterPath>
+
 class QPainter;
 
 namespace chiron::scene3d {
@@ -21,6 +23,7 @@ public:
 
 private:
     void paintOutline(const ToolView& tool, std::size_t index, const QColor& glove, bool ghost) const;
+    QPainterPath backOfHand(const ToolView& tool, std::size_t index) const;
     void paintBands(const ToolView& tool, std::size_t index, bool active) const;
     void paintDial(const SceneState& state, std::size_t index) const;
     void paintPlatform(const SceneState& state, std::size_t index) const;

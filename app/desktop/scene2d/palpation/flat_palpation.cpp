@@ -210,6 +210,14 @@ void FlatPalpation::paintFindings(QPainter& painter, const FlatPanel& panel, con
             continue;
         const QPointF foot = panel.project({finding.p_W[0], finding.p_W[1], finding.p_W[2]});
         const bool above = panel.side() == FlatPanel::Side::above;
+        if (above) { // a lump within it counts as found
+            const double reach = panel.pixels(1e3 * m_parameters.hitRadius_m);
+            painter.setBrush(Qt::NoBrush);
+            for (const auto& [colour, wide] : {std::pair{setup.colours.background, 4.0}, {setup.colours.ink, 1.8}}) {
+                painter.setPen(QPen(colour, wide * u));
+                painter.drawEllipse(foot, reach, reach);
+            }
+        }
         if (above && finding.radius_m > 0.0) { // as big as it was said to be
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(QColor(20, 12, 14), 1.5 * u, Qt::DotLine));

@@ -12,6 +12,7 @@ namespace {
 constexpr double kStick_mm = 13.0;
 constexpr float kFlag_mm = 13.0F; // with the room for the frame of the selected one
 constexpr int kFlag_px = 96;
+constexpr double kReachHalf_mm = 0.22; // half the line's width
 
 TriangleMesh stick() {
     TriangleMesh mesh;
@@ -29,8 +30,8 @@ TriangleMesh square() {
 
 } // namespace
 
-FindingPins::FindingPins(SharedLight& light, double elevation_rad, Qt3DCore::QNode* parent)
-    : QEntity(parent), m_stickTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)) {
+FindingPins::FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface, double reach_m, Qt3DCore::QNode* parent)
+    : QEntity(parent), m_surface(surface), m_stickTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)) {
     auto* material = light.effects.material("solid.vert", "signal.frag", {m_stickTint}, Blend::opaque, this);
     for (Pin& pin : m_pins) {
         pin.root = new Qt3DCore::QEntity(this);
@@ -42,13 +43,16 @@ FindingPins::FindingPins(SharedLight& light, double elevation_rad, Qt3DCore::QNo
         pin.flag = new Part(square(), light.effects.material("mark.vert", "face.frag", {face}, Blend::premultiplied, pin.root), pin.root);
         pin.flag->at().setTranslation({0.0F, 0.0F, float(kStick_mm + 4.0)});
         pin.flag->at().setRotation(QQuaternion::fromAxisAndAngle(1.0F, 0.0F, 0.0F, 90.0F - float(qRadiansToDegrees(elevation_rad))));
+        pin.reach = new Part(ringMesh(1e3 * reach_m, kReachHalf_mm), material, pin.root);
         pin.root->setEnabled(false);
     }
 }
 
-void FindingPins::putTranslucent(Qt3DRender::QLayer* layer) {
-    for (Pin& pin : m_pins)
+void FindingPins::putOver(Qt3DRender::QLayer* layer) {
+    for (Pin& pin : m_pins) {
         pin.flag->addComponent(layer);
+        pin.reach->addComponent(layer);
+    }
 }
 
 void FindingPins::change(const SceneSetup& setup) {
@@ -66,7 +70,9 @@ void FindingPins::show(const SceneState& state) {
         pin.root->setEnabled(shown);
         if (!shown)
             continue;
-        pin.at->setTranslation(toMillimetres({finding.p_W[0], finding.p_W[1], finding.p_W[2]}));
+        const core::Vec3 place(finding.p_W[0], finding.p_W[1], finding.p_W[2]);
+        pin.at->setTranslation(toMillimetres(place));
+        pin.reach->at().setRotation(QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(m_surface.normalAt(place.head<2>()))));
         const FindingFlag flag{static_cast<int>(i) + 1, state.outcome[i], state.palpation.selected == static_cast<int>(i)};
         if (pin.painted && pin.shown == flag)
             continue;

@@ -2,6 +2,7 @@
 #include "desktop/scene3d/palpation/finger.h"
 
 #include "desktop/scene3d/drawn_tool.h"
+#include "desktop/scene3d/palpation/hand_mesh.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "desktop/scene3d/parts/loft.h"
 
@@ -33,7 +34,7 @@ core::Quat turned(const core::Quat& q, double yaw_rad) { return q * core::Quat(E
 
 } // namespace
 
-Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3DCore::QNode* parent)
+Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers, Qt3DCore::QNode* parent)
     : QEntity(parent), m_index(index), m_body(new Qt3DCore::QEntity(this)) {
     m_pose = new Qt3DCore::QTransform(m_body);
     m_body->addComponent(m_pose);
@@ -44,12 +45,10 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3D
         return light.effects.material("solid.vert", "signal.frag", {colour}, blend, this);
     };
     auto* steel = light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, tint({1, 1, 1, 1}, this)}, Blend::opaque, this);
-    new Part(fingerMesh(), light.effects.material("organ.vert", "organ.frag", {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep}, Blend::opaque, this),
-             m_body);
-    for (int i = 0; i < kFingerEnds; ++i) {
-        m_endTint[i] = tint({0, 0, 0, 1}, this);
-        m_end[i] = new Part(fingerEndMesh(i), signal(m_endTint[i], Blend::translucent), m_body);
-    }
+    auto* glove = light.effects.material("organ.vert", "organ.frag", {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep}, Blend::opaque, this);
+    new Part(fingerMesh(), glove, m_body);
+    for (int left = 0; left < 2 && index % std::max(1, fingers) == 0; ++left)
+        m_hand[left] = new Part(handMesh(fingers, left == 1), glove, m_body);
     auto* band = signal(tint(toTint(ringColour(index)), this), Blend::opaque);
     for (int i = 0; i < core::kMaxTools; ++i) {
         m_bands[i] = new Part(fingerBands(i + 1), band, m_body);
@@ -67,15 +66,16 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3D
 
 void Finger::change(const SceneSetup& setup) {
     m_setup = setup;
-    const QColor glove = isLeftHand(setup, static_cast<std::size_t>(m_index)) ? kLeftGlove : kRightGlove;
+    const bool left = isLeftHand(setup, static_cast<std::size_t>(m_index));
+    const QColor glove = left ? kLeftGlove : kRightGlove;
     QVector4D pale = toTint(glove.lighter(116));
     QVector4D deep = toTint(glove);
     pale.setW(0.0F); // no vessels show
     deep.setW(0.42F);
     m_pale->setValue(pale);
     m_deep->setValue(deep);
-    for (int i = 0; i < kFingerEnds; ++i)
-        m_endTint[i]->setValue(toTint(glove, 0.84F - 0.21F * float(i)));
+    for (int side = 0; side < 2 && m_hand[side]; ++side)
+        m_hand[side]->setEnabled(left == (side == 1));
 }
 
 void Finger::show(const ToolView& tool, const FingerLean& lean, int bands, bool collar) {

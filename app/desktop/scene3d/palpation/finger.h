@@ -10,12 +10,13 @@
 
 namespace chiron::scene3d {
 
-/// A gloved finger with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
+/// A gloved finger, and with a hand's first one the hand behind it, with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
 /// gloves differ in colour and come from their own side; several fingers wear bands. Where the level has a pinch,
-/// a hand's first finger has the two blades of a grasper, drawn while they are open. Draw calls: 6, with lean 7, bands 1, collar 1, blades 2.
+/// a hand's first finger has the two blades of a grasper, drawn while they are open. Draw calls: 2, of a hand's first finger 3, with lean 2 more, bands 1, collar 1, blades 2.
 class Finger final : public Qt3DCore::QEntity {
 public:
-    Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, Qt3DCore::QNode* parent);
+    /// `fingers`: of each hand.
+    Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     /// `bands`, `collar`: of several fingers; `normal`: of the surface under it.
@@ -28,10 +29,6 @@ public:
         for (Part* blade : m_blade)
             blade->addComponent(layer);
     }
-    void putTranslucent(Qt3DRender::QLayer* layer) {
-        for (Part* end : m_end)
-            end->addComponent(layer);
-    }
 
 private:
     void showPlatform(const ToolView& tool, const FingerLean& lean);
@@ -43,9 +40,8 @@ private:
     Qt3DCore::QEntity* m_body;
     Qt3DRender::QParameter* m_pale;
     Qt3DRender::QParameter* m_deep;
-    Qt3DRender::QParameter* m_endTint[kFingerEnds];
     Qt3DRender::QParameter* m_leanTint;
-    Part* m_end[kFingerEnds];
+    Part* m_hand[2] = {nullptr, nullptr}; ///< right, left: of a hand's first finger
     Part* m_bands[core::kMaxTools];
     Part* m_collar;
     Part* m_ring;

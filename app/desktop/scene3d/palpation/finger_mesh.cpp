@@ -3,7 +3,6 @@
 
 #include "desktop/scene3d/parts/sweep.h"
 
-#include <algorithm>
 #include <array>
 
 namespace chiron::scene3d {
@@ -13,10 +12,8 @@ namespace {
 const std::array kLine{
     SweepRing{{0.0, 5.0, 7.4}, 6.0, 1.0},     SweepRing{{0.0, 2.0, 7.7}, 7.3, 1.0},    SweepRing{{0.0, -3.0, 8.6}, 8.1, 1.0},
     SweepRing{{0.0, -11.0, 11.2}, 8.3, 1.0},  SweepRing{{0.0, -18.0, 14.2}, 8.2, 0.96}, SweepRing{{0.0, -22.0, 16.3}, 8.7, 0.84},
-    SweepRing{{0.0, -26.0, 18.8}, 8.5, 0.97}, SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0}};
-const std::array kEnd{SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0}, SweepRing{{0.0, -43.0, 31.8}, 9.1, 1.0}, SweepRing{{0.0, -53.0, 38.4}, 9.4, 1.0},
-                      SweepRing{{0.0, -65.0, 45.4}, 9.7, 1.0}, SweepRing{{0.0, -82.0, 53.6}, 10.2, 1.0}};
-static_assert(kEnd.size() == kFingerEnds + 1);
+    SweepRing{{0.0, -26.0, 18.8}, 8.5, 0.97}, SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0}, SweepRing{{0.0, -43.0, 31.8}, 9.1, 0.95},
+    SweepRing{{0.0, -53.0, 38.4}, 9.6, 1.0},  SweepRing{{0.0, -65.0, 44.6}, 10.2, 1.0}, SweepRing{{0.0, -76.0, 47.5}, 10.4, 0.9}};
 
 /// The finger's middle line at this y (mm), by linear pieces.
 SweepRing atY(double y_mm) {
@@ -46,22 +43,7 @@ void addBand(TriangleMesh& mesh, double fromY_mm, double toY_mm, double proud_mm
 
 TriangleMesh fingerMesh() {
     TriangleMesh mesh;
-    addSweep(mesh, {kLine.begin(), kLine.end()}, SweepEnd::round, SweepEnd::open, 24);
-    return mesh;
-}
-
-/// One sweep, cut between its rings: pieces of their own would not meet where the finger bends.
-TriangleMesh fingerEndMesh(int piece) {
-    constexpr int kSides = 24;
-    TriangleMesh mesh;
-    addSweep(mesh, {kEnd.begin(), kEnd.end()}, SweepEnd::open, SweepEnd::round, kSides);
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const std::uint32_t row = std::min({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]}) / (kSides + 1);
-        if (std::min(static_cast<int>(row), kFingerEnds - 1) == piece)
-            kept.insert(kept.end(), {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    }
-    mesh.indices = kept;
+    addSweep(mesh, {kLine.begin(), kLine.end()}, SweepEnd::round, SweepEnd::round, 24);
     return mesh;
 }
 

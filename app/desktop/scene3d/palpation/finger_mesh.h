@@ -5,12 +5,9 @@
 
 namespace chiron::scene3d {
 
-/// A gloved finger in the tool's frame T, millimetres: its pad touches the origin from above (−z), its knuckles lie towards −y and
-/// up. Dimensions are ours, after a man's index finger: 16 mm wide at the tip.
+/// A gloved finger in the tool's frame T, millimetres, from its pad, which touches the origin from above (−z), to its knuckle towards
+/// −y and up, where the hand begins (hand_mesh.h). Dimensions are ours, after a man's index finger: 16 mm wide at the tip.
 TriangleMesh fingerMesh();
-/// What follows towards the hand, in pieces that are drawn more and more translucent, so that it hides little.
-inline constexpr int kFingerEnds = 4;
-TriangleMesh fingerEndMesh(int piece);
 /// So many bands round the middle bone, by which several fingers are told apart.
 TriangleMesh fingerBands(int count);
 /// Worn by the one that mouse and keyboard move.

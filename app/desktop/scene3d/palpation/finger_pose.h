@@ -58,7 +58,7 @@ inline bool hasJaw(const SceneSetup& setup, std::size_t tool) {
 
 /// Fingers come from their hand's side: the drawn finger is turned about T's z by so much. The platform is not.
 inline double fingerYaw_rad(const SceneSetup& setup, std::size_t tool) {
-    return (isLeftHand(setup, tool) ? -1.0 : 1.0) * 24.0 * core::kPi / 180.0;
+    return (isLeftHand(setup, tool) ? -1.0 : 1.0) * 36.0 * core::kPi / 180.0;
 }
 
 } // namespace chiron::scene3d

@@ -44,7 +44,7 @@ Paint paintOf(TissueLook look) {
 
 PalpationContent::PalpationContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
     : m_setup(setup), m_parameters(std::get<simulation::PalpationParameters>(setup.parameters)), m_surface(m_parameters.tissue.shape), m_light(light),
-      m_root(parent), m_map(new PaintedFace(parent)), m_card(new MapCard(light, parent)), m_pins(new FindingPins(light, kElevation_rad, parent)),
+      m_root(parent), m_map(new PaintedFace(parent)), m_card(new MapCard(light, parent)), m_pins(new FindingPins(light, kElevation_rad, m_surface, m_parameters.hitRadius_m, parent)),
       m_ghost(new GhostFinger(light, parent)) {
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F);
     m_dentNormal = parameter("dentNormal", QMatrix4x4());
@@ -55,7 +55,7 @@ PalpationContent::PalpationContent(const SceneSetup& setup, SharedLight& light, 
     m_skin = parameter("skin", QVariant::fromValue(makeSkinTexture(parent)));
     makeTissue();
     for (std::size_t i = 0; i < m_fingers.size(); ++i)
-        m_fingers[i] = new Finger(light, m_skin, static_cast<int>(i), parent);
+        m_fingers[i] = new Finger(light, m_skin, static_cast<int>(i), m_parameters.fingers, parent);
 }
 
 Qt3DRender::QParameter* PalpationContent::parameter(const char* name, const QVariant& value) {
@@ -93,16 +93,14 @@ double PalpationContent::roomAbove_m() const { return std::max(0.0, m_surface.hi
 double PalpationContent::elevation_rad() const { return kElevation_rad; }
 
 void PalpationContent::putTranslucent(Qt3DRender::QLayer* layer) {
-    for (Finger* finger : m_fingers)
-        finger->putTranslucent(layer);
     m_ghost->putTranslucent(layer);
-    m_pins->putTranslucent(layer);
     m_card->addComponent(layer);
 }
 
 void PalpationContent::putOver(Qt3DRender::QLayer* layer) {
     for (Finger* finger : m_fingers)
         finger->putOver(layer);
+    m_pins->putOver(layer);
 }
 
 Qt3DRender::QEffect* PalpationContent::look(bool map) const {

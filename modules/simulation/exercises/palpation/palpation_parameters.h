@@ -34,6 +34,7 @@ struct PalpationParameters {
     int lumpsLow = 1;                 ///< each trial that is not a catch trial draws its number of lumps in [low, high]
     int lumpsHigh = 1;                ///< ≤ TissueParameters::kMaxLumps
     int catchTrials = 0;              ///< of `trials`, without a lump; which ones is drawn
+    bool lumpFirst = false;           ///< the first trial has a lump, whatever is drawn: an introduction, left out of d′
     double depthSpread_m = 0.0;       ///< each lump's depth is its kind's ± this
     double spacing_m = 0.025;         ///< between two lumps, and from a distractor's middle, at least
 

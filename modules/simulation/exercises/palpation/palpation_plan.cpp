@@ -105,11 +105,12 @@ void drawKinds(const Parameters& p, core::Random& kinds, core::Random& depths, T
     }
 }
 
-/// Which trials are catch trials: the first of a shuffle.
+/// Which trials are catch trials: the first of a shuffle of those that may be one.
 std::vector<bool> drawCatchTrials(const Parameters& p, core::Random& which, std::size_t trials) {
+    const std::size_t first = p.lumpFirst ? 1 : 0;
     std::vector<bool> isCatch(trials, false);
-    std::fill_n(isCatch.begin(), std::clamp<std::ptrdiff_t>(p.catchTrials, 0, static_cast<std::ptrdiff_t>(trials)), true);
-    for (std::size_t i = 0; i + 1 < trials; ++i) {
+    std::fill_n(isCatch.begin() + static_cast<std::ptrdiff_t>(first), std::clamp<std::ptrdiff_t>(p.catchTrials, 0, static_cast<std::ptrdiff_t>(trials - first)), true);
+    for (std::size_t i = first; i + 1 < trials; ++i) {
         const std::size_t other = i + static_cast<std::size_t>(which.below(trials - i));
         const bool kept = isCatch[i];
         isCatch[i] = isCatch[other];
@@ -165,7 +166,8 @@ std::vector<PalpationTrial> planPalpationTrials(const PalpationParameters& param
     const int high = std::clamp(parameters.lumpsHigh, low, static_cast<int>(TissueParameters::kMaxLumps));
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const int drawn = low + static_cast<int>(numbers.below(static_cast<std::uint64_t>(high - low + 1)));
-        trials[i].lumps = isCatch[i] || parameters.kinds.empty() ? 0 : drawn;
+        trials[i].introduction = parameters.lumpFirst && i == 0;
+        trials[i].lumps = isCatch[i] || parameters.kinds.empty() ? 0 : trials[i].introduction ? std::max(1, drawn) : drawn;
         drawPlaces(parameters, places, trials[i]);
         drawKinds(parameters, kinds, depths, trials[i]);
     }

@@ -14,6 +14,7 @@ namespace chiron::simulation {
 /// What changes from trial to trial of a palpation: the truth that scoring needs.
 struct PalpationTrial {
     int lumps = 0; ///< 0: a catch trial
+    bool introduction = false; ///< has a lump because the level says so: no evidence of detection
     std::array<Lump, TissueParameters::kMaxLumps> lump{};
     std::array<int, TissueParameters::kMaxLumps> hardness{}; ///< what a person should call each, 1..5
 
@@ -33,7 +34,8 @@ core::Vec2 palpationMovedPlace_m(const PalpationParameters& parameters, const co
 /// How many lumps the plan of last resort places, from whichever region it begins with: content asks for no more.
 int mostPalpationLumps(const PalpationParameters& parameters);
 
-/// Plans every trial of a session from its seed, before the first tick. Which `catchTrials` of the trials have no lump is drawn;
+/// Plans every trial of a session from its seed, before the first tick. Which `catchTrials` of the trials have no lump is drawn (never
+/// the first where the level introduces itself with a lump);
 /// the others draw their number in [low, high], each lump its kind, its depth (kind's ± spread, but never nearer than R/0.75:
 /// models.md §3) and a region of its own, in which its place is uniform within kRegionInset. Lumps keep `spacing_m` from each
 /// other and from the middles of the tissue's regions (distractors); drawn again until they do, at most 1000 times, after which
