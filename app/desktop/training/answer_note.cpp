@@ -71,6 +71,10 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
             said = Words::tr("This trial can no longer be completed");
         else if ((sample.events & bits::kCompleted) != 0)
             said = after(Words::tr("Trial completed"), foundWords());
+        else if (m_feedback && (sample.events & bits::kDamaged) != 0)
+            said = Words::tr("Too much: the tissue was damaged");
+        else if (m_feedback && (sample.events & bits::kSlipped) != 0)
+            said = Words::tr("It slipped: hold it a little more firmly");
         else if ((sample.events & bits::kTrialStarted) != 0)
             m_said.clear(); // the next one runs: what came of the last is over
         if (said.isEmpty())

@@ -139,6 +139,20 @@ private slots:
         QCOMPARE(training, 2);
     }
 
+    /// What went wrong with a grip is said where somebody learns, and nowhere else.
+    void aSlipIsToldWhereSomebodyLearns() {
+        for (const char* exercise : {"elastic_tube", "object_handling"}) {
+            bool told = false, silent = false;
+            for (const catalogue::ExerciseLevel& level : m_catalogue->find(exercise)->levels) {
+                const QString slipped = said(level, 0, sampleOf(bits::kSlipped)), damaged = said(level, 0, sampleOf(bits::kSlipped | bits::kDamaged));
+                QCOMPARE(slipped.contains(QStringLiteral("slipped")), level.feedback);
+                QCOMPARE(damaged.contains(QStringLiteral("damaged")), level.feedback); // the worse of the two
+                (level.feedback ? told : silent) = true;
+            }
+            QVERIFY(told && silent);
+        }
+    }
+
     void anAssessmentTellsThatItWasTaken() {
         const catalogue::ExerciseLevel& level = *m_catalogue->find("sphere_apex", 5);
         QVERIFY(!level.feedback);

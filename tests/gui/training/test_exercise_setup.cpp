@@ -75,9 +75,9 @@ void TestExerciseSetup::anExpertCanBeWatchedFirst() {
     open(bench, {{QStringLiteral("level"), 1}});
     auto* watch = tile(bench, QStringLiteral("setup.watch"));
     QVERIFY(watch->isVisibleTo(screen(bench)));
-    tile(bench, QStringLiteral("setup.device.demonstration"))->click();
+    tile(bench, QStringLiteral("setup.device.1"))->click();
     QVERIFY(!watch->isVisibleTo(screen(bench))); // Start watches already
-    tile(bench, QStringLiteral("setup.device.mouse"))->click();
+    tile(bench, QStringLiteral("setup.device.0"))->click();
     tile(bench, QStringLiteral("setup.level.2"))->click();
     watch->setFocus();
     QTest::keyClick(watch, Qt::Key_Return); // the button that has the focus, and not Start
