@@ -76,6 +76,49 @@
         <source>Trial completed</source>
         <translation>Durchgang abgeschlossen</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Right: there was no lump</source>
+        <translation>Richtig: Es war kein Knoten da</translation>
+    </message>
+    <message>
+        <source>There was no lump</source>
+        <translation>Es war kein Knoten da</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lumps found</source>
+        <translation>%1 von %2 Knoten gefunden</translation>
+    </message>
+    <message>
+        <source>The lump was missed</source>
+        <translation>Der Knoten wurde übersehen</translation>
+    </message>
+    <message>
+        <source>Lump found, %1 mm off</source>
+        <translation>Knoten gefunden, %1 mm daneben</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n false alarm(s)</source>
+        <translation>
+                <numerusform>%n Fehlalarm</numerusform>
+                <numerusform>%n Fehlalarme</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Too much: the tissue was damaged</source>
+        <translation>Zu viel: Das Gewebe wurde beschädigt</translation>
+    </message>
+    <message>
+        <source>It slipped: hold it a little more firmly</source>
+        <translation>Abgerutscht: Halten Sie etwas fester</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -2866,10 +2909,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Gefühlt</translation>
     </message>
     <message>
-        <source>Shown, not felt</source>
-        <translation>Gezeigt, nicht gefühlt</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2905,6 +2944,26 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Own hand</source>
+        <translation>Eigene Hand</translation>
+    </message>
+    <message>
+        <source>%1 (scripted)</source>
+        <translation>%1 (programmiert)</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Angezeigt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Reviewed</source>
+        <translation>Begutachtet</translation>
     </message>
 </context>
 <context>
@@ -5974,6 +6033,14 @@ Alles ist schon gewählt: Drücken Sie „Starten“ (oder Enter), um zu beginne
         <source>Watch</source>
         <translation>Zusehen</translation>
     </message>
+    <message>
+        <source>Watch first</source>
+        <translation>Erst zusehen</translation>
+    </message>
+    <message>
+        <source>Watch a scripted expert at this level. Nothing is counted.</source>
+        <translation>Sehen Sie auf dieser Stufe einem programmierten Experten zu. Nichts davon wird gewertet.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ExercisesScreen</name>
@@ -8102,6 +8169,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Force felt (N)</source>
         <translation>Gefühlte Kraft (N)</translation>
     </message>
+    <message>
+        <source>Show less time, larger (+)</source>
+        <translation>Weniger Zeit zeigen, größer (+)</translation>
+    </message>
+    <message>
+        <source>Show more time (-)</source>
+        <translation>Mehr Zeit zeigen (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole session (0)</source>
+        <translation>Die ganze Sitzung zeigen (0)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -8160,10 +8239,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Events</source>
         <translation>Ereignisse</translation>
-    </message>
-    <message>
-        <source>Comments</source>
-        <translation>Kommentare</translation>
     </message>
     <message>
         <source>Second session alongside</source>
@@ -8274,22 +8349,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Das Bild ist nur in einer Entfernung scharf, wie durch ein echtes Endoskop</translation>
     </message>
     <message>
-        <source>A session as it was recorded.
-
-Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time.
-
-Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
-
-Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
-        <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
-
-Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende springen zum Anfang und zum Ende. Ein Klick in ein Diagramm springt zu diesem Zeitpunkt.
-
-Pausen sind schraffiert. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
-
-Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt zusammen mit dem Durchgang hier und wird an derselben Stelle gezeichnet.</translation>
-    </message>
-    <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · Tiefe %2 · Kraft %3 · Tempo %4</translation>
     </message>
@@ -8356,6 +8415,46 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
         <translation>Durchgang %1 · %2 · %3 · Kraft %4 · Tempo %5</translation>
+    </message>
+    <message>
+        <source>Comments (C)</source>
+        <translation>Kommentare (C)</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time. Plus and minus zoom the plots, 0 shows the whole session.
+
+C writes a comment at the moment shown.
+
+Pauses are hatched, and skipped unless you switch that off. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
+        <translation>Eine Sitzung, wie sie aufgezeichnet wurde.
+
+Die Leertaste startet und hält an. Die Pfeiltasten gehen ein Bild vor oder zurück, mit Umschalt eine Sekunde, mit Strg zum nächsten oder vorigen Ereignis; Pos1 und Ende springen zum Anfang und zum Ende. Ein Klick in ein Diagramm springt zu diesem Zeitpunkt. Plus und Minus vergrößern und verkleinern die Diagramme, 0 zeigt die ganze Sitzung.
+
+Mit C schreiben Sie einen Kommentar zum gezeigten Zeitpunkt.
+
+Pausen sind schraffiert und werden übersprungen, solange Sie das nicht abschalten. Dreiecke auf der Zeitleiste sind Abzüge, Fahnen sind Antworten, Quadrate darunter sind Kommentare.
+
+Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durchgänge beginnt zusammen mit dem Durchgang hier und wird an derselben Stelle gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Write a comment at this moment</source>
+        <translation>Einen Kommentar zu diesem Zeitpunkt schreiben</translation>
+    </message>
+    <message>
+        <source>Zoom in on the plots</source>
+        <translation>Diagramme vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out of the plots</source>
+        <translation>Diagramme verkleinern</translation>
+    </message>
+    <message>
+        <source>The whole session in the plots</source>
+        <translation>Die ganze Sitzung in den Diagrammen</translation>
     </message>
 </context>
 <context>
@@ -9226,6 +9325,12 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <source>Help for this screen</source>
         <translation>Hilfe zu dieser Seite</translation>
     </message>
+    <message>
+        <source>In the scene:
+•  %1</source>
+        <translation>In der Szene:
+•  %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodePanel</name>
@@ -9914,10 +10019,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>State</source>
-        <translation>Zustand</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -9936,6 +10037,34 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>The length of a session in a blinded study is shown once the study is unblinded.</source>
         <translation>Die Dauer einer Sitzung einer verblindeten Studie wird angezeigt, sobald die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>Length: %1.</source>
+        <translation>Dauer: %1.</translation>
+    </message>
+    <message>
+        <source>Pass marks met: %1.</source>
+        <translation>Bestehensgrenzen erreicht: %1.</translation>
+    </message>
+    <message>
+        <source>Session %1. %2</source>
+        <translation>Sitzung %1. %2</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Programmierte Hand</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Wertung</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Begutachtung</translation>
     </message>
 </context>
 <context>
@@ -10171,6 +10300,17 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>Switch user</source>
         <translation>Person wechseln</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n session(s) with new comments</source>
+        <translation>
+                <numerusform>%1: %n Sitzung mit neuen Kommentaren</numerusform>
+                <numerusform>%1: %n Sitzungen mit neuen Kommentaren</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -11384,6 +11524,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
             <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Los“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>All measurements (F4)</source>
+        <translation>Alle Messwerte (F4)</translation>
+    </message>
+    <message>
+        <source>Also shows single components, coordinates and further plots. Everything is recorded either way.</source>
+        <translation>Zeigt auch einzelne Komponenten, Koordinaten und weitere Diagramme. Aufgezeichnet wird in jedem Fall alles.</translation>
+    </message>
+    <message>
+        <source>All measurements, or those a trainee needs</source>
+        <translation>Alle Messwerte oder die zum Üben nötigen</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -11422,6 +11574,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Skip pauses</source>
+        <translation>Pausen überspringen</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,49 @@
         <source>Trial completed</source>
         <translation>Η δοκιμή ολοκληρώθηκε</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Right: there was no lump</source>
+        <translation>Σωστά: δεν υπήρχε όζος</translation>
+    </message>
+    <message>
+        <source>There was no lump</source>
+        <translation>Δεν υπήρχε όζος</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lumps found</source>
+        <translation>Βρέθηκαν %1 από %2 όζους</translation>
+    </message>
+    <message>
+        <source>The lump was missed</source>
+        <translation>Ο όζος διέφυγε</translation>
+    </message>
+    <message>
+        <source>Lump found, %1 mm off</source>
+        <translation>Ο όζος βρέθηκε, με απόκλιση %1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n false alarm(s)</source>
+        <translation>
+                <numerusform>%n ψευδής συναγερμός</numerusform>
+                <numerusform>%n ψευδείς συναγερμοί</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Too much: the tissue was damaged</source>
+        <translation>Υπερβολικά: ο ιστός υπέστη βλάβη</translation>
+    </message>
+    <message>
+        <source>It slipped: hold it a little more firmly</source>
+        <translation>Γλίστρησε: κρατήστε λίγο πιο σφιχτά</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -2866,10 +2909,6 @@ Do you want to replace it?</source>
         <translation>Αισθητή</translation>
     </message>
     <message>
-        <source>Shown, not felt</source>
-        <translation>Μόνο προβολή</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2905,6 +2944,26 @@ Do you want to replace it?</source>
     <message>
         <source>Study</source>
         <translation>Μελέτη</translation>
+    </message>
+    <message>
+        <source>Own hand</source>
+        <translation>Δικό του χέρι</translation>
+    </message>
+    <message>
+        <source>%1 (scripted)</source>
+        <translation>%1 (προγραμματισμένο)</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Προβαλλόμενη</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>Reviewed</source>
+        <translation>Αξιολογήθηκε</translation>
     </message>
 </context>
 <context>
@@ -5974,6 +6033,14 @@ Hand and workspace sets which hand you work with, how far the tool moves when yo
         <source>Watch</source>
         <translation>Παρακολούθηση</translation>
     </message>
+    <message>
+        <source>Watch first</source>
+        <translation>Πρώτα παρακολούθηση</translation>
+    </message>
+    <message>
+        <source>Watch a scripted expert at this level. Nothing is counted.</source>
+        <translation>Παρακολουθήστε σε αυτό το επίπεδο έναν προγραμματισμένο ειδικό. Τίποτα δεν βαθμολογείται.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ExercisesScreen</name>
@@ -8102,6 +8169,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Force felt (N)</source>
         <translation>Αισθητή δύναμη (N)</translation>
     </message>
+    <message>
+        <source>Show less time, larger (+)</source>
+        <translation>Λιγότερος χρόνος, μεγαλύτερα (+)</translation>
+    </message>
+    <message>
+        <source>Show more time (-)</source>
+        <translation>Περισσότερος χρόνος (-)</translation>
+    </message>
+    <message>
+        <source>Show the whole session (0)</source>
+        <translation>Ολόκληρη η συνεδρία (0)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PlaybackScreen</name>
@@ -8160,10 +8239,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Events</source>
         <translation>Συμβάντα</translation>
-    </message>
-    <message>
-        <source>Comments</source>
-        <translation>Σχόλια</translation>
     </message>
     <message>
         <source>Second session alongside</source>
@@ -8274,22 +8349,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Η εικόνα είναι εστιασμένη σε μία μόνο απόσταση, όπως σε πραγματικό ενδοσκόπιο</translation>
     </message>
     <message>
-        <source>A session as it was recorded.
-
-Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time.
-
-Pauses are hatched. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
-
-Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
-        <translation>Μια συνεδρία όπως καταγράφηκε.
-
-Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στην αρχή και στο τέλος. Ένα κλικ σε διάγραμμα πηγαίνει σε εκείνη τη χρονική στιγμή.
-
-Οι παύσεις είναι διαγραμμισμένες. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
-
-Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει μαζί με τη δοκιμή εδώ και σχεδιάζεται στην ίδια θέση.</translation>
-    </message>
-    <message>
         <source>%1 · depth %2 · force %3 · speed %4</source>
         <translation>%1 · βάθος %2 · δύναμη %3 · ταχύτητα %4</translation>
     </message>
@@ -8356,6 +8415,46 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
         <translation>Δοκιμή %1 · %2 · %3 · δύναμη %4 · ταχύτητα %5</translation>
+    </message>
+    <message>
+        <source>Comments (C)</source>
+        <translation>Σχόλια (C)</translation>
+    </message>
+    <message>
+        <source>A session as it was recorded.
+
+Space plays and pauses. The arrow keys move one frame forward or back, with Shift one second, with Ctrl to the next or previous event; Home and End jump to the beginning and the end. Clicking in a plot jumps to that time. Plus and minus zoom the plots, 0 shows the whole session.
+
+C writes a comment at the moment shown.
+
+Pauses are hatched, and skipped unless you switch that off. Triangles on the time bar are penalties, flags are answers, squares below it are comments.
+
+Choose a second session to see it beside this one: each of its trials starts together with the trial here and is drawn in the same place.</source>
+        <translation>Μια συνεδρία όπως καταγράφηκε.
+
+Το Διάστημα αναπαράγει και σταματά. Τα βέλη πηγαίνουν ένα καρέ εμπρός ή πίσω, με Shift ένα δευτερόλεπτο, με Ctrl στο επόμενο ή το προηγούμενο συμβάν· τα Home και End στην αρχή και στο τέλος. Ένα κλικ σε διάγραμμα πηγαίνει σε εκείνη τη χρονική στιγμή. Τα + και − μεγεθύνουν και σμικρύνουν τα διαγράμματα, το 0 δείχνει ολόκληρη τη συνεδρία.
+
+Με το C γράφετε σχόλιο για τη στιγμή που φαίνεται.
+
+Οι παύσεις είναι διαγραμμισμένες και παραλείπονται, εκτός αν το απενεργοποιήσετε. Τα τρίγωνα στη γραμμή χρόνου είναι ποινές, οι σημαίες απαντήσεις, τα τετράγωνα από κάτω σχόλια.
+
+Επιλέξτε δεύτερη συνεδρία για να τη δείτε δίπλα σε αυτήν: κάθε δοκιμή της αρχίζει μαζί με τη δοκιμή εδώ και σχεδιάζεται στην ίδια θέση.</translation>
+    </message>
+    <message>
+        <source>Write a comment at this moment</source>
+        <translation>Σχόλιο για αυτή τη στιγμή</translation>
+    </message>
+    <message>
+        <source>Zoom in on the plots</source>
+        <translation>Μεγέθυνση των διαγραμμάτων</translation>
+    </message>
+    <message>
+        <source>Zoom out of the plots</source>
+        <translation>Σμίκρυνση των διαγραμμάτων</translation>
+    </message>
+    <message>
+        <source>The whole session in the plots</source>
+        <translation>Ολόκληρη η συνεδρία στα διαγράμματα</translation>
     </message>
 </context>
 <context>
@@ -9226,6 +9325,12 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>Help for this screen</source>
         <translation>Βοήθεια για αυτή την οθόνη</translation>
     </message>
+    <message>
+        <source>In the scene:
+•  %1</source>
+        <translation>Στη σκηνή:
+•  %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodePanel</name>
@@ -9914,10 +10019,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Επίπεδο</translation>
     </message>
     <message>
-        <source>State</source>
-        <translation>Κατάσταση</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Αποτέλεσμα</translation>
     </message>
@@ -9936,6 +10037,34 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>The length of a session in a blinded study is shown once the study is unblinded.</source>
         <translation>Η διάρκεια μιας συνεδρίας τυφλής μελέτης εμφανίζεται μετά την άρση της τυφλότητας.</translation>
+    </message>
+    <message>
+        <source>Length: %1.</source>
+        <translation>Διάρκεια: %1.</translation>
+    </message>
+    <message>
+        <source>Pass marks met: %1.</source>
+        <translation>Όρια επιτυχίας που επιτεύχθηκαν: %1.</translation>
+    </message>
+    <message>
+        <source>Session %1. %2</source>
+        <translation>Συνεδρία %1. %2</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Χειριστής</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Βαθμολογία</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Αξιολόγηση</translation>
     </message>
 </context>
 <context>
@@ -10171,6 +10300,17 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>Switch user</source>
         <translation>Αλλαγή χρήστη</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n session(s) with new comments</source>
+        <translation>
+                <numerusform>%1: %n συνεδρία με νέα σχόλια</numerusform>
+                <numerusform>%1: %n συνεδρίες με νέα σχόλια</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -11384,6 +11524,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
             <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Έναρξη» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>All measurements (F4)</source>
+        <translation>Όλες οι μετρήσεις (F4)</translation>
+    </message>
+    <message>
+        <source>Also shows single components, coordinates and further plots. Everything is recorded either way.</source>
+        <translation>Δείχνει και επιμέρους συνιστώσες, συντεταγμένες και περισσότερα διαγράμματα. Καταγράφονται όλα σε κάθε περίπτωση.</translation>
+    </message>
+    <message>
+        <source>All measurements, or those a trainee needs</source>
+        <translation>Όλες οι μετρήσεις ή όσες χρειάζονται στην εξάσκηση</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TransportBar</name>
@@ -11422,6 +11574,10 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>%1 of %2</source>
         <translation>%1 από %2</translation>
+    </message>
+    <message>
+        <source>Skip pauses</source>
+        <translation>Παράλειψη παύσεων</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>AnswerNote</name>
+    <message numerus="yes">
+        <source>%n false alarm(s)</source>
+        <translation>
+                <numerusform>%n false alarm</numerusform>
+                <numerusform>%n false alarms</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
     <name>SessionWords</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>
@@ -468,6 +478,16 @@
             <numerusform>%n session in all.</numerusform>
             <numerusform>%n sessions in all.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SideBar</name>
+    <message numerus="yes">
+        <source>%1: %n session(s) with new comments</source>
+        <translation>
+                <numerusform>%1: %n session with new comments</numerusform>
+                <numerusform>%1: %n sessions with new comments</numerusform>
+            </translation>
     </message>
 </context>
 <context>
