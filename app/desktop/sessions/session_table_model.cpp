@@ -109,11 +109,11 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
 }
 
 QString SessionTableModel::tip(const SessionRow& row) const {
-    const QString length = row.summary.sealed ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
-                                              : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
+    const QString took = row.summary.sealed ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
+                                            : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
     const QString gates = SessionWords::gates(row.summary, m_locale);
     return (gates.isEmpty() ? QString() : tr("Pass marks met: %1.").arg(gates) + QLatin1Char('\n')) +
-           tr("Session %1. %2").arg(m_locale.toString(static_cast<qlonglong>(row.summary.id)), length);
+           tr("Session %1. %2").arg(m_locale.toString(static_cast<qlonglong>(row.summary.id)), took);
 }
 
 QVariant SessionTableModel::picture(const SessionRow& row, int column) const {
