@@ -20,6 +20,7 @@ struct ReadyFacts {
     QString keys;                      ///< all of its controls, as a line of text
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
+    bool offersPractice = true;        ///< a minute that does not count can be had from the card
     QString clock;                     ///< how many trials, and when the clock starts
 };
 
@@ -55,7 +56,7 @@ protected:
 private:
     QWidget* buildText(const ReadyFacts& facts);
     QWidget* buildControls(const std::vector<ControlHint>& controls);
-    QWidget* buildButtons();
+    QWidget* buildButtons(const ReadyFacts& facts);
 
     const Theme& m_theme;
     Kind m_kind;
