@@ -12,12 +12,12 @@ namespace {
 
 using mechanisms::FingertipBounds;
 using mechanisms::FingertipPublished;
-using report::CheckTable; // as in platform_words.cpp
+using report::CheckRecord; // as in platform_words.cpp
+using report::CheckTable;
 
-struct StationRecordWords {
+struct Words {
     Q_DECLARE_TR_FUNCTIONS(StationRecord)
 };
-using Words = StationRecordWords;
 
 QString passed(bool good) { return good ? Words::tr("pass") : Words::tr("FAIL"); }
 
@@ -95,8 +95,8 @@ CheckTable platformLimits(const PlatformCheck& check, const QLocale& locale) {
     return table;
 }
 
-report::CheckRecord loopRecord(const session::SelfTestResult& result, const CheckCircumstances& of, const QLocale& locale) {
-    report::CheckRecord record;
+CheckRecord loopRecord(const session::SelfTestResult& result, const CheckCircumstances& of, const QLocale& locale) {
+    CheckRecord record;
     record.title = Words::tr("Station check: timing of the force loop");
     record.head = checkHead(of, locale);
     record.foot = checkFoot(of, locale);

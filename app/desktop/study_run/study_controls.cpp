@@ -12,10 +12,9 @@ namespace {
 using psychophysics::Attribute;
 using psychophysics::Task;
 
-struct StudyControlWords {
+struct Words {
     Q_DECLARE_TR_FUNCTIONS(StudyControls)
 };
-using Words = StudyControlWords;
 
 bool isTakenHold(Attribute attribute) { return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute)); } // in the same order
 

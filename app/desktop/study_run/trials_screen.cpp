@@ -125,7 +125,8 @@ void TrialsScreen::go() {
     if (!running() || m_begun)
         return;
     m_begun = true;
-    m_stage->setCurrentWidget(m_trial);
+    m_break->say(tr("One moment …"), {}, {});
+    m_stage->setCurrentWidget(m_break); // until the scene is there, which then takes focus and pointer
     m_card->hide();
     m_card->deleteLater(); // it is what asked for this
     m_card = nullptr;

@@ -263,7 +263,7 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
         return View::arming; // it goes on: force comes back first
     if (view.right || pending)
         return View::feedback;
-    if (trying())
+    if (trying() && training->sessionId() != 0)
         return last.phase == TrialPhase::running ? View::trying : last.phase == TrialPhase::ready ? View::arming : View::coming;
     if (!presented && progress.needsExperimenter())
         return View::needsExperimenter;
