@@ -121,6 +121,20 @@
     </message>
 </context>
 <context>
+    <name>AskedSitting</name>
+    <message>
+        <source>The study %1 could not be opened.</source>
+        <translation>Die Studie %1 konnte nicht geöffnet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>CheckRecord</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Go to: %1</source>
@@ -3128,6 +3142,192 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>StationRecord</name>
+    <message>
+        <source>pass</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>NICHT BESTANDEN</translation>
+    </message>
+    <message>
+        <source>Measured values and their limits</source>
+        <translation>Messwerte und ihre Grenzen</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Geprüft von</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Station</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Program build</source>
+        <translation>Programmversion</translation>
+    </message>
+    <message>
+        <source>Entry in the audit trail</source>
+        <translation>Eintrag im Prüfprotokoll</translation>
+    </message>
+    <message>
+        <source>not written</source>
+        <translation>nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>Ticks more than 100 µs late, of %1</source>
+        <translation>Mehr als 100 µs verspätete Takte, von %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Ticks skipped</source>
+        <translation>Ausgelassene Takte</translation>
+    </message>
+    <message>
+        <source>Lateness, half of the ticks</source>
+        <translation>Verspätung der Hälfte der Takte</translation>
+    </message>
+    <message>
+        <source>Lateness, 99 of 100 ticks</source>
+        <translation>Verspätung von 99 von 100 Takten</translation>
+    </message>
+    <message>
+        <source>Lateness, the latest tick</source>
+        <translation>Verspätung des spätesten Takts</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>Memory locked</source>
+        <translation>Speicher gesperrt</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message numerus="yes">
+        <source>Measured values and their limits, the worst of %n finger(s)</source>
+        <translation>
+            <numerusform>Messwerte und ihre Grenzen, an %n Finger</numerusform>
+            <numerusform>Messwerte und ihre Grenzen, der schlechteste von %n Fingern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>Force error by the platform&apos;s own sensors (root mean square)</source>
+        <translation>Kraftfehler nach den eigenen Sensoren der Plattform (quadratisches Mittel)</translation>
+    </message>
+    <message>
+        <source>Force error on the finger pad (root mean square)</source>
+        <translation>Kraftfehler an der Fingerkuppe (quadratisches Mittel)</translation>
+    </message>
+    <message>
+        <source>Orientation error by the platform&apos;s own sensor</source>
+        <translation>Fehler der Ausrichtung nach dem eigenen Sensor der Plattform</translation>
+    </message>
+    <message>
+        <source>Orientation error, true</source>
+        <translation>Fehler der Ausrichtung, tatsächlich</translation>
+    </message>
+    <message>
+        <source>Overshoot of a step of force</source>
+        <translation>Überschwingen bei einem Kraftsprung</translation>
+    </message>
+    <message>
+        <source>Largest force on the finger pad</source>
+        <translation>Größte Kraft an der Fingerkuppe</translation>
+    </message>
+    <message>
+        <source>Station check: timing of the force loop</source>
+        <translation>Stationsprüfung: Zeitverhalten der Kraftschleife</translation>
+    </message>
+    <message>
+        <source>Passed. %1</source>
+        <translation>Bestanden. %1</translation>
+    </message>
+    <message>
+        <source>Failed. %1</source>
+        <translation>Nicht bestanden. %1</translation>
+    </message>
+</context>
+<context>
     <name>StationWords</name>
     <message>
         <source>Simulated mechanism with a scripted hand</source>
@@ -3285,6 +3485,101 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Kein Fehler gefunden: %1 Datensätze, jede Aufzeichnung, jede Wertung und das Prüfprotokoll wurden geprüft.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyControls</name>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move the mouse, or use the arrow keys.</source>
+        <translation>Bewegen Sie die Maus oder nehmen Sie die Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it over the objects.</source>
+        <translation>Nehmen Sie den Griff und bewegen Sie ihn über die Objekte.</translation>
+    </message>
+    <message>
+        <source>Take hold and pull</source>
+        <translation>Greifen und ziehen</translation>
+    </message>
+    <message>
+        <source>Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls.</source>
+        <translation>Senken Sie das Werkzeug auf den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
+        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf hebt.</translation>
+    </message>
+    <message>
+        <source>Lower the tip onto the ring, then raise the handle. Push on to let go.</source>
+        <translation>Senken Sie die Spitze auf den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie weiter.</translation>
+    </message>
+    <message>
+        <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
+        <translation>Drücken Sie die Spitze in das Objekt oder streichen Sie darüber. Heben Sie den Griff, um loszulassen.</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, while the tool is at the place.</source>
+        <translation>Klicken Sie oder drücken Sie Enter, während das Werkzeug an der Stelle ist.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
+        <translation>Drücken Sie den Knopf am Griff oder Enter, während die Spitze an der Stelle ist.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
+        <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, dann Enter. Die Rücktaste nimmt die letzte Angabe zurück.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.</source>
+        <translation>Drücken Sie 1, 2 oder 3 vom Geringsten zum Größten, = vor einem, das dem letzten gleicht, dann Enter. Die Rücktaste nimmt zurück.</translation>
+    </message>
+    <message>
+        <source>Press 1 for the same, 2 for different.</source>
+        <translation>Drücken Sie 1 für gleich, 2 für verschieden.</translation>
+    </message>
+    <message>
+        <source>Press Y for yes, N for no.</source>
+        <translation>Drücken Sie Y für Ja, N für Nein.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both feel the same, then Enter.</source>
+        <translation>Drücken Sie + und −, bis sich beide gleich anfühlen, dann Enter.</translation>
+    </message>
+    <message>
+        <source>Type a number, then press Enter.</source>
+        <translation>Geben Sie eine Zahl ein und drücken Sie Enter.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object: 1, 2 or 3.</source>
+        <translation>Drücken Sie die Nummer des Objekts: 1, 2 oder 3.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object, or the button of the handle while you touch it.</source>
+        <translation>Drücken Sie die Nummer des Objekts oder den Knopf am Griff, während Sie es berühren.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly.</source>
+        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück.</translation>
+    </message>
+    <message>
+        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
+        <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
+    </message>
+    <message>
+        <source>%1 The answers can be clicked as well.</source>
+        <translation>%1 Die Antworten können auch angeklickt werden.</translation>
     </message>
 </context>
 <context>
@@ -4306,6 +4601,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Share of the prior: %1</source>
         <translation>Anteil der A-priori-Verteilung: %1</translation>
     </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Zurückgenommen</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -4668,6 +4967,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
         <translation>Ordnen Sie die drei: jedes %1 als das vorige. Was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Zurückgenommen</translation>
     </message>
 </context>
 <context>
@@ -6071,6 +6374,25 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>The content folder of this site contains no exercises. Ask an administrator.</source>
         <translation>Der Inhaltsordner dieses Standorts enthält keine Übungen. Fragen Sie die Administration.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExperimenterGate</name>
+    <message>
+        <source>For the experimenter</source>
+        <translation>Für die Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>The sitting waits. Enter your password to see the experimenter&apos;s view.</source>
+        <translation>Die Sitzung wartet. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Password of %1</source>
+        <translation>Passwort von %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
@@ -7593,6 +7915,13 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ParticipantWindow</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ParticipantsPage</name>
     <message>
         <source>Participants can be enrolled once the design is frozen.</source>
@@ -8011,10 +8340,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Prüfung der simulierten Plattform: die veröffentlichte Sinusschwingung und Neigungen, Kraftsprünge und die größte Kraft an der Fingerkuppe, an acht simulierten Fingern.</translation>
     </message>
     <message>
-        <source>An administrator can run it here.</source>
-        <translation>Die Administration kann sie hier starten.</translation>
-    </message>
-    <message>
         <source>Verify the platform</source>
         <translation>Plattform prüfen</translation>
     </message>
@@ -8033,6 +8358,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Verification of the simulated fingertip platform</source>
         <translation>Prüfung der simulierten Fingerkuppen-Plattform</translation>
+    </message>
+    <message>
+        <source>A researcher or an administrator can run it here.</source>
+        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
+    </message>
+    <message>
+        <source>Passed.</source>
+        <translation>Bestanden.</translation>
+    </message>
+    <message>
+        <source>Failed.</source>
+        <translation>Nicht bestanden.</translation>
     </message>
 </context>
 <context>
@@ -8863,6 +9200,14 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>From %1 to %2</source>
         <translation>Von %1 bis %2</translation>
     </message>
+    <message>
+        <source>Not answered yet: move the slider, or press Space to leave it in the middle.</source>
+        <translation>Noch nicht beantwortet: Bewegen Sie den Schieber, oder drücken Sie die Leertaste, um ihn in der Mitte zu lassen.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Stufe %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnaireScreen</name>
@@ -8978,6 +9323,25 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <source>answers</source>
         <translation>Antworten</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: median %2, from %3 to %4, of %n participant(s)</source>
+        <translation>
+            <numerusform>%1: Median %2, von %3 bis %4, von %n Person</numerusform>
+            <numerusform>%1: Median %2, von %3 bis %4, von %n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Usability score (0 to 100)</source>
+        <translation>Wert der Gebrauchstauglichkeit (0 bis 100)</translation>
+    </message>
+    <message>
+        <source>Workload (0 to 100)</source>
+        <translation>Beanspruchung (0 bis 100)</translation>
+    </message>
+    <message>
+        <source>Laterality quotient (−100 left, 100 right)</source>
+        <translation>Lateralitätsquotient (−100 links, 100 rechts)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
@@ -9088,6 +9452,26 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>Remove question %1</source>
         <translation>Frage %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Add an instrument …</source>
+        <translation>Instrument hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Published questionnaires with their scores, and what is written down when a participant is enrolled</source>
+        <translation>Veröffentlichte Fragebögen mit ihrer Auswertung und was bei der Aufnahme einer Person notiert wird</translation>
+    </message>
+    <message>
+        <source>The instruments could not be read.</source>
+        <translation>Die Instrumente konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Add an instrument</source>
+        <translation>Instrument hinzufügen</translation>
+    </message>
+    <message>
+        <source>when a participant is enrolled</source>
+        <translation>bei der Aufnahme einer Person</translation>
     </message>
 </context>
 <context>
@@ -10432,10 +10816,6 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Selbsttest starten</translation>
     </message>
     <message>
-        <source>An administrator can run it here.</source>
-        <translation>Die Administration kann ihn hier starten.</translation>
-    </message>
-    <message>
         <source>This session was recorded before the program stored how delays are distributed.</source>
         <translation>Als diese Sitzung aufgezeichnet wurde, speicherte das Programm die Verteilung der Verspätungen noch nicht.</translation>
     </message>
@@ -10484,10 +10864,6 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>PDF-Dokumente (*.pdf)</translation>
     </message>
     <message>
-        <source>%1, on %2</source>
-        <translation>%1, auf %2</translation>
-    </message>
-    <message>
         <source>The record was saved in %1.</source>
         <translation>Das Protokoll wurde in %1 gespeichert.</translation>
     </message>
@@ -10496,24 +10872,52 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Das Protokoll konnte nicht gespeichert werden.</translation>
     </message>
     <message>
+        <source>Verify the fingertip platform</source>
+        <translation>Fingerkuppen-Plattform prüfen</translation>
+    </message>
+    <message>
+        <source>The check could not be written to the audit trail.</source>
+        <translation>Die Prüfung konnte nicht in das Prüfprotokoll geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Simulated fingertip platform</source>
+        <translation>Simulierte Fingerkuppenplattform</translation>
+    </message>
+    <message>
+        <source>None: the loop alone, without a device</source>
+        <translation>Keines: die Schleife allein, ohne Gerät</translation>
+    </message>
+    <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
 
 Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
-The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. The record can be printed.
+The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. Each check is kept in the audit trail, and its record can be saved and filed: who, when, on which device and build, and each measured value beside its limit.
 
 With real-time priority the loop stays on time whatever else the computer does. This screen shows whether the loop has that priority and how to permit it.</source>
-        <translation>Zeigt, ob dieser Computer geeignet ist, Kraft fühlbar zu machen.
+        <translation>Zeigt, ob dieser Computer schnell und gleichmäßig genug für haptische Kraft ist.
 
 Die Kraft wird tausendmal in der Sekunde berechnet. Die Diagramme zeigen, wie spät diese tausend Schritte begannen: in der letzten Sitzung, die in Echtzeit lief, und in einem Selbsttest von zehn Sekunden ohne Gerät.
 
-Die Fingerkuppen-Plattform wird wie in ihrer Veröffentlichung geprüft: wie genau sie einer Kraft und einer Neigung folgt. Das Protokoll lässt sich drucken.
+Die Fingerkuppenplattform wird wie in ihrer Veröffentlichung geprüft: wie genau sie einer Kraft und einer Ausrichtung folgt. Jede Prüfung bleibt im Prüfprotokoll, und ihr Protokoll kann gespeichert und abgelegt werden: wer, wann, auf welchem Gerät und mit welcher Programmversion, und jeder Messwert neben seiner Grenze.
 
-Mit Echtzeitpriorität hält die Regelung ihren Takt, was immer der Computer sonst tut. Dieser Bildschirm zeigt, ob sie diese Priorität hat und wie man sie erlaubt.</translation>
+Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer sonst tut. Diese Seite zeigt, ob die Schleife diese Priorität hat und wie man sie erlaubt.</translation>
     </message>
     <message>
-        <source>Verify the fingertip platform</source>
-        <translation>Fingerkuppen-Plattform prüfen</translation>
+        <source>Record (PDF) …</source>
+        <translation>Protokoll (PDF) …</translation>
+    </message>
+    <message>
+        <source>Record of the self-test (PDF)</source>
+        <translation>Protokoll des Selbsttests (PDF)</translation>
+    </message>
+    <message>
+        <source>Station check.pdf</source>
+        <translation>Stationsprüfung.pdf</translation>
+    </message>
+    <message>
+        <source>A researcher or an administrator can run it here.</source>
+        <translation>Forschende oder Administratoren können sie hier ausführen.</translation>
     </message>
 </context>
 <context>
@@ -11817,10 +12221,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Bevor Sie beginnen</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Beginnen</translation>
-    </message>
-    <message>
         <source>Participant %1 · practice</source>
         <translation>Person %1 · Übung</translation>
     </message>
@@ -11839,10 +12239,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Wrong.</source>
         <translation>Falsch.</translation>
-    </message>
-    <message>
-        <source>Touch every object first.</source>
-        <translation>Berühren Sie zuerst jedes Objekt.</translation>
     </message>
     <message>
         <source>The time to explore is over. Answer now.</source>
@@ -11892,10 +12288,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Danke</translation>
     </message>
     <message>
-        <source>This part is done.</source>
-        <translation>Dieser Teil ist abgeschlossen.</translation>
-    </message>
-    <message>
         <source>The answer was not accepted.</source>
         <translation>Die Antwort wurde nicht angenommen.</translation>
     </message>
@@ -11928,10 +12320,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
     </message>
     <message>
-        <source>Experimenter&apos;s view</source>
-        <translation>Ansicht der Versuchsleitung</translation>
-    </message>
-    <message>
         <source>Pause or go on</source>
         <translation>Pause oder weiter</translation>
     </message>
@@ -11944,36 +12332,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Fortschritt dieses Teils</translation>
     </message>
     <message>
-        <source>Sound</source>
-        <translation>Ton</translation>
-    </message>
-    <message>
-        <source>Masking sound on or off</source>
-        <translation>Maskierungsgeräusch an oder aus</translation>
-    </message>
-    <message>
-        <source>Experimenter (F2)</source>
-        <translation>Versuchsleitung (F2)</translation>
-    </message>
-    <message>
         <source>Stop …</source>
         <translation>Anhalten …</translation>
     </message>
     <message>
         <source>Time to explore</source>
         <translation>Zeit zum Erkunden</translation>
-    </message>
-    <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the mouse; raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the keys shown on them.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. F2 shows the experimenter&apos;s view: progress, estimate, fidelity of the last trial, and the button that discards a trial. All answered trials are kept; a stopped run continues later at the same trial.</source>
-        <translation>Hier erkundet eine Person Objekte und antwortet.
-
-Bewegen Sie das Instrument mit der Maus; heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein. Antworten Sie mit den Knöpfen oder den Tasten, die darauf stehen.
-
-Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zurück; noch einmal Esc fragt, ob die Sitzung angehalten werden soll. F2 zeigt die Ansicht der Versuchsleitung: Fortschritt, Schätzung, Wiedergabetreue des letzten Durchgangs und den Knopf, der einen Durchgang verwirft. Alle beantworteten Durchgänge bleiben erhalten; ein angehaltener Lauf geht später beim selben Durchgang weiter.</translation>
     </message>
     <message>
         <source>Stop force</source>
@@ -12034,6 +12398,141 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
         <translation>Dieser Lauf wurde mit einer anderen Fassung seines Verfahrens begonnen. Ein Lauf wird nie mit einer anderen Fassung fortgesetzt, damit alle Durchgänge vergleichbar bleiben. Die bisherigen Antworten bleiben erhalten; nehmen Sie für diese Bedingung jemand anderen auf.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
+
+In practice, Backspace takes an answer back.
+
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. All answered trials are kept; a stopped run continues later at the same trial.
+
+F2 is for the experimenter.</source>
+        <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.
+
+Bewegen Sie das Werkzeug mit dem Gerät oder mit der Maus; mit der Maus heben und senken Sie es mit dem Rad oder mit Bild auf und Bild ab. T gibt den Zeiger frei, ein Klick in die Szene fängt ihn wieder ein und ist keine Antwort. Antworten Sie mit den Schaltflächen oder mit den Tasten, die darauf stehen, sobald sie verfügbar sind.
+
+In der Übung nimmt die Rücktaste eine Antwort zurück.
+
+Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; nochmals Esc fragt, ob die Sitzung beendet werden soll. Alle beantworteten Durchgänge bleiben gespeichert; ein unterbrochener Lauf geht später beim selben Durchgang weiter.
+
+F2 ist für die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>This is how you explore and answer</source>
+        <translation>So erkunden und antworten Sie</translation>
+    </message>
+    <message>
+        <source>Where is the highest point?</source>
+        <translation>Wo ist der höchste Punkt?</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Sie fühlen die Objekte durch das Gerät.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
+        <translation>Dieses Gerät gibt keine Kraft wieder: Was eine Hand fühlen würde, wird neben der Szene gezeigt.</translation>
+    </message>
+    <message>
+        <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
+        <translation>Zuerst kommt eine freie Minute, um die Bedienung auszuprobieren. Darin zählt nichts, und Sie können sie jederzeit beenden.</translation>
+    </message>
+    <message>
+        <source>The trials go on where they were interrupted.</source>
+        <translation>Die Durchgänge gehen dort weiter, wo sie unterbrochen wurden.</translation>
+    </message>
+    <message>
+        <source>The sitting could not be run.</source>
+        <translation>Die Sitzung konnte nicht durchgeführt werden.</translation>
+    </message>
+    <message>
+        <source>Experimenter</source>
+        <translation>Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>Back to the participant (F2)</source>
+        <translation>Zurück zur Versuchsperson (F2)</translation>
+    </message>
+    <message>
+        <source>Go on with the study</source>
+        <translation>Mit der Studie fortfahren</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Maskierungsgeräusch</translation>
+    </message>
+    <message>
+        <source>Whether it is on is stored with each trial</source>
+        <translation>Ob es an ist, wird mit jedem Durchgang gespeichert</translation>
+    </message>
+    <message>
+        <source>Experimenter …</source>
+        <translation>Versuchsleitung …</translation>
+    </message>
+    <message>
+        <source>Take back (⌫)</source>
+        <translation>Zurücknehmen (⌫)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Weiter (Enter)</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s page is on the other screen.</source>
+        <translation>Die Seite der Versuchsperson ist auf dem anderen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is gone. The sitting is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <translation>Der Bildschirm der Versuchsperson ist weg. Die Sitzung ist unterbrochen, und alles bisher ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
+    </message>
+    <message>
+        <source>The sitting is paused. Before you hand over, go back to the participant&apos;s page.</source>
+        <translation>Die Sitzung ist unterbrochen. Gehen Sie zur Seite der Versuchsperson zurück, bevor Sie übergeben.</translation>
+    </message>
+    <message>
+        <source>Please call the experimenter.</source>
+        <translation>Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>Participant %1 · free minute</source>
+        <translation>Versuchsperson %1 · freie Minute</translation>
+    </message>
+    <message numerus="yes">
+        <source>Free minute: try the controls. Nothing counts yet. %n second(s) left.</source>
+        <translation>
+            <numerusform>Freie Minute: Probieren Sie die Bedienung aus. Noch zählt nichts. Noch %n Sekunde.</numerusform>
+            <numerusform>Freie Minute: Probieren Sie die Bedienung aus. Noch zählt nichts. Noch %n Sekunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Practice: this answer does not count. If it was a slip, take it back.</source>
+        <translation>Übung: Diese Antwort zählt nicht. War sie ein Versehen, nehmen Sie sie zurück.</translation>
+    </message>
+    <message>
+        <source>I am ready (Enter)</source>
+        <translation>Ich bin bereit (Enter)</translation>
+    </message>
+    <message>
+        <source>The answers are here. They are taken once the trials begin.</source>
+        <translation>Hier sind die Antworten. Sie zählen, sobald die Durchgänge beginnen.</translation>
+    </message>
+    <message>
+        <source>Not every object was touched in time, so these come again. Lift the tool off.</source>
+        <translation>Nicht jedes Objekt wurde rechtzeitig berührt, deshalb kommen diese noch einmal. Heben Sie das Werkzeug ab.</translation>
+    </message>
+    <message>
+        <source>Touch the object first.</source>
+        <translation>Berühren Sie zuerst das Objekt.</translation>
+    </message>
+    <message>
+        <source>Touch first: %1.</source>
+        <translation>Berühren Sie zuerst: %1.</translation>
+    </message>
+    <message>
+        <source>Feel for the highest point, and mark it.</source>
+        <translation>Ertasten Sie den höchsten Punkt und markieren Sie ihn.</translation>
     </message>
 </context>
 <context>

@@ -121,6 +121,20 @@
     </message>
 </context>
 <context>
+    <name>AskedSitting</name>
+    <message>
+        <source>The study %1 could not be opened.</source>
+        <translation>Η μελέτη %1 δεν ήταν δυνατό να ανοιχτεί.</translation>
+    </message>
+</context>
+<context>
+    <name>CheckRecord</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Σελίδα %1 από %2</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Go to: %1</source>
@@ -3128,6 +3142,192 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>StationRecord</name>
+    <message>
+        <source>pass</source>
+        <translation>επιτυχία</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>ΑΠΟΤΥΧΙΑ</translation>
+    </message>
+    <message>
+        <source>Measured values and their limits</source>
+        <translation>Μετρημένες τιμές και όριά τους</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Μετρήθηκε</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Όριο</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Έλεγχος από</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Ημερομηνία και ώρα</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Σταθμός</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Συσκευή</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Αριθμός σειράς</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>κανένας</translation>
+    </message>
+    <message>
+        <source>Program build</source>
+        <translation>Έκδοση προγράμματος</translation>
+    </message>
+    <message>
+        <source>Entry in the audit trail</source>
+        <translation>Εγγραφή στο αρχείο ελέγχου</translation>
+    </message>
+    <message>
+        <source>not written</source>
+        <translation>δεν γράφτηκε</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>δεν μετρήθηκε</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>χωρίς όριο</translation>
+    </message>
+    <message>
+        <source>Ticks more than 100 µs late, of %1</source>
+        <translation>Παλμοί με καθυστέρηση άνω των 100 µs, από %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>το πολύ %1</translation>
+    </message>
+    <message>
+        <source>Ticks skipped</source>
+        <translation>Παλμοί που παραλείφθηκαν</translation>
+    </message>
+    <message>
+        <source>Lateness, half of the ticks</source>
+        <translation>Καθυστέρηση, οι μισοί παλμοί</translation>
+    </message>
+    <message>
+        <source>Lateness, 99 of 100 ticks</source>
+        <translation>Καθυστέρηση, 99 στους 100 παλμούς</translation>
+    </message>
+    <message>
+        <source>Lateness, the latest tick</source>
+        <translation>Καθυστέρηση, ο πιο αργός παλμός</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ναι</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>όχι</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>Προτεραιότητα πραγματικού χρόνου</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>συνιστάται</translation>
+    </message>
+    <message>
+        <source>Memory locked</source>
+        <translation>Κλειδωμένη μνήμη</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message numerus="yes">
+        <source>Measured values and their limits, the worst of %n finger(s)</source>
+        <translation>
+            <numerusform>Μετρημένες τιμές και όριά τους, σε %n δάχτυλο</numerusform>
+            <numerusform>Μετρημένες τιμές και όριά τους, το χειρότερο από %n δάχτυλα</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>κάτω από %1</translation>
+    </message>
+    <message>
+        <source>Force error by the platform&apos;s own sensors (root mean square)</source>
+        <translation>Σφάλμα δύναμης κατά τους αισθητήρες της πλατφόρμας (μέση τετραγωνική τιμή)</translation>
+    </message>
+    <message>
+        <source>Force error on the finger pad (root mean square)</source>
+        <translation>Σφάλμα δύναμης στο ακροδάχτυλο (μέση τετραγωνική τιμή)</translation>
+    </message>
+    <message>
+        <source>Orientation error by the platform&apos;s own sensor</source>
+        <translation>Σφάλμα προσανατολισμού κατά τον αισθητήρα της πλατφόρμας</translation>
+    </message>
+    <message>
+        <source>Orientation error, true</source>
+        <translation>Σφάλμα προσανατολισμού, πραγματικό</translation>
+    </message>
+    <message>
+        <source>Overshoot of a step of force</source>
+        <translation>Υπέρβαση σε απότομη αλλαγή δύναμης</translation>
+    </message>
+    <message>
+        <source>Largest force on the finger pad</source>
+        <translation>Μέγιστη δύναμη στο ακροδάχτυλο</translation>
+    </message>
+    <message>
+        <source>Station check: timing of the force loop</source>
+        <translation>Έλεγχος σταθμού: χρονισμός του βρόχου δύναμης</translation>
+    </message>
+    <message>
+        <source>Passed. %1</source>
+        <translation>Επιτυχία. %1</translation>
+    </message>
+    <message>
+        <source>Failed. %1</source>
+        <translation>Αποτυχία. %1</translation>
+    </message>
+</context>
+<context>
     <name>StationWords</name>
     <message>
         <source>Simulated mechanism with a scripted hand</source>
@@ -3285,6 +3485,101 @@ Do you want to replace it?</source>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Δεν βρέθηκε πρόβλημα: ελέγχθηκαν %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία και το ημερολόγιο ελέγχου.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyControls</name>
+    <message>
+        <source>Move</source>
+        <translation>Κίνηση</translation>
+    </message>
+    <message>
+        <source>Move the mouse, or use the arrow keys.</source>
+        <translation>Μετακινήστε το ποντίκι ή χρησιμοποιήστε τα βέλη.</translation>
+    </message>
+    <message>
+        <source>Take the handle and move it over the objects.</source>
+        <translation>Πιάστε τη λαβή και μετακινήστε την πάνω από τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>Take hold and pull</source>
+        <translation>Πιάσιμο και έλξη</translation>
+    </message>
+    <message>
+        <source>Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls.</source>
+        <translation>Κατεβάστε το εργαλείο στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Πίεση</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
+        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up ανεβαίνει.</translation>
+    </message>
+    <message>
+        <source>Lower the tip onto the ring, then raise the handle. Push on to let go.</source>
+        <translation>Κατεβάστε τη μύτη στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, πιέστε περαιτέρω.</translation>
+    </message>
+    <message>
+        <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
+        <translation>Πιέστε τη μύτη στο αντικείμενο ή χαϊδέψτε το. Σηκώστε τη λαβή για να το αφήσετε.</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, while the tool is at the place.</source>
+        <translation>Κάντε κλικ ή πατήστε Enter όσο το εργαλείο βρίσκεται στο σημείο.</translation>
+    </message>
+    <message>
+        <source>Press the button of the handle, or Enter, while the tip is at the place.</source>
+        <translation>Πατήστε το κουμπί της λαβής ή Enter όσο η μύτη βρίσκεται στο σημείο.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.</source>
+        <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο και μετά Enter. Το Backspace αναιρεί το τελευταίο.</translation>
+    </message>
+    <message>
+        <source>Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.</source>
+        <translation>Πατήστε 1, 2 ή 3 από το λιγότερο στο περισσότερο, = πριν από ένα ίσο με το τελευταίο, και μετά Enter. Το Backspace αναιρεί.</translation>
+    </message>
+    <message>
+        <source>Press 1 for the same, 2 for different.</source>
+        <translation>Πατήστε 1 για ίδια, 2 για διαφορετικά.</translation>
+    </message>
+    <message>
+        <source>Press Y for yes, N for no.</source>
+        <translation>Πατήστε Y για ναι, N για όχι.</translation>
+    </message>
+    <message>
+        <source>Press + and − until both feel the same, then Enter.</source>
+        <translation>Πατήστε + και − μέχρι να νιώθετε και τα δύο ίδια, και μετά Enter.</translation>
+    </message>
+    <message>
+        <source>Type a number, then press Enter.</source>
+        <translation>Πληκτρολογήστε έναν αριθμό και πατήστε Enter.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object: 1, 2 or 3.</source>
+        <translation>Πατήστε τον αριθμό του αντικειμένου: 1, 2 ή 3.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object, or the button of the handle while you touch it.</source>
+        <translation>Πατήστε τον αριθμό του αντικειμένου ή το κουμπί της λαβής όσο το αγγίζετε.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Απάντηση</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly.</source>
+        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά.</translation>
+    </message>
+    <message>
+        <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
+        <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν απαντά σε τίποτα.</translation>
+    </message>
+    <message>
+        <source>%1 The answers can be clicked as well.</source>
+        <translation>%1 Μπορείτε επίσης να κάνετε κλικ στις απαντήσεις.</translation>
     </message>
 </context>
 <context>
@@ -4306,6 +4601,10 @@ Do you want to replace it?</source>
         <source>Share of the prior: %1</source>
         <translation>Μερίδιο της εκ των προτέρων κατανομής: %1</translation>
     </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Αναιρέθηκε</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -4668,6 +4967,10 @@ Do you want to replace it?</source>
     <message>
         <source>Put the three in order: each one %1 than the one before. You may mark those that feel the same as equal.</source>
         <translation>Βάλτε τα τρία σε σειρά: καθένα %1 από το προηγούμενο. Όσα μοιάζουν ίδια μπορούν να χαρακτηριστούν ίσα.</translation>
+    </message>
+    <message>
+        <source>Taken back</source>
+        <translation>Αναιρέθηκε</translation>
     </message>
 </context>
 <context>
@@ -6071,6 +6374,25 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>The content folder of this site contains no exercises. Ask an administrator.</source>
         <translation>Ο φάκελος περιεχομένου αυτού του κέντρου δεν περιέχει ασκήσεις. Απευθυνθείτε σε διαχειριστή.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ExperimenterGate</name>
+    <message>
+        <source>For the experimenter</source>
+        <translation>Για τον πειραματιστή</translation>
+    </message>
+    <message>
+        <source>The sitting waits. Enter your password to see the experimenter&apos;s view.</source>
+        <translation>Η συνεδρία περιμένει. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>Password of %1</source>
+        <translation>Κωδικός πρόσβασης: %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Συνέχεια</translation>
     </message>
 </context>
 <context>
@@ -7593,6 +7915,13 @@ Forgot your password? An administrator can give you a new one. The first adminis
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ParticipantWindow</name>
+    <message>
+        <source>Study</source>
+        <translation>Μελέτη</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::ParticipantsPage</name>
     <message>
         <source>Participants can be enrolled once the design is frozen.</source>
@@ -8011,10 +8340,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Επαλήθευση της προσομοιωμένης πλατφόρμας: το δημοσιευμένο ημίτονο και οι προσανατολισμοί, βήματα δύναμης και η μέγιστη δύναμη στο δάκτυλο, σε οκτώ προσομοιωμένα δάκτυλα.</translation>
     </message>
     <message>
-        <source>An administrator can run it here.</source>
-        <translation>Η εκτέλεση γίνεται εδώ από διαχειριστή.</translation>
-    </message>
-    <message>
         <source>Verify the platform</source>
         <translation>Έλεγχος</translation>
     </message>
@@ -8033,6 +8358,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Verification of the simulated fingertip platform</source>
         <translation>Επαλήθευση της προσομοιωμένης πλατφόρμας δακτύλου</translation>
+    </message>
+    <message>
+        <source>A researcher or an administrator can run it here.</source>
+        <translation>Ένας ερευνητής ή διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
+    </message>
+    <message>
+        <source>Passed.</source>
+        <translation>Επιτυχία.</translation>
+    </message>
+    <message>
+        <source>Failed.</source>
+        <translation>Αποτυχία.</translation>
     </message>
 </context>
 <context>
@@ -8863,6 +9200,14 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>From %1 to %2</source>
         <translation>Από %1 έως %2</translation>
     </message>
+    <message>
+        <source>Not answered yet: move the slider, or press Space to leave it in the middle.</source>
+        <translation>Δεν έχει απαντηθεί ακόμη: μετακινήστε το ρυθμιστικό ή πατήστε το διάστημα για να μείνει στη μέση.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Βήμα %1 από %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnaireScreen</name>
@@ -8978,6 +9323,25 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>answers</source>
         <translation>απαντήσεις</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: median %2, from %3 to %4, of %n participant(s)</source>
+        <translation>
+            <numerusform>%1: διάμεσος %2, από %3 έως %4, %n συμμετέχων</numerusform>
+            <numerusform>%1: διάμεσος %2, από %3 έως %4, %n συμμετέχοντες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Usability score (0 to 100)</source>
+        <translation>Βαθμός ευχρηστίας (0 έως 100)</translation>
+    </message>
+    <message>
+        <source>Workload (0 to 100)</source>
+        <translation>Φόρτος εργασίας (0 έως 100)</translation>
+    </message>
+    <message>
+        <source>Laterality quotient (−100 left, 100 right)</source>
+        <translation>Πηλίκο πλευρίωσης (−100 αριστερά, 100 δεξιά)</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
@@ -9088,6 +9452,26 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Remove question %1</source>
         <translation>Αφαίρεση ερώτησης %1</translation>
+    </message>
+    <message>
+        <source>Add an instrument …</source>
+        <translation>Προσθήκη εργαλείου …</translation>
+    </message>
+    <message>
+        <source>Published questionnaires with their scores, and what is written down when a participant is enrolled</source>
+        <translation>Δημοσιευμένα ερωτηματολόγια με τη βαθμολόγησή τους, και ό,τι σημειώνεται κατά την εγγραφή ενός συμμετέχοντος</translation>
+    </message>
+    <message>
+        <source>The instruments could not be read.</source>
+        <translation>Τα εργαλεία δεν ήταν δυνατό να διαβαστούν.</translation>
+    </message>
+    <message>
+        <source>Add an instrument</source>
+        <translation>Προσθήκη εργαλείου</translation>
+    </message>
+    <message>
+        <source>when a participant is enrolled</source>
+        <translation>κατά την εγγραφή ενός συμμετέχοντος</translation>
     </message>
 </context>
 <context>
@@ -10432,10 +10816,6 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Εκτέλεση αυτοελέγχου</translation>
     </message>
     <message>
-        <source>An administrator can run it here.</source>
-        <translation>Ένας διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
-    </message>
-    <message>
         <source>This session was recorded before the program stored how delays are distributed.</source>
         <translation>Όταν καταγράφηκε αυτή η συνεδρία, το πρόγραμμα δεν αποθήκευε ακόμη την κατανομή των καθυστερήσεων.</translation>
     </message>
@@ -10484,10 +10864,6 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Έγγραφα PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>%1, on %2</source>
-        <translation>%1, στον υπολογιστή %2</translation>
-    </message>
-    <message>
         <source>The record was saved in %1.</source>
         <translation>Το πρακτικό αποθηκεύτηκε στο %1.</translation>
     </message>
@@ -10496,24 +10872,52 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Δεν ήταν δυνατή η αποθήκευση του πρακτικού.</translation>
     </message>
     <message>
+        <source>Verify the fingertip platform</source>
+        <translation>Έλεγχος της πλατφόρμας δακτύλου</translation>
+    </message>
+    <message>
+        <source>The check could not be written to the audit trail.</source>
+        <translation>Ο έλεγχος δεν ήταν δυνατό να γραφτεί στο αρχείο ελέγχου.</translation>
+    </message>
+    <message>
+        <source>Simulated fingertip platform</source>
+        <translation>Προσομοιωμένη πλατφόρμα ακροδαχτύλου</translation>
+    </message>
+    <message>
+        <source>None: the loop alone, without a device</source>
+        <translation>Καμία: μόνο ο βρόχος, χωρίς συσκευή</translation>
+    </message>
+    <message>
         <source>Shows whether this computer is fast and regular enough for haptic force.
 
 Force is computed a thousand times a second. The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten seconds without any device.
 
-The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. The record can be printed.
+The fingertip platform is verified as in its publication: how closely it follows a force and an orientation. Each check is kept in the audit trail, and its record can be saved and filed: who, when, on which device and build, and each measured value beside its limit.
 
 With real-time priority the loop stays on time whatever else the computer does. This screen shows whether the loop has that priority and how to permit it.</source>
-        <translation>Δείχνει αν αυτός ο υπολογιστής είναι κατάλληλος για αισθητή δύναμη.
+        <translation>Δείχνει αν αυτός ο υπολογιστής είναι αρκετά γρήγορος και σταθερός για απτική δύναμη.
 
-Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν με πόση καθυστέρηση άρχισαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που έτρεξε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
+Η δύναμη υπολογίζεται χίλιες φορές το δευτερόλεπτο. Τα διαγράμματα δείχνουν πόσο αργά ξεκίνησαν αυτά τα χίλια βήματα: στην τελευταία συνεδρία που εκτελέστηκε σε πραγματικό χρόνο και σε έναν αυτοέλεγχο δέκα δευτερολέπτων χωρίς συσκευή.
 
-Η πλατφόρμα δακτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Το πρακτικό μπορεί να εκτυπωθεί.
+Η πλατφόρμα ακροδαχτύλου ελέγχεται όπως στη δημοσίευσή της: πόσο πιστά ακολουθεί μια δύναμη και έναν προσανατολισμό. Κάθε έλεγχος διατηρείται στο αρχείο ελέγχου και το έγγραφό του μπορεί να αποθηκευτεί και να αρχειοθετηθεί: ποιος, πότε, σε ποια συσκευή και έκδοση, και κάθε μετρημένη τιμή δίπλα στο όριό της.
 
-Με προτεραιότητα πραγματικού χρόνου ο βρόχος τηρεί τον χρόνο του ό,τι άλλο κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει την προτεραιότητα και πώς επιτρέπεται.</translation>
+Με προτεραιότητα πραγματικού χρόνου ο βρόχος παραμένει έγκαιρος ό,τι κι αν κάνει ο υπολογιστής. Αυτή η οθόνη δείχνει αν ο βρόχος έχει αυτή την προτεραιότητα και πώς επιτρέπεται.</translation>
     </message>
     <message>
-        <source>Verify the fingertip platform</source>
-        <translation>Έλεγχος της πλατφόρμας δακτύλου</translation>
+        <source>Record (PDF) …</source>
+        <translation>Αρχείο (PDF) …</translation>
+    </message>
+    <message>
+        <source>Record of the self-test (PDF)</source>
+        <translation>Αρχείο του αυτοελέγχου (PDF)</translation>
+    </message>
+    <message>
+        <source>Station check.pdf</source>
+        <translation>Έλεγχος σταθμού.pdf</translation>
+    </message>
+    <message>
+        <source>A researcher or an administrator can run it here.</source>
+        <translation>Ένας ερευνητής ή διαχειριστής μπορεί να τον εκτελέσει εδώ.</translation>
     </message>
 </context>
 <context>
@@ -11817,10 +12221,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πριν αρχίσετε</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Αρχή</translation>
-    </message>
-    <message>
         <source>Participant %1 · practice</source>
         <translation>Συμμετέχων %1 · εξάσκηση</translation>
     </message>
@@ -11839,10 +12239,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Wrong.</source>
         <translation>Λάθος.</translation>
-    </message>
-    <message>
-        <source>Touch every object first.</source>
-        <translation>Αγγίξτε πρώτα κάθε αντικείμενο.</translation>
     </message>
     <message>
         <source>The time to explore is over. Answer now.</source>
@@ -11892,10 +12288,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Ευχαριστούμε</translation>
     </message>
     <message>
-        <source>This part is done.</source>
-        <translation>Αυτό το μέρος τελείωσε.</translation>
-    </message>
-    <message>
         <source>The answer was not accepted.</source>
         <translation>Η απάντηση δεν έγινε δεκτή.</translation>
     </message>
@@ -11928,10 +12320,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η συνεδρία δεν εκτελέστηκε</translation>
     </message>
     <message>
-        <source>Experimenter&apos;s view</source>
-        <translation>Προβολή του πειραματιστή</translation>
-    </message>
-    <message>
         <source>Pause or go on</source>
         <translation>Παύση ή συνέχεια</translation>
     </message>
@@ -11944,36 +12332,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πρόοδος αυτού του μέρους</translation>
     </message>
     <message>
-        <source>Sound</source>
-        <translation>Ήχος</translation>
-    </message>
-    <message>
-        <source>Masking sound on or off</source>
-        <translation>Ήχος κάλυψης: ενεργός ή ανενεργός</translation>
-    </message>
-    <message>
-        <source>Experimenter (F2)</source>
-        <translation>Πειραματιστής (F2)</translation>
-    </message>
-    <message>
         <source>Stop …</source>
         <translation>Διακοπή …</translation>
     </message>
     <message>
         <source>Time to explore</source>
         <translation>Χρόνος εξερεύνησης</translation>
-    </message>
-    <message>
-        <source>Here a participant explores objects and answers.
-
-Move the tool with the mouse; raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the keys shown on them.
-
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. F2 shows the experimenter&apos;s view: progress, estimate, fidelity of the last trial, and the button that discards a trial. All answered trials are kept; a stopped run continues later at the same trial.</source>
-        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
-
-Κινήστε το εργαλείο με το ποντίκι· ανεβάστε και κατεβάστε το με τον τροχό ή με Page Up και Page Down. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που γράφονται πάνω τους.
-
-Το Διάστημα κάνει παύση. Το Esc διακόπτει αμέσως τη δύναμη, το R την επαναφέρει αργά· ένα ακόμη Esc ρωτά για διακοπή της συνεδρίας. Το F2 δείχνει την προβολή του πειραματιστή: πρόοδο, εκτίμηση, πιστότητα της τελευταίας δοκιμής και το κουμπί που ακυρώνει μια δοκιμή. Όλες οι απαντημένες δοκιμές διατηρούνται· μια εκτέλεση που διακόπηκε συνεχίζεται αργότερα από την ίδια δοκιμή.</translation>
     </message>
     <message>
         <source>Stop force</source>
@@ -12034,6 +12398,141 @@ Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc 
     <message>
         <source>This run was started with a different version of its procedure. A run is never continued with another version, so that all of its trials can be compared. The answers so far are kept; enrol another participant for this condition.</source>
         <translation>Αυτή η εκτέλεση άρχισε με άλλη έκδοση της διαδικασίας της. Μια εκτέλεση δεν συνεχίζεται ποτέ με άλλη έκδοση, ώστε όλες οι δοκιμές να είναι συγκρίσιμες. Οι ως τώρα απαντήσεις διατηρούνται· εγγράψτε άλλον συμμετέχοντα για αυτή τη συνθήκη.</translation>
+    </message>
+    <message>
+        <source>Here a participant explores objects and answers.
+
+Move the tool with the device, or with the mouse; with the mouse, raise and lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.
+
+In practice, Backspace takes an answer back.
+
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. All answered trials are kept; a stopped run continues later at the same trial.
+
+F2 is for the experimenter.</source>
+        <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
+
+Μετακινήστε το εργαλείο με τη συσκευή ή με το ποντίκι· με το ποντίκι ανεβάζετε και κατεβάζετε με τον τροχό ή με τα PageUp και PageDown. Το T ελευθερώνει τον δείκτη, ένα κλικ στη σκηνή τον δεσμεύει ξανά και δεν απαντά σε τίποτα. Απαντήστε με τα κουμπιά ή με τα πλήκτρα που αναγράφονται σε αυτά, μόλις ενεργοποιηθούν.
+
+Στην εξάσκηση, το Backspace αναιρεί μια απάντηση.
+
+Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· δεύτερο Esc ρωτά αν θα διακοπεί η συνεδρία. Όλες οι απαντημένες δοκιμές διατηρούνται· μια διακομμένη εκτέλεση συνεχίζεται αργότερα στην ίδια δοκιμή.
+
+Το F2 είναι για τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>This is how you explore and answer</source>
+        <translation>Έτσι εξερευνάτε και απαντάτε</translation>
+    </message>
+    <message>
+        <source>Where is the highest point?</source>
+        <translation>Πού είναι το υψηλότερο σημείο;</translation>
+    </message>
+    <message>
+        <source>You feel the objects through the device.</source>
+        <translation>Νιώθετε τα αντικείμενα μέσω της συσκευής.</translation>
+    </message>
+    <message>
+        <source>This device renders no force: what a hand would feel is shown beside the scene.</source>
+        <translation>Αυτή η συσκευή δεν αποδίδει δύναμη: ό,τι θα ένιωθε ένα χέρι εμφανίζεται δίπλα στη σκηνή.</translation>
+    </message>
+    <message>
+        <source>First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.</source>
+        <translation>Πρώτα υπάρχει ένα ελεύθερο λεπτό για να δοκιμάσετε τον χειρισμό. Τίποτα δεν μετράει σε αυτό και μπορείτε να το τερματίσετε όποτε θέλετε.</translation>
+    </message>
+    <message>
+        <source>The trials go on where they were interrupted.</source>
+        <translation>Οι δοκιμές συνεχίζονται από εκεί που διακόπηκαν.</translation>
+    </message>
+    <message>
+        <source>The sitting could not be run.</source>
+        <translation>Η συνεδρία δεν ήταν δυνατό να εκτελεστεί.</translation>
+    </message>
+    <message>
+        <source>Experimenter</source>
+        <translation>Πειραματιστής</translation>
+    </message>
+    <message>
+        <source>Back to the participant (F2)</source>
+        <translation>Πίσω στον συμμετέχοντα (F2)</translation>
+    </message>
+    <message>
+        <source>Go on with the study</source>
+        <translation>Συνέχιση της μελέτης</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Ήχος κάλυψης</translation>
+    </message>
+    <message>
+        <source>Whether it is on is stored with each trial</source>
+        <translation>Αν είναι ενεργός αποθηκεύεται με κάθε δοκιμή</translation>
+    </message>
+    <message>
+        <source>Experimenter …</source>
+        <translation>Πειραματιστής …</translation>
+    </message>
+    <message>
+        <source>Take back (⌫)</source>
+        <translation>Αναίρεση (⌫)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Επόμενο (Enter)</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s page is on the other screen.</source>
+        <translation>Η σελίδα του συμμετέχοντος βρίσκεται στην άλλη οθόνη.</translation>
+    </message>
+    <message>
+        <source>The participant&apos;s screen is gone. The sitting is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <translation>Η οθόνη του συμμετέχοντος δεν υπάρχει πια. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
+    </message>
+    <message>
+        <source>The sitting is paused. Before you hand over, go back to the participant&apos;s page.</source>
+        <translation>Η συνεδρία είναι σε παύση. Πριν παραδώσετε, επιστρέψτε στη σελίδα του συμμετέχοντος.</translation>
+    </message>
+    <message>
+        <source>Please call the experimenter.</source>
+        <translation>Παρακαλούμε καλέστε τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>Participant %1 · free minute</source>
+        <translation>Συμμετέχων %1 · ελεύθερο λεπτό</translation>
+    </message>
+    <message numerus="yes">
+        <source>Free minute: try the controls. Nothing counts yet. %n second(s) left.</source>
+        <translation>
+            <numerusform>Ελεύθερο λεπτό: δοκιμάστε τον χειρισμό. Τίποτα δεν μετράει ακόμη. Απομένει %n δευτερόλεπτο.</numerusform>
+            <numerusform>Ελεύθερο λεπτό: δοκιμάστε τον χειρισμό. Τίποτα δεν μετράει ακόμη. Απομένουν %n δευτερόλεπτα.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Practice: this answer does not count. If it was a slip, take it back.</source>
+        <translation>Εξάσκηση: αυτή η απάντηση δεν μετράει. Αν έγινε κατά λάθος, αναιρέστε την.</translation>
+    </message>
+    <message>
+        <source>I am ready (Enter)</source>
+        <translation>Είμαι έτοιμος (Enter)</translation>
+    </message>
+    <message>
+        <source>The answers are here. They are taken once the trials begin.</source>
+        <translation>Οι απαντήσεις βρίσκονται εδώ. Θα ισχύουν μόλις ξεκινήσουν οι δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Not every object was touched in time, so these come again. Lift the tool off.</source>
+        <translation>Δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα, γι&apos; αυτό έρχονται ξανά. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>Touch the object first.</source>
+        <translation>Αγγίξτε πρώτα το αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Touch first: %1.</source>
+        <translation>Αγγίξτε πρώτα: %1.</translation>
+    </message>
+    <message>
+        <source>Feel for the highest point, and mark it.</source>
+        <translation>Ψηλαφήστε για το υψηλότερο σημείο και σημειώστε το.</translation>
     </message>
 </context>
 <context>

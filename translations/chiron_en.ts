@@ -46,6 +46,16 @@
     </message>
 </context>
 <context>
+    <name>StationRecord</name>
+    <message numerus="yes">
+        <source>Measured values and their limits, the worst of %n finger(s)</source>
+        <translation>
+                <numerusform>Measured values and their limits, on %n finger</numerusform>
+                <numerusform>Measured values and their limits, the worst of %n fingers</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
     <name>StationWords</name>
     <message numerus="yes">
         <source>The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.</source>
@@ -400,6 +410,13 @@
             <numerusform>Answered by %n participants</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: median %2, from %3 to %4, of %n participant(s)</source>
+        <translation>
+                <numerusform>%1: median %2, from %3 to %4, of %n participant</numerusform>
+                <numerusform>%1: median %2, from %3 to %4, of %n participants</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RankingBox</name>
@@ -555,6 +572,13 @@
             <numerusform>Rest your hand. You can continue in %n second.</numerusform>
             <numerusform>Rest your hand. You can continue in %n seconds.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>Free minute: try the controls. Nothing counts yet. %n second(s) left.</source>
+        <translation>
+                <numerusform>Free minute: try the controls. Nothing counts yet. %n second left.</numerusform>
+                <numerusform>Free minute: try the controls. Nothing counts yet. %n seconds left.</numerusform>
+            </translation>
     </message>
 </context>
 <context>

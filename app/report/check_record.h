@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <utility>
 #include <vector>
 
 class QPagedPaintDevice;
@@ -24,6 +25,9 @@ struct CheckTable {
 struct CheckRecord {
     QString title;
     QString when; ///< and where, as it is shown
+    /// Who, when, station, device and serial number, build ...: a name and its value each, under the title.
+    std::vector<std::pair<QString, QString>> head{};
+    QString foot{}; ///< at the foot of each page, before its number
     QString verdict;
     QStringList facts; ///< a paragraph each
     std::vector<CheckTable> tables;
@@ -35,6 +39,7 @@ struct CheckRecord {
 core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record, const PlotTheme& theme);
 
 /// The same pages on somebody's own device, at its resolution. False where it cannot be painted on, or gives no further page. GUI thread.
+/// Each page bears its number and how many there are.
 bool paintCheck(QPagedPaintDevice& device, const CheckRecord& record, const PlotTheme& theme);
 
 } // namespace chiron::report

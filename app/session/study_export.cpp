@@ -45,7 +45,7 @@ QByteArray descriptionJson(const StudyExportData& data, const std::vector<Export
 
 QByteArray readme(const StudyExportData& data) {
     return QStringLiteral("Data of the study %1, protocol SHA-256 %2.\n\n"
-                          "trials.csv, runs.csv, participants.csv, questionnaires.csv, estimates.csv and quality.csv; what each column means is in data_dictionary.csv and\n"
+                          "trials.csv, runs.csv, participants.csv, questionnaires.csv, scores.csv, estimates.csv and quality.csv; what each column means is in data_dictionary.csv and\n"
                           "data_dictionary.json. UTF-8, decimal points, SI units, n/a where there is no value: readers have to be told.\n"
                           "%4"
                           "Participants go by random codes. Names, accounts, free text and clock times are not part of it.\n%3")
@@ -68,7 +68,7 @@ core::Result<void> exportStudyCsv(database::StudyReader& reader, database::Study
     const auto data = gatherStudy(reader, study);
     if (!data)
         return tl::unexpected(data.error());
-    const std::vector<ExportTable> tables{trialsTable(*data), runsTable(*data), participantsTable(*data), questionnairesTable(*data), estimatesTable(*data), qualityTable(*data)};
+    const std::vector<ExportTable> tables{trialsTable(*data), runsTable(*data), participantsTable(*data), questionnairesTable(*data), scoresTable(*data), estimatesTable(*data), qualityTable(*data)};
     std::vector<std::pair<QString, QByteArray>> files;
     for (const ExportTable& table : tables)
         files.emplace_back(table.name + ".csv", csvOf(table));

@@ -14,7 +14,7 @@ namespace chiron::session {
 // the same double, "n/a" where there is none. The SHA-256 of the frozen design is in every file that can hold it. Any thread that the
 // reader's connection belongs to.
 
-/// Writes `folder`: trials, runs, participants, questionnaires and estimates as CSV, data_dictionary.csv and .json (every column with
+/// Writes `folder`: trials, runs, participants (with what was written down at the enrolment), questionnaires, scores and estimates as CSV, data_dictionary.csv and .json (every column with
 /// unit, levels and description), design.json (the frozen design, byte for byte what the SHA-256 is of), dataset_description.json (Psych-DS). The
 /// folder appears whole or not at all. Failure: badInput where `folder` exists already, wrongUse for a draft, notFound, notAllowed, storage.
 core::Result<void> exportStudyCsv(database::StudyReader& reader, database::StudyNumber study, const std::filesystem::path& folder);

@@ -136,6 +136,27 @@ core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& d
     return writeTable(folder, "participants", table, {});
 }
 
+/// The scores of a questionnaire by the participant's code, and their columns behind the questions'.
+std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psychophysics::Questionnaire& questionnaire, std::vector<ExportColumn>& columns) {
+    std::map<QString, QStringList> by;
+    const ExportTable scores = scoresTable(data);
+    const auto cell = [&](const QStringList& row, const char* name) {
+        const auto at = std::find_if(scores.columns.begin(), scores.columns.end(), [&](const ExportColumn& column) { return column.name == QLatin1String(name); });
+        return row[at - scores.columns.begin()];
+    };
+    QStringList names;
+    for (const QStringList& row : scores.rows) {
+        if (cell(row, "questionnaire").toStdString() != questionnaire.id)
+            continue;
+        if (const QString name = cell(row, "score"); !names.contains(name)) {
+            names << name;
+            columns.push_back({QStringLiteral("score_") + name, "", QStringLiteral("score by the rule %1").arg(cell(row, "rule"))});
+        }
+        by[cell(row, "participant")] << cell(row, "value");
+    }
+    return by;
+}
+
 /// phenotype/ID.tsv: a line a participant, a column a question.
 core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires) {
@@ -143,6 +164,8 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
         for (const auto& item : questionnaire.items)
             if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
                 table.columns.push_back({QString::fromStdString(item.id), "", english(item.text)});
+        const std::size_t questions = table.columns.size();
+        const std::map<QString, QStringList> scored = scoresBy(data, questionnaire, table.columns);
         for (const ExportedParticipant& each : data.participants) {
             std::map<QString, QString> given;
             for (const auto& answer : data.answers)
@@ -151,8 +174,10 @@ core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData&
             if (given.empty() || each.runs.empty())
                 continue;
             QStringList row{labels.participantId(QString::fromStdString(each.participant.code))};
-            for (std::size_t i = 1; i < table.columns.size(); ++i)
+            for (std::size_t i = 1; i < questions; ++i)
                 row << (given.count(table.columns[i].name) > 0 ? given.at(table.columns[i].name) : kNotAvailable);
+            if (table.columns.size() > questions)
+                row << scored.at(QString::fromStdString(each.participant.code));
             table.rows.push_back(row);
         }
         if (table.rows.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "psychophysics/measures/instrument_score.h"
 #include "session/study/trial_fidelity.h"
 
 #include <algorithm>
@@ -54,6 +55,17 @@ double pausedIn(const std::vector<database::StudyTrial>& trials) {
     return sum;
 }
 
+/// What its trials say of the sittings, each word once.
+QString eachOf(const std::vector<database::StudyTrial>& trials, std::string TrialCircumstances::*member) {
+    QStringList words;
+    for (const database::StudyTrial& trial : trials) {
+        const QString word = QString::fromStdString(circumstancesOf(trial.fidelityJson).*member);
+        if (!word.isEmpty() && !words.contains(word))
+            words << word;
+    }
+    return words.isEmpty() ? kNotAvailable : words.join(u'|');
+}
+
 QString forceWord(const std::optional<bool>& felt) { return !felt ? kNotAvailable : *felt ? QStringLiteral("felt") : QStringLiteral("shown"); }
 
 /// Of all sittings of a run. That of a single trial is in trials.
@@ -76,6 +88,54 @@ const QuestionnaireItem* itemOf(const StudyExportData& data, const database::Que
             if (questionnaire.id == answer.questionnaire && item.id == answer.item)
                 return &item;
     return nullptr;
+}
+
+/// A question of those that are written down at the enrolment. Free texts stay behind, as everywhere.
+struct EnrolmentField {
+    const psychophysics::Questionnaire* of;
+    const QuestionnaireItem* item;
+};
+
+std::vector<EnrolmentField> enrolmentFields(const StudyExportData& data) {
+    std::vector<EnrolmentField> fields;
+    for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires)
+        if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
+            for (const QuestionnaireItem& item : questionnaire.items)
+                if (item.kind != QuestionnaireItem::Kind::text)
+                    fields.push_back({&questionnaire, &item});
+    return fields;
+}
+
+QString fieldWords(const psychophysics::StudyText& words) {
+    const auto found = words.find("en");
+    return found == words.end() ? QString() : QString::fromStdString(found->second);
+}
+
+/// Named as the question, and where that is taken, with the questionnaire's name before it.
+ExportColumn enrolmentColumn(const EnrolmentField& field, const std::vector<ExportColumn>& taken) {
+    const QString id = QString::fromStdString(field.item->id);
+    const bool free = std::none_of(taken.begin(), taken.end(), [&](const ExportColumn& column) { return column.name == id; });
+    ExportColumn column{free ? id : QString::fromStdString(field.of->id) + u'_' + id, "", fieldWords(field.item->text) + QStringLiteral("; as written down at the enrolment, n/a where it was not")};
+    for (std::size_t i = 0; i < field.item->choices.size(); ++i)
+        column.levels.emplace_back(QString::number(i), fieldWords(field.item->choices[i]));
+    return column;
+}
+
+QString enrolmentCell(const StudyExportData& data, const EnrolmentField& field, database::ParticipantNumber participant) {
+    for (const database::QuestionnaireAnswer& answer : data.answers)
+        if (answer.participant == participant && answer.questionnaire == field.of->id && answer.item == field.item->id && answer.number)
+            return exportNumber(*answer.number);
+    return kNotAvailable;
+}
+
+/// Nothing where the participant did not answer it.
+std::optional<psychophysics::QuestionnaireReply> replyOf(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers,
+                                                         database::ParticipantNumber participant) {
+    psychophysics::QuestionnaireReply reply;
+    for (const database::QuestionnaireAnswer& answer : answers)
+        if (answer.participant == participant && answer.questionnaire == questionnaire.id && answer.number)
+            reply.numbers[answer.item] = *answer.number;
+    return reply.numbers.empty() ? std::nullopt : std::optional(std::move(reply));
 }
 
 QString kindWord(QuestionnaireItem::Kind kind) {
@@ -110,7 +170,9 @@ ExportTable runsTable(const StudyExportData& data) {
                                          {"practice", "1", "of these, practice"},
                                          {"spoiled", "1", "of these, spoiled and presented again"},
                                          {"scored", "1", "of these, scored"},
-                                         {"paused_s", "s", "pauses within presentations, in which no clock ran; n/a where it was not measured"}};
+                                         {"paused_s", "s", "pauses within presentations, in which no clock ran; n/a where it was not measured"},
+                                         {"language", "", "that the participant read, of several sittings separated by |; n/a in simulated runs, where it was not recorded yet, and while blinded where conditions differ"},
+                                         {"masking_sound", "", "what was heard (as in trials), of several separated by |; n/a as language"}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
     for (const ExportColumn& column : deviceColumns())
         table.columns.push_back(column);
@@ -128,7 +190,8 @@ ExportTable runsTable(const StudyExportData& data) {
                                              count([](const auto&) { return true; }), count([](const auto& t) { return t.practice; }),
                                              count([](const auto& t) { return !t.practice && !t.spoiled.empty(); }),
                                              data.sealed ? kNotAvailable : QString::number(scoredTrialsOf(run.trials).size()),
-                                             exportNumber(pausedIn(run.trials))} +
+                                             exportNumber(pausedIn(run.trials)), eachOf(run.trials, &TrialCircumstances::language),
+                                             eachOf(run.trials, &TrialCircumstances::masking)} +
                                  deviceCells(data, run.trials));
         }
     }
@@ -174,6 +237,28 @@ ExportTable qualityTable(const StudyExportData& data) {
     return table;
 }
 
+ExportTable scoresTable(const StudyExportData& data) {
+    ExportTable table{"scores", "what instruments make of their answers, by their published rules", ownerColumns(), {}};
+    const std::vector<ExportColumn> more{{"questionnaire", "", "its id in design.json"},
+                                         {"rule", "", "by which it is scored",
+                                          {{"sus", "System Usability Scale, 0 to 100 (Brooke 1996)"}, {"nasa_tlx_raw", "mean of the six scales, 0 to 100 (Hart 2006)"},
+                                           {"nasa_tlx_weighted", "weighted by the 15 pairs, 0 to 100 (Hart & Staveland 1988)"},
+                                           {"laterality_quotient", "-100 left to 100 right (Oldfield 1971)"}}},
+                                         {"score", "", "which figure: workload the index, and each of its scales by the question's id"},
+                                         {"value", "1", "n/a where an answer that it takes was not given"}};
+    table.columns.insert(table.columns.end(), more.begin(), more.end());
+    for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires)
+        for (const ExportedParticipant& each : data.participants) {
+            const auto reply = replyOf(questionnaire, data.answers, each.participant.id);
+            if (!reply)
+                continue;
+            for (const psychophysics::InstrumentScore& score : psychophysics::instrumentScores(questionnaire, *reply))
+                table.rows.push_back({data.sha256(), QString::fromStdString(each.participant.code), text(questionnaire.id), text(questionnaire.score), text(score.id),
+                                      exportNumber(score.value)});
+        }
+    return table;
+}
+
 ExportTable participantsTable(const StudyExportData& data) {
     ExportTable table{"participants", "who took part, by random code", ownerColumns(), {}};
     const std::vector<ExportColumn> more{{"simulated", "", "an observer in software, not a person", kYesNo},
@@ -182,11 +267,16 @@ ExportTable participantsTable(const StudyExportData& data) {
                                          {"state", "", "how far", {{"enrolled", "no consent yet"}, {"consented", "taking part"}, {"completed", "all done"}, {"withdrawn", "took no further part"}}},
                                          {"consented", "", "consent is recorded", kYesNo}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
+    const auto fields = enrolmentFields(data);
+    for (const EnrolmentField& field : fields)
+        table.columns.push_back(enrolmentColumn(field, table.columns));
     for (const ExportedParticipant& each : data.participants) {
         const database::Participant& p = each.participant;
-        table.rows.push_back({data.sha256(), QString::fromStdString(p.code), exportFlag(p.simulated), text(p.observer),
-                              data.blinded ? kNotAvailable : QString::number(p.order),
-                              stateWord(p.state), exportFlag(!p.consentUtc.empty())});
+        QStringList row{data.sha256(), QString::fromStdString(p.code), exportFlag(p.simulated), text(p.observer),
+                        data.blinded ? kNotAvailable : QString::number(p.order), stateWord(p.state), exportFlag(!p.consentUtc.empty())};
+        for (const EnrolmentField& field : fields)
+            row << enrolmentCell(data, field, p.id);
+        table.rows.push_back(row);
     }
     return table;
 }

@@ -14,6 +14,8 @@ ExportTable runsTable(const StudyExportData& data);
 ExportTable participantsTable(const StudyExportData& data);
 /// Answers; free text stays behind (people write names into it), only that there is one is told.
 ExportTable questionnairesTable(const StudyExportData& data);
+/// A row a score of a participant: of questionnaires that have a rule for it.
+ExportTable scoresTable(const StudyExportData& data);
 /// A row a run: what estimateRun makes of it.
 ExportTable estimatesTable(const StudyExportData& data);
 

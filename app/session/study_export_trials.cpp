@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "core/units.h"
 #include "session/study/trial_fidelity.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +19,7 @@ using database::StudyTrial;
 
 const std::vector<std::pair<QString, QString>> kYesNo{{"1", "yes"}, {"0", "no"}};
 constexpr int kPlaces = 3;
+constexpr double kTicksPerSecond = 1.0 / core::kTickSeconds;
 
 std::vector<ExportColumn> stimulusColumns() {
     return {{"ordinal", "1", "presentation within the run, from 0, every one counted"},
@@ -25,7 +28,7 @@ std::vector<ExportColumn> stimulusColumns() {
             {"spoiled", "", "why it does not count; n/a where it does",
              {{"force_error", "force was not what was asked"}, {"stiffness_error", "the attribute was rendered wrongly"}, {"late_ticks", "the loop was late too often"},
               {"saturation", "force at its limit too long"}, {"speed", "explored too fast"}, {"peak_force", "pressed too hard"}, {"time", "time limit"},
-              {"untouched", "a place was not touched"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"},
+              {"untouched", "a place was not touched"}, {"taken_back", "practice: the participant took the answer back"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"},
               {"withheld", "for a reason that would tell conditions apart while blinded"}}},
             {"procedure", "1", "which of the condition's interleaved procedures, from 0; n/a while blinded"},
             {"candidate", "1", "row of the design's table of differences, from 0; n/a while blinded"},
@@ -48,6 +51,19 @@ std::vector<ExportColumn> answerColumns() {
             {"paused_s", "s", "pauses of the trial, until force was back in full"}};
 }
 
+/// When, as events need it, and under what circumstances.
+std::vector<ExportColumn> timeColumns() {
+    return {{"sitting", "1", "which sitting of the run, from 1; n/a without a recording (quick runs)"},
+            {"onset", "s", "start of the presentation since the sitting's recording began, pauses included; n/a as sitting"},
+            {"offset", "s", "its end, likewise: offset - onset is how long it took with its pauses, `duration` without them"},
+            {"response_onset", "s", "the first key or click of the answer, likewise; n/a without an answer, in simulated runs and where it was not recorded yet"},
+            {"response_duration", "s", "from there to the answer; 0 where it is one key or click"},
+            {"language", "", "that the participant read (en, de, el); n/a in simulated runs and where it was not recorded yet"},
+            {"masking_sound", "", "what was heard meanwhile; n/a as language",
+             {{"pink_noise", "pink noise"}, {"off", "none: the design has none, or it was switched off"}, {"no_output", "none: there is no sound output"},
+              {"changed", "switched on or off in the trial"}}}};
+}
+
 std::vector<ExportColumn> fidelityColumns() {
     std::vector<ExportColumn> columns{{"force_measured", "", "the device measures force; n/a, as all that follows, where nothing was rendered (quick runs)", kYesNo},
                                       {"force_error_rms", "N", "commanded against measured force in contact, RMS; n/a where no force is measured"},
@@ -67,6 +83,27 @@ std::vector<ExportColumn> fidelityColumns() {
         columns.push_back({"terminal_force" + end, "N", QStringLiteral("largest force of each contact at place %1, averaged; n/a while blinded").arg(place)});
     }
     return columns;
+}
+
+QString word(const std::string& text) { return text.empty() ? kNotAvailable : QString::fromStdString(text); }
+
+void addTimes(QStringList& cells, const ExportedRun& run, const StudyTrial& trial) {
+    if (trial.session <= 0) {
+        for (int i = 0; i < 5; ++i)
+            cells << kNotAvailable;
+    } else {
+        std::vector<database::SessionId> sittings;
+        for (const StudyTrial& each : run.trials)
+            if (each.session > 0 && std::find(sittings.begin(), sittings.end(), each.session) == sittings.end())
+                sittings.push_back(each.session);
+        const auto seconds = [](std::uint64_t ticks) { return exportNumber(static_cast<double>(ticks) / kTicksPerSecond); };
+        const auto began = circumstancesOf(trial.fidelityJson).answerTick;
+        const bool answered = began && trial.answer >= 0 && *began >= trial.firstTick && *began <= trial.lastTick;
+        cells << QString::number(std::find(sittings.begin(), sittings.end(), trial.session) - sittings.begin() + 1) << seconds(trial.firstTick) << seconds(trial.lastTick)
+              << (answered ? seconds(*began) : kNotAvailable) << (answered ? seconds(trial.lastTick - *began) : kNotAvailable);
+    }
+    const TrialCircumstances told = circumstancesOf(trial.fidelityJson);
+    cells << word(told.language) << word(told.masking);
 }
 
 /// Of a study of the apex; along x and y of the world, mark less apex.
@@ -157,7 +194,7 @@ void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTri
 
 std::vector<ExportColumn> trialColumns() {
     std::vector<ExportColumn> columns = stimulusColumns();
-    for (auto part : {answerColumns(), markColumns(), deviceColumns(), fidelityColumns()})
+    for (auto part : {answerColumns(), timeColumns(), markColumns(), deviceColumns(), fidelityColumns()})
         columns.insert(columns.end(), part.begin(), part.end());
     return columns;
 }
@@ -166,6 +203,7 @@ QStringList trialCells(const StudyExportData& data, const ExportedRun& run, cons
     QStringList cells;
     addStimulus(cells, data, run, trial);
     addAnswer(cells, data, run, trial);
+    addTimes(cells, run, trial);
     addMark(cells, data, trial);
     cells << (trial.device.empty() ? kNotAvailable : QString::fromStdString(trial.device))
           << (!trial.felt ? kNotAvailable : *trial.felt ? QStringLiteral("felt") : QStringLiteral("shown"));

@@ -108,6 +108,7 @@ QString spoiled(const std::string& token) {
                                                {"peak_force", Words::tr("Pressed too hard")},
                                                {"time", Words::tr("Time was up")},
                                                {"untouched", Words::tr("Not all touched")},
+                                               {"taken_back", Words::tr("Taken back")},
                                                {"experimenter", Words::tr("Discarded by the experimenter")},
                                                {"stopped", Words::tr("Stopped")},
                                                {"withheld", Words::tr("Sealed reason")}};

@@ -51,7 +51,7 @@ constexpr Fixed kFixed[] = {
 
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass", "deformation", "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
-constexpr const char* kOthers[] = {"attribute", "places", "values", "arrangements", "object", "button_answers", "adjusts", "control"};
+constexpr const char* kOthers[] = {"attribute", "places", "values", "arrangements", "object", "button_answers", "button_needs_all", "adjusts", "control"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -109,6 +109,8 @@ QJsonObject parametersJson(const Parameters& p) {
                     {"control", kControls[static_cast<std::size_t>(p.control)]}};
     for (const Number& key : kNumbers)
         out[QLatin1String(key.name)] = p.*key.member;
+    if (p.buttonNeedsAll) // absent in sessions of earlier versions, whose buttons answered at any time
+        out["button_needs_all"] = true;
     QJsonObject object;
     for (const Fixed& key : kFixed)
         object[QLatin1String(key.name)] = p.object.*key.member;
@@ -138,6 +140,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.object = readAttributes(parameters.object("object"));
     if (parameters.has("button_answers"))
         p.buttonAnswers = parameters.boolean("button_answers");
+    if (parameters.has("button_needs_all"))
+        p.buttonNeedsAll = parameters.boolean("button_needs_all");
     if (parameters.has("adjusts"))
         p.adjusts = parameters.boolean("adjusts");
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
@@ -205,6 +209,7 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     p.adjusts = condition.task == psychophysics::Task::adjustment;
     using psychophysics::Task;
     p.buttonAnswers = condition.task == Task::twoAfc || condition.task == Task::threeAfc || condition.task == Task::oddity;
+    p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
     if (trial.visibleObjects)
         p.cues = {"object", "tool"};
     return p;

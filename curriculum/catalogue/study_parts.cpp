@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_parts.h"
 
+#include "psychophysics/measures/instrument_score.h"
+
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -51,7 +53,7 @@ QuestionnaireItem readItem(const ObjectReader& json) {
     if (json.has("construct") && !json.text("construct").empty())
         item.construct = readIdentifier(json, "construct");
     if (item.kind == QuestionnaireItem::Kind::likert) {
-        item.scale = readWhole(json, "scale", 2, 11, item.scale);
+        item.scale = readWhole(json, "scale", 2, 21, item.scale);
         item.low = readStudyText(json, "low", false);
         item.high = readStudyText(json, "high", false);
         known.insert(known.end(), {"scale", "low", "high"});
@@ -67,22 +69,6 @@ QuestionnaireItem readItem(const ObjectReader& json) {
     }
     refuseUnknownKeys(json, known, QStringLiteral("a key of such a question"));
     return item;
-}
-
-Questionnaire readQuestionnaire(const ObjectReader& json) {
-    Questionnaire out;
-    out.id = readIdentifier(json, "id");
-    out.title = readStudyText(json, "title", true);
-    out.when = readWord(json, "when", kWhens, Questionnaire::When::after);
-    refuseUnknownKeys(json, {"id", "title", "when", "items"}, QStringLiteral("a key of a questionnaire"));
-    std::vector<std::string> seen;
-    json.eachObject("items", [&](const ObjectReader& one) {
-        out.items.push_back(readItem(one));
-        refuseTwice(one, "id", out.items.back().id, seen);
-    });
-    if (out.items.empty() || out.items.size() > 200)
-        addProblem(json, "items", QString::number(out.items.size()), QStringLiteral("1 to 200 questions"));
-    return out;
 }
 
 } // namespace
@@ -166,6 +152,26 @@ FidelityLimits readFidelityLimits(const ObjectReader& json) {
     readNumbers(json, kFidelityNumbers, out, known);
     readWholes(json, kFidelityWholes, out, known);
     refuseUnknownKeys(json, known, QStringLiteral("a limit of fidelity"));
+    return out;
+}
+
+Questionnaire readQuestionnaire(const ObjectReader& json) {
+    Questionnaire out;
+    out.id = readIdentifier(json, "id");
+    out.title = readStudyText(json, "title", true);
+    out.when = readWord(json, "when", kWhens, Questionnaire::When::after);
+    if (json.has("score"))
+        out.score = json.text("score");
+    refuseUnknownKeys(json, {"id", "title", "when", "score", "items"}, QStringLiteral("a key of a questionnaire"));
+    std::vector<std::string> seen;
+    json.eachObject("items", [&](const ObjectReader& one) {
+        out.items.push_back(readItem(one));
+        refuseTwice(one, "id", out.items.back().id, seen);
+    });
+    if (out.items.empty() || out.items.size() > 200)
+        addProblem(json, "items", QString::number(out.items.size()), QStringLiteral("1 to 200 questions"));
+    if (const std::string fault = psychophysics::scoreFault(out); !fault.empty())
+        addProblem(json, "score", quoted(QString::fromStdString(out.score)), QString::fromStdString(fault));
     return out;
 }
 

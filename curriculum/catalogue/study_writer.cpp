@@ -101,10 +101,13 @@ QJsonObject questionnaireJson(const Questionnaire& questionnaire) {
     QJsonArray items;
     for (const QuestionnaireItem& item : questionnaire.items)
         items.append(itemJson(item));
-    return {{"id", text(questionnaire.id)},
-            {"title", textJson(questionnaire.title)},
-            {"when", wordOf(kWhens, questionnaire.when)},
-            {"items", items}};
+    QJsonObject json{{"id", text(questionnaire.id)},
+                     {"title", textJson(questionnaire.title)},
+                     {"when", wordOf(kWhens, questionnaire.when)},
+                     {"items", items}};
+    if (!questionnaire.score.empty()) // designs without one keep their digest
+        json["score"] = text(questionnaire.score);
+    return json;
 }
 
 } // namespace

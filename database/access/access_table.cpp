@@ -86,6 +86,7 @@ constexpr AccessRow kRows[] = {
     {A::questionnaireAnswers, Sim,      Sim,      No,         No,     No,     All,       All},
     {A::participantKeys,      No,       No,       No,         No,     No,     Own,       All},
     {A::eraseParticipant,     No,       No,       No,         No,     No,     No,        All},
+    {A::recordStationCheck,       No,       No,       No,         No,     No,     All,       All},
     {A::backup,                   No,       No,       No,         No,     No,     No,        All},
     {A::restore,                  No,       No,       No,         No,     No,     No,        All},
     {A::exportSite,               No,       No,       No,         No,     No,     No,        All},

@@ -73,6 +73,7 @@
     X(StudyReader, questionnaireAnswers)                                                                     \
     X(StudyReader, participantKeys)                                                                          \
     X(PrivacyRepository, eraseParticipant)                                                                   \
+    X(StationRepository, recordStationCheck)                                                                 \
     X(Upkeep, backup)                                                                                        \
     X(Upkeep, restore)                                                                                       \
     X(Upkeep, exportSite)

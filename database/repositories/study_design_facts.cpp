@@ -64,6 +64,10 @@ std::vector<std::string> consentDigests(const QJsonObject& design) {
     return digests;
 }
 
+bool isEnrolment(const QJsonObject& design, const std::string& questionnaire) {
+    return withId(design["questionnaires"], questionnaire)["when"].toString() == QLatin1String("enrolment");
+}
+
 core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAnswer& answer) {
     const std::string place = "answer " + answer.questionnaire + "." + answer.item;
     const QJsonObject item = withId(withId(design["questionnaires"], answer.questionnaire)["items"], answer.item);

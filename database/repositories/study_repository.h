@@ -64,7 +64,8 @@ public:
     /// Ends an open run (completed or stopped) and seals its trials: a missing or added one shows in verify.
     core::Result<void> finishRun(StudyRunNumber run, StudyRunState state);
     /// Each question once for each participant. All or nothing. Failure: badInput for a questionnaire or item that the design has not;
-    /// wrongUse for an answer that is stored already, and without consent (simulated excepted) or withdrawn.
+    /// wrongUse for an answer that is stored already, and without consent (simulated excepted; what is written down at the enrolment comes
+    /// before it) or withdrawn.
     core::Result<void> storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers);
 
 private:

@@ -111,6 +111,12 @@ std::string answerJson(const QuestionnaireAnswer& answer) {
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
+/// What is written down at the enrolment comes before the consent; a form may be handed in after the last run.
+core::Result<void> mayAnswer(const StoredParticipant& who, const QJsonObject& design, const std::string& questionnaire) {
+    const bool early = who.state == ParticipantState::enrolled && isEnrolment(design, questionnaire);
+    return early || who.state == ParticipantState::completed ? core::Result<void>() : mayRun(who);
+}
+
 core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const QuestionnaireAnswer& answer) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM questionnaire_answer");
     const auto there = selectInteger(
@@ -222,7 +228,7 @@ core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<
         if (!design) {
             return tl::unexpected(design.error());
         }
-        good = good && who->state != ParticipantState::completed ? mayRun(*who) : good; // a form may be handed in after the last run
+        good = good ? mayAnswer(*who, *design, answer.questionnaire) : good;
         good = good ? checkAnswer(*design, answer) : good;
         good = good ? storeAnswer(m_connection, m_actor, answer) : good;
         if (!good) {

@@ -149,6 +149,14 @@ core::Result<session::StudyRunRequest> requestOf(const Arguments& arguments) {
 } // namespace
 
 core::Result<CommandOutput> runStudy(const Arguments& arguments) {
+    if (arguments.has(QStringLiteral("person"))) {
+        if (arguments.has(QStringLiteral("participant")) || arguments.has(QStringLiteral("observer")))
+            return wrongUse(QStringLiteral("--person: a person answers in the window; expected neither --participant nor --observer with it"));
+        return openSitting(databasePath(arguments), arguments.operand(0), arguments.value(QStringLiteral("person")));
+    }
+    for (const char* name : {"participant", "observer"})
+        if (!arguments.has(QLatin1String(name)))
+            return wrongUse(QStringLiteral("study run: --%1 is missing; expected --participant CODE and --observer SPEC for a simulated participant, or --person CODE").arg(QLatin1String(name)));
     auto request = requestOf(arguments);
     if (!request)
         return tl::unexpected(request.error());

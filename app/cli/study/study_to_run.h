@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/command.h"
 #include "cli/site_access.h"
 #include "database/repositories/study_reader.h"
 #include "session/study/study_runner.h"
@@ -17,6 +18,10 @@ struct StudyToRun {
 
 /// `database`: null where there is none yet. Failure: notFound, notAllowed, storage.
 core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name);
+
+/// Starts the window on this database, at this person's next trial of a study: who sits there logs in first. Failure: wrongUse without a
+/// display; notFound, storage where the program does not start.
+core::Result<CommandOutput> openSitting(const QString& database, const QString& study, const QString& person);
 
 /// Whether the run would be done, as far as can be told without writing. Failure: wrongUse, notFound, badInput.
 core::Result<void> mayBeRun(const StudyToRun& study, const session::StudyRunRequest& request);

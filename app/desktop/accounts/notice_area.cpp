@@ -4,12 +4,27 @@
 #include "desktop/widgets/kit.h"
 
 #include <QAccessible>
+#include <QFontMetrics>
+#include <QVBoxLayout>
+#include <algorithm>
 
 namespace chiron::desktop {
 
-NoticeArea::NoticeArea(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
+namespace {
+constexpr int kLines = 2;
+constexpr double kFrame_px = 24; // of kit::notice, above and below its words
+} // namespace
+
+NoticeArea::NoticeArea(const Theme& theme, Room room, QWidget* parent) : QWidget(parent), m_theme(theme), m_room(room) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
+    if (room == Room::kept) {
+        QSizePolicy keeps = sizePolicy();
+        keeps.setRetainSizeWhenHidden(true);
+        setSizePolicy(keeps);
+        setMinimumHeight(kLines * QFontMetrics(theme.font(TextStyle::body)).lineSpacing() + theme.px(kFrame_px));
+        column->setAlignment(Qt::AlignTop);
+    }
     hide();
 }
 
@@ -23,6 +38,8 @@ void NoticeArea::say(const char* kind, const QString& text) {
         return;
     m_notice = kit::notice(m_theme, kind, text);
     layout()->addWidget(m_notice);
+    if (m_room == Room::kept && width() > 0)
+        setMinimumHeight(std::max(minimumHeight(), m_notice->heightForWidth(width()))); // a longer one keeps its room as well
     QAccessibleEvent event(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&event);
 }

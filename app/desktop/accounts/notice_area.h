@@ -9,12 +9,16 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// Room for one notice in a form: hidden while there is nothing to say. Screen readers hear it through its accessible
-/// name. GUI thread.
+/// Room for one notice in a form. The room is there while there is nothing to say, so that no button moves under the pointer when something
+/// is said. Screen readers hear it through its accessible name. GUI thread.
 class NoticeArea : public QWidget {
     Q_OBJECT
 public:
-    explicit NoticeArea(const Theme& theme, QWidget* parent = nullptr);
+    enum class Room {
+        kept, ///< of a notice of two lines, and of the longest one so far
+        none  ///< where nothing stands below it
+    };
+    explicit NoticeArea(const Theme& theme, Room room = Room::kept, QWidget* parent = nullptr);
 
     /// kind: "good", "warning", "bad", "info". An empty text hides it.
     void say(const char* kind, const QString& text);
@@ -23,6 +27,7 @@ public:
 
 private:
     const Theme& m_theme;
+    Room m_room;
     QWidget* m_notice = nullptr;
     QString m_text;
 };

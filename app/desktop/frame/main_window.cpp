@@ -95,8 +95,7 @@ QWidget* MainWindow::banner() const {
 
 void MainWindow::tell(const Message& message) {
     if (!m_messages) {
-        m_messages = new MessageBar(m_context.theme());
-        m_column->addWidget(m_messages);
+        m_messages = new MessageBar(m_context.theme(), m_frame);
     }
     m_messages->tell(message);
 }

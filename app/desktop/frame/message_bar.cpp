@@ -3,15 +3,20 @@
 
 #include "desktop/widgets/kit.h"
 
+#include <QCursor>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QStyle>
 #include <QTimer>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
 
 constexpr int kShown_ms = 8000; // long enough to read two lines and reach for Undo
+constexpr double kWidth_px = 760;
+constexpr double kMargin_px = 12;
 
 struct Look {
     const char* kind;
@@ -60,6 +65,43 @@ MessageBar::MessageBar(const Theme& theme, QWidget* parent) : QFrame(parent), m_
             m_act();
     });
     hide();
+    if (parent)
+        parent->installEventFilter(this);
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && watched == parent() && isVisible())
+        settle();
+    return QFrame::eventFilter(watched, event);
+}
+
+/// Its place in the parent, in the middle at the bottom or at the top.
+void MessageBar::settle() {
+    const QWidget* over = parentWidget();
+    if (!over)
+        return;
+    const int margin = m_theme.px(kMargin_px);
+    const int width = std::min(m_theme.px(kWidth_px), over->width() - 2 * margin);
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+    setGeometry((over->width() - width) / 2, m_atTop ? margin : over->height() - height - margin, width, height);
+}
+
+/// Over everything that is there, and never between the pointer and what it points at.
+void MessageBar::rise() {
+    const QWidget* over = parentWidget();
+    if (!over)
+        return;
+    m_atTop = false;
+    settle();
+    const QPoint pointer = over->mapFromGlobal(QCursor::pos());
+    m_atTop = geometry().adjusted(0, -m_theme.px(kMargin_px), 0, 0).contains(pointer);
+    settle();
+    const QList<QWidget*> others = over->findChildren<QWidget*>();
+    if (std::any_of(others.begin(), others.end(), [this](const QWidget* other) { return other != this && other->testAttribute(Qt::WA_NativeWindow); })) {
+        setAttribute(Qt::WA_DontCreateNativeAncestors);
+        setAttribute(Qt::WA_NativeWindow); // else the window of a 3D scene would cover it
+    }
+    raise();
 }
 
 void MessageBar::tell(const Message& message) {
@@ -71,7 +113,9 @@ void MessageBar::tell(const Message& message) {
     m_action->setText(message.actionText);
     m_action->setVisible(!message.actionText.isEmpty());
     m_act = message.action;
+    rise();
     show();
+    settle(); // styled now, its height is known
     m_timer->stop();
     if (message.kind != MessageKind::error)
         m_timer->start(kShown_ms);

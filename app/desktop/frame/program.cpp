@@ -6,6 +6,7 @@
 #include "desktop/frame/languages.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/start_trace.h"
+#include "desktop/study_run/asked_sitting.h"
 
 #include <QCommandLineParser>
 #include <QDir>
@@ -24,6 +25,8 @@ void describe(QCommandLineParser& arguments) {
     arguments.addOption({QStringLiteral("database"), QStringLiteral("The database to work on (default: the user's own)."), QStringLiteral("FILE")});
     arguments.addOption({QStringLiteral("settings"), QStringLiteral("Where look and language are remembered (default: the user's own)."),
                          QStringLiteral("FILE")});
+    arguments.addOption({QStringLiteral("study"), QStringLiteral("With --person: open this study, by its id or number, after the login."), QStringLiteral("STUDY")});
+    arguments.addOption({QStringLiteral("person"), QStringLiteral("With --study: go to the next trial of the participant with this code."), QStringLiteral("CODE")});
 }
 
 QString databaseFile(const QCommandLineParser& arguments) {
@@ -94,6 +97,8 @@ int runProgram(QApplication& application) {
         if (site.exists())
             context.openSite();
     });
+    if (arguments.isSet(QStringLiteral("study")) && arguments.isSet(QStringLiteral("person")))
+        followAskedSitting(context, {arguments.value(QStringLiteral("study")), arguments.value(QStringLiteral("person"))});
     InstanceLink link(site.file());
     connectInstances(context, window, link, application);
     traceStart("window_made");

@@ -16,7 +16,7 @@ LoginForm::LoginForm(const Theme& theme, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
-    m_hint = new NoticeArea(theme);
+    m_hint = new NoticeArea(theme, NoticeArea::Room::none); // said before anybody points at anything
     column->addWidget(m_hint);
     m_names = new NameList(theme);
     column->addWidget(m_names);

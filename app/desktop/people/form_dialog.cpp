@@ -34,7 +34,7 @@ FormDialog::FormDialog(AppContext& context, const QString& objectName, const QSt
     m_form->setSpacing(theme.px(12));
     m_form->addWidget(kit::label(theme, title, TextStyle::heading));
     m_page->column()->addWidget(m_body);
-    m_notice = new NoticeArea(theme);
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none); // nothing moves: the buttons stand below the page
     m_notice->setObjectName(objectName + QStringLiteral(".notice"));
     m_page->column()->addWidget(m_notice);
     m_page->column()->addStretch();

@@ -10,11 +10,17 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <QShortcut>
+#include <QSlider>
 #include <algorithm>
 
 namespace chiron::desktop {
 
 using psychophysics::QuestionnaireItem;
+
+namespace {
+constexpr int kMostButtons = 11; // more of them are no longer told apart: a slider
+}
 
 QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language,
                                      QWidget* parent)
@@ -34,7 +40,7 @@ void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
     const QString name = QStringLiteral("questionnaire.%1").arg(QString::fromStdString(item.id));
     switch (item.kind) {
     case QuestionnaireItem::Kind::likert:
-        addLikert(*box.layout, added, name);
+        item.scale > kMostButtons ? addSlider(*box.layout, added, name) : addLikert(*box.layout, added, name);
         break;
     case QuestionnaireItem::Kind::choice:
         addChoice(*box.layout, added, name);
@@ -83,6 +89,50 @@ void QuestionnaireForm::addLikert(QLayout& layout, Item& item, const QString& na
         if (group->checkedId() < 1)
             return false;
         answer.number = group->checkedId();
+        return true;
+    };
+}
+
+/// A scale of many steps. Nothing is answered until it was moved or clicked, so that no answer is the program's.
+void QuestionnaireForm::addSlider(QLayout& layout, Item& item, const QString& name) {
+    auto* part = new QWidget;
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* ends = new QHBoxLayout;
+    ends->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
+    auto* high = kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
+    high->setAlignment(Qt::AlignRight);
+    ends->addWidget(high, 1);
+    column->addLayout(ends);
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setObjectName(name);
+    slider->setAccessibleName(study_words::text(item.asked->text, m_language));
+    slider->setRange(1, item.asked->scale);
+    slider->setValue((item.asked->scale + 1) / 2);
+    slider->setPageStep(1);
+    slider->setTickPosition(QSlider::TicksBelow);
+    slider->setTickInterval(1);
+    slider->setFocusPolicy(Qt::StrongFocus);
+    column->addWidget(slider);
+    auto* state = kit::label(m_theme, tr("Not answered yet: move the slider, or press Space to leave it in the middle."), TextStyle::small, "muted");
+    state->setObjectName(name + QStringLiteral(".state"));
+    column->addWidget(state);
+    layout.addWidget(part);
+    const auto answer = [this, slider, state, scale = item.asked->scale] {
+        slider->setProperty("answered", true);
+        state->setText(tr("Step %1 of %2").arg(m_locale.toString(slider->value()), m_locale.toString(scale)));
+        emit changed();
+    };
+    connect(slider, &QSlider::valueChanged, this, answer);
+    connect(slider, &QSlider::sliderPressed, this, answer);
+    auto* middle = new QShortcut(QKeySequence(Qt::Key_Space), slider);
+    middle->setContext(Qt::WidgetShortcut);
+    connect(middle, &QShortcut::activated, this, answer);
+    item.first = slider;
+    item.read = [slider](database::QuestionnaireAnswer& read) {
+        if (!slider->property("answered").toBool())
+            return false;
+        read.number = slider->value();
         return true;
     };
 }

@@ -40,6 +40,7 @@ private:
     };
     void addItem(const psychophysics::QuestionnaireItem& item);
     void addLikert(QLayout& layout, Item& item, const QString& name);
+    void addSlider(QLayout& layout, Item& item, const QString& name);
     void addChoice(QLayout& layout, Item& item, const QString& name);
     void addNumber(QLayout& layout, Item& item, const QString& name);
     void addText(QLayout& layout, Item& item, const QString& name);

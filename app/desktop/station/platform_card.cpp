@@ -29,7 +29,7 @@ PlatformCard::PlatformCard(const Theme& theme, const QLocale& locale, bool mayRu
     m_results->setSpacing(theme.px(8));
     column->addLayout(m_results);
     if (!mayRun) {
-        column->addWidget(kit::label(theme, tr("An administrator can run it here."), TextStyle::body, "muted"));
+        column->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."), TextStyle::body, "muted"));
         return;
     }
     auto* row = new ResponsiveRow(theme.px(460), theme.px(8));
@@ -117,7 +117,7 @@ void PlatformCard::addPlots() {
     m_results->addWidget(row);
 }
 
-core::Result<void> PlatformCard::writeRecord(const QString& path, const QString& when) const {
+core::Result<void> PlatformCard::writeRecord(const QString& path, const CheckCircumstances& of) const {
     if (!m_check)
         return core::fail(core::ErrorCode::wrongUse, "nothing was verified yet");
     const report::PlotTheme paper = report::lightTheme(m_locale); // paper is always light
@@ -126,10 +126,11 @@ core::Result<void> PlatformCard::writeRecord(const QString& path, const QString&
     auto errors = platformErrorPlot(*m_check, paper);
     report::CheckRecord record;
     record.title = tr("Verification of the simulated fingertip platform");
-    record.when = when;
-    record.verdict = platformVerdict(*m_check, m_locale);
+    record.head = checkHead(of, m_locale);
+    record.foot = checkFoot(of, m_locale);
+    record.verdict = (m_check->holds() ? tr("Passed.") : tr("Failed.")) + QLatin1Char(' ') + platformVerdict(*m_check, m_locale);
     record.facts = platformFacts(*m_check, m_locale);
-    record.tables = {platformFigures(*m_check, m_locale), platformFingers(*m_check, m_locale)};
+    record.tables = {platformLimits(*m_check, m_locale), platformFigures(*m_check, m_locale), platformFingers(*m_check, m_locale)};
     if (!m_check->worse.empty())
         record.tables.push_back(platformDegradation(*m_check, m_locale));
     record.plots = {sine.get(), poses.get(), errors.get()};

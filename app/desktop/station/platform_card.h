@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/station/platform_check.h"
+#include "desktop/station/station_record.h"
 #include "desktop/theme/theme.h"
 
 #include <QFrame>
@@ -34,7 +35,7 @@ public:
     void setReady(bool ready); ///< false: while it runs, or while a session does
     QPushButton* button() const { return m_run; } ///< null for who may only look
     /// Writes the newest check; nothing before there is one. Failure: storage.
-    core::Result<void> writeRecord(const QString& path, const QString& when) const;
+    core::Result<void> writeRecord(const QString& path, const CheckCircumstances& of) const;
     using QFrame::show;
 
 signals:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // P3's verification on the station screen: a worker's task, its end, its record.
+#include "core/fp_environment.h"
+#include "database/access/access_table.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/station/platform_card.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/task_strip.h"
 
-#include <QDateTime>
 #include <QFileDialog>
 #include <QPushButton>
 #include <QSysInfo>
@@ -13,7 +14,7 @@
 namespace chiron::desktop {
 
 PlatformCard* StationScreen::platformCard() {
-    m_platform = new PlatformCard(context().theme(), context().locale(), context().has(database::Role::admin));
+    m_platform = new PlatformCard(context().theme(), context().locale(), mayCheck());
     m_platform->setObjectName(QStringLiteral("station.platform"));
     connect(m_platform, &PlatformCard::checkAsked, this, &StationScreen::startVerification);
     connect(m_platform, &PlatformCard::recordAsked, this, &StationScreen::askRecord);
@@ -33,8 +34,10 @@ void StationScreen::startVerification() {
         [this](core::Result<PlatformCheck> check) {
             m_strip->stop();
             m_token.reset();
-            if (check)
+            if (check) {
+                note({"fingertip_platform", "simulated", core::buildId(), check->holds()}, &m_platformChecked);
                 m_platform->show(std::move(*check));
+            }
             else if (check.error().code == core::ErrorCode::cancelled)
                 m_platform->showStopped();
             else
@@ -46,14 +49,53 @@ void StationScreen::startVerification() {
     showButton();
 }
 
+bool StationScreen::mayCheck() const {
+    return database::scopeOf(database::Action::recordStationCheck, context().actor().kind(), context().actor().roles()) != database::Scope::none;
+}
+
+/// Kept in the audit trail as soon as it is known, so that a failed check is not forgotten either.
+void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
+    *at = {QDateTime::currentDateTime(), 0};
+    context().background().run(
+        this,
+        [&database = context().site().database(), actor = context().actor(), check](WorkToken&) {
+            return database.write([&](database::WriteContext& writing) { return database::StationRepository(writing.connection(), actor).recordStationCheck(check); });
+        },
+        [this, at](const core::Result<std::int64_t>& entry) {
+            if (entry)
+                at->entry = *entry;
+            else
+                context().messages().error(tr("The check could not be written to the audit trail."), entry.error());
+            emit checkNoted();
+        });
+}
+
+CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device) const {
+    return {QString::fromStdString(context().actor().name()), at.when, QSysInfo::machineHostName(), device, {}, QString::fromStdString(core::buildId()), at.entry};
+}
+
+core::Result<void> StationScreen::writePlatformRecord(const QString& path) const {
+    return m_platform->writeRecord(path, circumstances(m_platformChecked, tr("Simulated fingertip platform")));
+}
+
+core::Result<void> StationScreen::writeLoopRecord(const QString& path) const {
+    if (!m_tested)
+        return core::fail(core::ErrorCode::wrongUse, "the self-test was not run yet");
+    return report::writeCheckPdf(path, loopRecord(*m_tested, circumstances(m_loopChecked, tr("None: the loop alone, without a device")), context().locale()),
+                                 report::lightTheme(context().locale()));
+}
+
 void StationScreen::askRecord() {
-    auto* dialog = new QFileDialog(this, tr("Save the record"), tr("Fingertip platform.pdf"), tr("PDF documents (*.pdf)"));
+    saveRecord(tr("Fingertip platform.pdf"), [this](const QString& path) { return writePlatformRecord(path); });
+}
+
+void StationScreen::saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write) {
+    auto* dialog = new QFileDialog(this, tr("Save the record"), name, tr("PDF documents (*.pdf)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        const QString when = tr("%1, on %2").arg(context().locale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat), QSysInfo::machineHostName());
-        if (const auto written = m_platform->writeRecord(path, when))
+    connect(dialog, &QFileDialog::fileSelected, this, [this, write = std::move(write)](const QString& path) {
+        if (const auto written = write(path))
             context().messages().done(tr("The record was saved in %1.").arg(path));
         else
             context().messages().error(tr("The record could not be saved."), written.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/station/station_screen.h"
 
+#include "core/fp_environment.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/station/lateness_chart.h"
@@ -8,6 +9,7 @@
 #include "desktop/station/station_words.h"
 #include "desktop/storage/storage_words.h"
 #include "desktop/storage/task_strip.h"
+#include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -59,7 +61,8 @@ QString StationScreen::help() const {
     return tr("Shows whether this computer is fast and regular enough for haptic force.\n\nForce is computed a thousand times a second. "
               "The charts show how late those thousand steps began: in the last session that ran in real time, and in a self-test of ten "
               "seconds without any device.\n\nThe fingertip platform is verified as in its publication: how closely it follows a force and "
-              "an orientation. The record can be printed.\n\nWith real-time priority the loop stays on time whatever else the computer "
+              "an orientation. Each check is kept in the audit trail, and its record can be saved and filed: "
+              "who, when, on which device and build, and each measured value beside its limit.\n\nWith real-time priority the loop stays on time whatever else the computer "
               "does. This screen shows whether the loop has that priority and how to permit it.");
 }
 
@@ -117,13 +120,22 @@ QWidget* StationScreen::loopCard(const StationFacts& facts) {
     box.layout->addWidget(kit::label(theme, tr("Self-test without a device"), TextStyle::strong));
     m_testBox = new QVBoxLayout;
     box.layout->addLayout(m_testBox);
-    if (context().has(database::Role::admin)) {
+    if (mayCheck()) {
         m_test = kit::button(theme, tr("Run the self-test"), "primary", QStringLiteral("run-build"));
         m_test->setObjectName(QStringLiteral("station.self_test"));
         connect(m_test, &QPushButton::clicked, this, &StationScreen::startSelfTest);
-        box.layout->addWidget(m_test, 0, Qt::AlignLeft);
+        auto* row = new QWidget;
+        auto* flow = new FlowLayout(theme.px(8), row);
+        flow->addWidget(m_test);
+        m_testRecord = kit::button(theme, tr("Record (PDF) …"), "", QStringLiteral("document-save"));
+        m_testRecord->setObjectName(QStringLiteral("station.test_record"));
+        m_testRecord->setAccessibleName(tr("Record of the self-test (PDF)"));
+        m_testRecord->setEnabled(false);
+        connect(m_testRecord, &QPushButton::clicked, this, [this] { saveRecord(tr("Station check.pdf"), [this](const QString& path) { return writeLoopRecord(path); }); });
+        flow->addWidget(m_testRecord);
+        box.layout->addWidget(row);
     } else {
-        box.layout->addWidget(kit::label(theme, tr("An administrator can run it here."), TextStyle::body, "muted"));
+        box.layout->addWidget(kit::label(theme, tr("A researcher or an administrator can run it here."), TextStyle::body, "muted"));
     }
     return box.frame;
 }
@@ -216,6 +228,9 @@ void StationScreen::showSelfTest(const session::SelfTestResult& result) {
     if (result.cancelled) {
         m_testBox->addWidget(kit::label(theme, tr("The self-test was stopped before it finished."), TextStyle::body, "muted"));
     } else {
+        m_tested = result;
+        note({"loop", {}, core::buildId(), loopHolds(result)}, &m_loopChecked);
+        m_testRecord->setEnabled(true);
         addLoop(*m_testBox, result.loop);
         m_testBox->addWidget(kit::notice(theme, result.granted.memoryLocked ? "good" : "warning", StationWords::memory(result.granted.memoryLocked)));
     }

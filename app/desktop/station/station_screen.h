@@ -3,8 +3,13 @@
 
 #include "desktop/frame/background.h"
 #include "desktop/frame/screen.h"
+#include "database/repositories/station_repository.h"
 #include "desktop/station/station_facts.h"
+#include "desktop/station/station_record.h"
 #include "session/loop_self_test.h"
+
+#include <functional>
+#include <optional>
 
 class QPushButton;
 class QTimer;
@@ -17,7 +22,8 @@ class StatePanel;
 class TaskStrip;
 
 /// How fit this station is: devices, punctuality of the force loop in the last session and in a self-test, real-time priority,
-/// P3's verification of the fingertip platform, room. Everybody may look; administrators run self-test and verification, never while a session runs.
+/// P3's verification of the fingertip platform, room. Everybody may look; who the data layer lets check stations runs self-test and
+/// verification, never while a session runs. Each check is kept in the audit trail, and has a record to be filed.
 class StationScreen final : public Screen {
     Q_OBJECT
 public:
@@ -30,10 +36,13 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
     QString help() const override;
+    core::Result<void> writePlatformRecord(const QString& path) const; ///< Failure: wrongUse before there is one; storage
+    core::Result<void> writeLoopRecord(const QString& path) const;     ///< the same of the self-test
 
 signals:
     void selfTestEnded();
     void verificationEnded();
+    void checkNoted(); ///< in the audit trail, or not
 
 private:
     void load();
@@ -50,11 +59,24 @@ private:
     PlatformCard* platformCard();
     void startVerification();
     void askRecord();
+    /// When a check ended, and its entry in the audit trail.
+    struct CheckedAt {
+        QDateTime when;
+        std::int64_t entry = 0;
+    };
+    bool mayCheck() const;
+    void note(const database::StationCheck& check, CheckedAt* at);
+    CheckCircumstances circumstances(const CheckedAt& at, const QString& device) const;
+    void saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write);
 
     StatePanel* m_panel;
     TaskStrip* m_strip;
     QTimer* m_timer;
     QPushButton* m_test = nullptr;
+    QPushButton* m_testRecord = nullptr;
+    std::optional<session::SelfTestResult> m_tested;
+    CheckedAt m_loopChecked;
+    CheckedAt m_platformChecked;
     PlatformCard* m_platform = nullptr;
     QVBoxLayout* m_testBox = nullptr;
     std::shared_ptr<session::SelfTestTask> m_task;

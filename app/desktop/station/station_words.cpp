@@ -8,11 +8,13 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, as a share of all
+} // namespace
 
-double lateShare(const session::LoopReport& loop) {
+double StationWords::lateShare(const session::LoopReport& loop) {
     return loop.ticks > 0 ? static_cast<double>(loop.late) / static_cast<double>(loop.ticks) : 0.0;
 }
-} // namespace
+
+double StationWords::mostLate() noexcept { return kMostLate; }
 
 QString StationWords::driver(const devices::DriverEntry& entry) {
     if (entry.id == "simulated")

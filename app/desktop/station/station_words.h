@@ -25,6 +25,8 @@ public:
     /// "good", "warning": whether touch can be trusted to be smooth (speed.md: at most 0.3 % of ticks late).
     static const char* verdictKind(const session::LoopReport& loop);
     static QString verdict(const session::LoopReport& loop, const QLocale& locale);
+    static double lateShare(const session::LoopReport& loop); ///< of all ticks
+    static double mostLate() noexcept;                        ///< the limit on it
 };
 
 } // namespace chiron::desktop

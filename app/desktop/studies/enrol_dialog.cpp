@@ -2,6 +2,7 @@
 #include "desktop/studies/enrol_dialog.h"
 
 #include "desktop/accounts/form.h"
+#include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 
@@ -19,16 +20,47 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
     column()->addWidget(kit::label(theme(), tr("This is kept only in the key table, which only the study's author and administrators can "
                                                "open. Data and exports carry the code."),
                                    TextStyle::small, "muted"));
+    for (const psychophysics::Questionnaire& questionnaire : study.design.questionnaires)
+        if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
+            addFields(questionnaire);
     setAccept(tr("Enrol"));
     connect(m_identity, &QLineEdit::textChanged, this, [this] { setAcceptable(!m_identity->text().trimmed().isEmpty()); });
     m_identity->setFocus();
 }
 
+/// What the design wants to know of a participant. Stored with the participation under the code, never in the key table.
+void EnrolDialog::addFields(const psychophysics::Questionnaire& questionnaire) {
+    column()->addWidget(kit::label(theme(), study_words::text(questionnaire.title, context().language()), TextStyle::title));
+    auto* form = new QuestionnaireForm(theme(), context().locale(), questionnaire, context().language());
+    form->setObjectName(QStringLiteral("enrol.fields.%1").arg(QString::fromStdString(questionnaire.id)));
+    column()->addWidget(form);
+    m_fields.push_back(form);
+}
+
 void EnrolDialog::submit() {
+    std::vector<database::QuestionnaireAnswer> answers;
+    bool missing = false;
+    for (QuestionnaireForm* form : m_fields) {
+        missing = form->showMissing() || missing;
+        const auto given = form->answers(0);
+        answers.insert(answers.end(), given.begin(), given.end());
+    }
+    if (missing)
+        return;
     setWorking(true);
     writeStudies(
         context(), this,
-        [study = m_study, identity = m_identity->text().trimmed().toStdString()](database::StudyRepository& studies) { return studies.enrolParticipant(study, identity, 0, {}); },
+        [study = m_study, identity = m_identity->text().trimmed().toStdString(), answers](database::StudyRepository& studies) -> core::Result<database::Participant> {
+            auto enrolled = studies.enrolParticipant(study, identity, 0, {});
+            if (!enrolled || answers.empty())
+                return enrolled;
+            auto theirs = answers;
+            for (database::QuestionnaireAnswer& answer : theirs)
+                answer.participant = enrolled->id;
+            if (auto stored = studies.storeQuestionnaireAnswers(theirs); !stored)
+                return tl::unexpected(stored.error()); // one transaction: nobody is enrolled then
+            return enrolled;
+        },
         [this](const core::Result<database::Participant>& participant) {
             setWorking(false);
             if (participant)
@@ -47,6 +79,7 @@ void EnrolDialog::enrolled(const database::Participant& participant) {
     box.layout->addWidget(code);
     box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every sitting. Consent comes next."), TextStyle::body, "muted"));
     showResult(box.frame);
+    emit enrolledAs(QString::fromStdString(participant.code));
     emit changed();
 }
 

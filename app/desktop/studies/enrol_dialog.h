@@ -8,20 +8,27 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// Enrols a participant and shows the code, the only thing that data will know them by. GUI thread.
+class QuestionnaireForm;
+
+/// Enrols a participant, with the fields that the design has for it, and shows the code, the only thing that data will know them by. GUI thread.
 class EnrolDialog final : public FormDialog {
     Q_OBJECT
 public:
     EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* parent);
 
+signals:
+    void enrolledAs(const QString& code); ///< before changed()
+
 protected:
     void submit() override;
 
 private:
+    void addFields(const psychophysics::Questionnaire& questionnaire);
     void enrolled(const database::Participant& participant);
 
     database::StudyNumber m_study;
     QLineEdit* m_identity = nullptr;
+    std::vector<QuestionnaireForm*> m_fields; ///< what the design wants to know of a participant
 };
 
 } // namespace chiron::desktop

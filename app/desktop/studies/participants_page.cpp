@@ -20,7 +20,8 @@ constexpr int kMostRows = 12;
 constexpr int kFewestRows = 4;
 } // namespace
 
-ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, QWidget* parent) : QWidget(parent), m_app(app), m_study(study) {
+ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected, QWidget* parent)
+    : QWidget(parent), m_app(app), m_study(study) {
     const Theme& theme = app.theme();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -39,10 +40,14 @@ ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, QWid
         m_table->setObjectName(QStringLiteral("participants.table"));
         m_table->setAccessibleName(tr("Participants"));
         m_table->setHorizontalHeaderLabels({tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
+        fill(selected);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);
+        connect(m_table, &QTableWidget::itemSelectionChanged, this, [this] {
+            if (const ParticipantRow* row = this->selected())
+                emit selectedChanged(QString::fromStdString(row->participant.code));
+        });
         connect(m_table, &QTableWidget::activated, this, &ParticipantsPage::run);
         column->addWidget(m_table);
-        fill();
     }
     column->addStretch();
     showActions();
@@ -77,7 +82,7 @@ QString ParticipantsPage::progressOf(const ParticipantRow& row) const {
     return open > 0 ? tr("%1, one open").arg(text) : text;
 }
 
-void ParticipantsPage::fill() {
+void ParticipantsPage::fill(const QString& selected) {
     const Theme& theme = m_app.theme();
     const QLocale locale = m_app.locale();
     m_table->setRowCount(static_cast<int>(m_study.participants.size()));
@@ -97,7 +102,12 @@ void ParticipantsPage::fill() {
         put(consentColumn, study_words::moment(shown.participant.consentUtc, locale));
     }
     m_table->setRowsSeen(std::clamp(m_table->rowCount(), kFewestRows, kMostRows));
-    m_table->selectRow(0);
+    int at = 0;
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        if (m_table->item(row, codeColumn)->text() == selected)
+            at = row;
+    m_table->selectRow(at);
+    m_table->scrollToItem(m_table->item(at, codeColumn));
 }
 
 const ParticipantRow* ParticipantsPage::selected() const {
@@ -124,6 +134,7 @@ void ParticipantsPage::showActions() {
 
 void ParticipantsPage::enrol() {
     auto* dialog = new EnrolDialog(m_app, m_study, window()); // it outlives this page, which is read anew
+    connect(dialog, &EnrolDialog::enrolledAs, this, &ParticipantsPage::selectedChanged); // the new one, once the list is read anew
     connect(dialog, &EnrolDialog::changed, this, &ParticipantsPage::changed);
     dialog->open();
 }

@@ -15,14 +15,16 @@ class FittedTable;
 class ParticipantsPage final : public QWidget {
     Q_OBJECT
 public:
-    ParticipantsPage(AppContext& app, const OpenStudy& study, QWidget* parent = nullptr);
+    /// `selected`: the code of whoever was selected before the list was read anew; empty: the first.
+    ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected = {}, QWidget* parent = nullptr);
 
 signals:
+    void selectedChanged(const QString& code);
     void changed(); ///< somebody was enrolled, consented or withdrew
 
 private:
     QWidget* actions();
-    void fill();
+    void fill(const QString& selected);
     void showActions();
     const ParticipantRow* selected() const;
     void enrol();

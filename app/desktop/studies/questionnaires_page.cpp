@@ -3,10 +3,12 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
 #include <QBoxLayout>
+#include <QMenu>
 #include <QPushButton>
 #include <algorithm>
 
@@ -59,13 +61,51 @@ QuestionnairesPage::QuestionnairesPage(const DesignPage& page, QWidget* parent) 
                                      TextStyle::body, "muted"));
     for (std::size_t i = 0; i < count; ++i)
         column->addWidget(questionnaireBox(i));
-    if (!page.readOnly) {
-        auto* add = kit::button(theme, tr("Add a questionnaire"), count == 0 ? "primary" : "", QStringLiteral("list-add"));
-        add->setObjectName(QStringLiteral("questionnaires.add"));
-        connect(add, &QPushButton::clicked, this, &QuestionnairesPage::addQuestionnaire);
-        column->addWidget(add, 0, Qt::AlignLeft);
-    }
+    if (!page.readOnly)
+        column->addWidget(addButtons(count == 0));
     column->addStretch();
+}
+
+QWidget* QuestionnairesPage::addButtons(bool first) {
+    const Theme& theme = m_page.app.theme();
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar);
+    auto* add = kit::button(theme, tr("Add a questionnaire"), first ? "primary" : "", QStringLiteral("list-add"));
+    add->setObjectName(QStringLiteral("questionnaires.add"));
+    connect(add, &QPushButton::clicked, this, &QuestionnairesPage::addQuestionnaire);
+    row->addWidget(add);
+    auto* instrument = kit::button(theme, tr("Add an instrument …"), "", QStringLiteral("list-add"));
+    instrument->setObjectName(QStringLiteral("questionnaires.instrument"));
+    instrument->setToolTip(tr("Published questionnaires with their scores, and what is written down when a participant is enrolled"));
+    connect(instrument, &QPushButton::clicked, this, &QuestionnairesPage::chooseInstrument);
+    row->addWidget(instrument);
+    return bar;
+}
+
+void QuestionnairesPage::chooseInstrument() {
+    const auto instruments = catalogue::loadInstruments();
+    if (!instruments) {
+        m_page.app.messages().error(tr("The instruments could not be read."), instruments.error());
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("questionnaires.instruments"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    const auto& there = m_page.draft.design().questionnaires;
+    for (const catalogue::Instrument& instrument : *instruments) {
+        QAction* action = menu->addAction(study_words::text(instrument.questionnaire.title, m_page.app.language()));
+        action->setObjectName(QStringLiteral("questionnaires.instrument.%1").arg(QString::fromStdString(instrument.questionnaire.id)));
+        action->setToolTip(QString::fromStdString(instrument.source + "\n" + instrument.permission));
+        action->setEnabled(std::none_of(there.begin(), there.end(), [&](const Questionnaire& each) { return each.id == instrument.questionnaire.id; }));
+        connect(action, &QAction::triggered, this, [this, instrument] { addInstrument(instrument); });
+    }
+    const auto* button = findChild<QPushButton*>(QStringLiteral("questionnaires.instrument"));
+    menu->popup(button->mapToGlobal(QPoint(0, button->height())));
+}
+
+void QuestionnairesPage::addInstrument(const catalogue::Instrument& instrument) {
+    m_page.draft.change(tr("Add an instrument"), {}, [&](StudyDesign& design) { design.questionnaires.push_back(instrument.questionnaire); }, true);
 }
 
 void QuestionnairesPage::addQuestionnaire() {
@@ -98,7 +138,8 @@ QWidget* QuestionnairesPage::questionnaireBox(std::size_t index) {
                             [&](StudyDesign& design) { design.questionnaires[index].id = now.trimmed().toStdString(); });
     });
     grid->choice(tr("Answered"), prefix + QStringLiteral("when"),
-                 {{tr("before the runs"), static_cast<int>(Questionnaire::When::before)}, {tr("after the runs"), static_cast<int>(Questionnaire::When::after)}},
+                 {{tr("before the runs"), static_cast<int>(Questionnaire::When::before)}, {tr("after the runs"), static_cast<int>(Questionnaire::When::after)},
+                  {tr("when a participant is enrolled"), static_cast<int>(Questionnaire::When::enrolment)}},
                  static_cast<int>(shown.when), [this, index](const QVariant& now) {
                      m_page.draft.change(tr("When it is answered"), {},
                                          [&](StudyDesign& design) { design.questionnaires[index].when = static_cast<Questionnaire::When>(now.toInt()); });
@@ -140,7 +181,7 @@ QWidget* QuestionnairesPage::itemPart(std::size_t index, std::size_t item) {
         edit(prefix + QStringLiteral("construct"), false, [&](QuestionnaireItem& changed) { changed.construct = now.trimmed().toStdString(); });
     });
     if (shown.kind == QuestionnaireItem::Kind::likert) {
-        grid->whole(tr("Steps"), prefix + QStringLiteral("scale"), shown.scale, 2, 11, [edit, prefix](int now) {
+        grid->whole(tr("Steps"), prefix + QStringLiteral("scale"), shown.scale, 2, 21, [edit, prefix](int now) {
             edit(prefix + QStringLiteral("scale"), false, [now](QuestionnaireItem& changed) { changed.scale = now; });
         });
         addStudyText(*grid, m_page, tr("Label at low end"), prefix + QStringLiteral("low"), 1, textOf(index, item, &QuestionnaireItem::low));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/instrument_catalogue.h"
 #include "desktop/studies/study_page.h"
 
 #include <QWidget>
@@ -19,6 +20,9 @@ private:
     QWidget* questionnaireBox(std::size_t index);
     QWidget* itemPart(std::size_t index, std::size_t item);
     void addQuestionnaire();
+    QWidget* addButtons(bool first);
+    void chooseInstrument();
+    void addInstrument(const catalogue::Instrument& instrument);
     QPushButton* action(const QString& text, const char* icon, const QString& name, const std::function<void(psychophysics::StudyDesign&)>& edit);
 
     DesignPage m_page;

@@ -25,6 +25,7 @@ constexpr int kCheck_ms = 300;
 StudyScreen::StudyScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
       m_tab(place.parameters.value(QStringLiteral("tab"), -1).toInt()), m_condition(place.parameters.value(QStringLiteral("condition")).toInt()),
+      m_participant(place.parameters.value(QStringLiteral("participant")).toString()),
       m_language(QStringLiteral("en")) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -178,7 +179,8 @@ void StudyScreen::showTab(int tab) {
 }
 
 void StudyScreen::note() {
-    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), m_tab}, {QStringLiteral("condition"), m_condition}});
+    context().navigator().note({{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), m_tab}, {QStringLiteral("condition"), m_condition},
+                              {QStringLiteral("participant"), m_participant}});
 }
 
 void StudyScreen::showPage() {
@@ -218,7 +220,11 @@ QWidget* StudyScreen::makePage() {
     case previewTab:
         return new PreviewPage(page);
     case participantsTab: {
-        auto* participants = new ParticipantsPage(context(), m_open);
+        auto* participants = new ParticipantsPage(context(), m_open, m_participant);
+        connect(participants, &ParticipantsPage::selectedChanged, this, [this](const QString& code) {
+            m_participant = code;
+            note();
+        });
         connect(participants, &ParticipantsPage::changed, this, [this] { reloadTo(participantsTab); });
         return participants;
     }

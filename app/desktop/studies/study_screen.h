@@ -66,6 +66,7 @@ private:
     database::StudyNumber m_study;
     int m_tab;
     int m_condition;
+    QString m_participant; ///< selected: the list is read anew after each change
     QString m_language;
     OpenStudy m_open;
     StudyDraft m_draft;

@@ -4,9 +4,12 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "psychophysics/measures/instrument_score.h"
 #include "report/plot_view.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace chiron::desktop {
 
@@ -41,12 +44,55 @@ QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnai
     for (const auto& [participant, id] : m_facts.study.answered)
         people += id == questionnaire.id ? 1 : 0;
     box.layout->addWidget(kit::label(theme, people == 0 ? tr("Nobody has answered it yet.") : tr("Answered by %n participant(s)", nullptr, people), TextStyle::body, "muted"));
+    for (const QString& line : scoreLines(questionnaire))
+        box.layout->addWidget(kit::label(theme, line, TextStyle::strong));
     if (people > 0)
         for (const QuestionnaireItem& item : questionnaire.items) {
             box.layout->addWidget(kit::rule());
             box.layout->addWidget(itemPart(questionnaire, item));
         }
     return box.frame;
+}
+
+/// What an instrument makes of the answers: the whole score first, then its parts.
+QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire) const {
+    std::map<database::ParticipantNumber, psychophysics::QuestionnaireReply> replies;
+    for (const database::QuestionnaireAnswer& answer : m_facts.answers)
+        if (answer.questionnaire == questionnaire.id && answer.number)
+            replies[answer.participant].numbers[answer.item] = *answer.number;
+    std::vector<std::pair<std::string, std::vector<double>>> values;
+    for (const auto& [participant, reply] : replies)
+        for (const psychophysics::InstrumentScore& score : psychophysics::instrumentScores(questionnaire, reply)) {
+            auto at = std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.first == score.id; });
+            if (at == values.end())
+                at = values.insert(values.end(), {score.id, {}});
+            if (std::isfinite(score.value))
+                at->second.push_back(score.value);
+        }
+    QStringList lines;
+    for (auto& [id, numbers] : values) {
+        if (numbers.empty())
+            continue;
+        std::sort(numbers.begin(), numbers.end());
+        const auto shown = [&](double value) { return m_app.locale().toString(value, 'f', 1); };
+        lines << tr("%1: median %2, from %3 to %4, of %n participant(s)", nullptr, static_cast<int>(numbers.size()))
+                     .arg(scoreName(id, questionnaire), shown(quantileOf(numbers, 0.5)), shown(numbers.front()), shown(numbers.back()));
+    }
+    return lines;
+}
+
+/// Of a score, or of the scale that it is a part of.
+QString QuestionnaireSummary::scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const {
+    if (id == "sus")
+        return tr("Usability score (0 to 100)");
+    if (id == "workload")
+        return tr("Workload (0 to 100)");
+    if (id == "laterality_quotient")
+        return tr("Laterality quotient (−100 left, 100 right)");
+    for (const QuestionnaireItem& item : questionnaire.items)
+        if (item.id == id)
+            return study_words::text(item.text, m_app.language()).section(u'.', 0, 0);
+    return QString::fromStdString(id);
 }
 
 QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& questionnaire, const QuestionnaireItem& item) const {

@@ -15,6 +15,8 @@ public:
 
 private:
     QWidget* questionnaireBox(const psychophysics::Questionnaire& questionnaire) const;
+    QString scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const;
+    QStringList scoreLines(const psychophysics::Questionnaire& questionnaire) const;
     QWidget* itemPart(const psychophysics::Questionnaire& questionnaire, const psychophysics::QuestionnaireItem& item) const;
     QWidget* barsOf(const psychophysics::QuestionnaireItem& item, const std::vector<double>& numbers) const;
 

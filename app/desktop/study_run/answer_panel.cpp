@@ -34,6 +34,10 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     words->setObjectName(QStringLiteral("answer.question"));
     words->setAlignment(Qt::AlignCenter);
     column->addWidget(words);
+    m_why = kit::label(theme, QStringLiteral(" "), TextStyle::body, "muted");
+    m_why->setObjectName(QStringLiteral("answer.why"));
+    m_why->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_why);
     m_row = new QWidget;
     auto* row = new FlowLayout(theme.px(12), m_row); // a large scale needs a second line
     switch (task) {
@@ -62,6 +66,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
         row->addWidget(m_number);
         m_confirm = add(tr("Submit (Enter)"), QStringLiteral("answer.confirm"), "primary");
         connect(m_number, &QLineEdit::returnPressed, this, &AnswerPanel::confirm);
+        connect(m_number, &QLineEdit::textEdited, this, &AnswerPanel::begun);
         break;
     case Task::twoAfc:
     case Task::threeAfc:
@@ -82,10 +87,6 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     line->addWidget(m_row, 1000);
     line->addStretch(1);
     column->addLayout(line);
-    m_why = kit::label(theme, QStringLiteral(" "), TextStyle::small, "muted");
-    m_why->setObjectName(QStringLiteral("answer.why"));
-    m_why->setAlignment(Qt::AlignCenter);
-    column->addWidget(m_why);
     m_open = true;
     setOpen(false);
 }
@@ -201,6 +202,8 @@ void AnswerPanel::choose(int index) {
 void AnswerPanel::rank(int place) {
     if (!m_open || m_order.size() >= 3 || std::find(m_order.begin(), m_order.end(), place) != m_order.end())
         return;
+    if (m_order.empty())
+        emit begun();
     m_ranks[static_cast<std::size_t>(place)] =
         m_order.empty() ? std::int8_t{0} : static_cast<std::int8_t>(m_ranks[static_cast<std::size_t>(m_order.back())] + (m_nextEqual ? 0 : 1));
     m_order.push_back(place);

@@ -37,6 +37,7 @@ public:
     static QStringList placeNames(int places);
 
 signals:
+    void begun(); ///< the first key or click of an answer
     void answered(int answer, std::optional<double> value);
     void adjusted(int steps);
     void marksChanged();

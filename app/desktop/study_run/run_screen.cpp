@@ -184,6 +184,9 @@ QWidget* RunScreen::participantBox() {
             if (each.when == when)
                 box.layout->addWidget(questionnaireRow(*row, each));
     };
+    for (const psychophysics::Questionnaire& each : open.design.questionnaires) // of whoever was enrolled without it
+        if (each.when == When::enrolment && !open.answered.contains({row->participant.id, each.id}))
+            box.layout->addWidget(questionnaireRow(*row, each));
     questionnaires(When::before);
     const std::vector<std::string> order = session::labelsInOrder(open.design, open.sealed, row->participant.order);
     bool next = row->participant.state == database::ParticipantState::consented;

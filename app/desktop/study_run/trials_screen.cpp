@@ -3,13 +3,17 @@
 #include "desktop/study_run/trials_screen.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/help_dialogs.h"
 #include "desktop/station/device_delay.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/study_run/study_controls.h"
 #include "desktop/training/key_filter.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/widgets/state_panel.h"
 #include "recording/crash_ring.h"
 
@@ -25,6 +29,7 @@ using State = session::LiveStudyView::State;
 
 namespace {
 constexpr int kFrame_ms = 16;
+constexpr double kFreeMinute_s = 60.0; // long enough to try every control, short enough not to tire
 }
 
 TrialsScreen::~TrialsScreen() {
@@ -37,12 +42,13 @@ TrialsScreen::~TrialsScreen() {
 
 QString TrialsScreen::title() const { return tr("Study"); }
 
+/// Read by participants as well: nothing of it tells more than their own page.
 QString TrialsScreen::help() const {
-    return tr("Here a participant explores objects and answers.\n\nMove the tool with the mouse; raise and lower it with the wheel or "
-              "PageUp and PageDown. T frees the pointer, and a click in the scene captures it again. Answer with the buttons or with the "
-              "keys shown on them.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether "
-              "to stop the sitting. F2 shows the experimenter's view: progress, estimate, fidelity of the last trial, and the button that "
-              "discards a trial. All answered trials are kept; a stopped run continues later at the same trial.");
+    return tr("Here a participant explores objects and answers.\n\nMove the tool with the device, or with the mouse; with the mouse, raise and "
+              "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers "
+              "nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.\n\nIn practice, Backspace takes "
+              "an answer back.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop "
+              "the sitting. All answered trials are kept; a stopped run continues later at the same trial.\n\nF2 is for the experimenter.");
 }
 
 void TrialsScreen::enter() {
@@ -64,6 +70,8 @@ void TrialsScreen::begin() {
     }
     request.measuredDelay_s = measuredDelay_s(context().settings(), station->devices.front()->descriptor());
     request.station = std::move(*station);
+    request.freeMinute_s = kFreeMinute_s;
+    request.language = context().language().toStdString();
     request.nextStation = [] { return session::keyboardMouseStation(); };
     auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
     if (!live) {
@@ -73,16 +81,65 @@ void TrialsScreen::begin() {
     }
     m_live = std::move(*live);
     context().setTrialRuns(true);
+    placePage(); // before the scene is made: it would have to move
     buildLive();
     connectPointer();
     if (m_live->design().trial.maskingSound)
-        m_sound.open();
+        m_silent = !m_sound.open().isEmpty();
     m_live->pause(); // nothing is presented until the instructions are read
-    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Begin"));
+    showInstructions();
+    m_frame.start(kFrame_ms);
+}
+
+void TrialsScreen::showInstructions() {
+    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Continue"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
-    m_frame.start(kFrame_ms);
+}
+
+/// The controls of the device in hand, for the task that comes.
+void TrialsScreen::showCard() {
+    const psychophysics::Condition& condition = m_live->condition();
+    const StudyHand hand{m_live->training().pointer() != nullptr, m_live->training().felt()};
+    ReadyFacts facts;
+    facts.exercise = tr("Participant %1").arg(m_participant);
+    facts.level = tr("This is how you explore and answer");
+    facts.goal = m_apex ? tr("Where is the highest point?") : study_words::question(condition.task, condition.stimulus.attribute);
+    facts.controls = studyControls(condition.task, condition.stimulus.attribute, hand);
+    facts.keys = studyKeys(condition.task, condition.stimulus.attribute, hand);
+    facts.limit = hand.felt ? tr("You feel the objects through the device.") : tr("This device renders no force: what a hand would feel is shown beside the scene.");
+    facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.")
+                                                 : tr("The trials go on where they were interrupted.");
+    facts.offersPractice = false; // the free minute comes by itself
+    m_card = new ReadyCard(context().theme(), facts, ReadyCard::Kind::whole);
+    m_card->setToolKeys(studyMovementKeys(hand));
+    connect(m_card, &ReadyCard::goAsked, this, &TrialsScreen::go);
+    connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, m_page->window()); });
+    m_stage->addWidget(m_card);
+    m_stage->setCurrentWidget(m_card);
+    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+}
+
+void TrialsScreen::go() {
+    if (!running() || m_begun)
+        return;
+    m_begun = true;
+    m_break->say(tr("One moment …"), {}, {});
+    m_stage->setCurrentWidget(m_break); // until the scene is there, which then takes focus and pointer
+    m_card->hide();
+    m_card->deleteLater(); // it is what asked for this
+    m_card = nullptr;
+    m_live->resume();
+}
+
+void TrialsScreen::stripAction() {
+    if (!running())
+        return;
+    if (m_live->view().state == State::trying)
+        m_live->endTrying();
+    else
+        m_live->goOn();
 }
 
 void TrialsScreen::poll() {
@@ -97,7 +154,7 @@ void TrialsScreen::poll() {
     const session::LiveStudyView view = m_live->view();
     if (m_begun)
         showState(view);
-    if (m_experimenter->isVisible())
+    if (atDesk())
         m_experimenter->show(view, m_live->numbers(), m_live->condition());
     if (m_live->finished())
         finished();
@@ -106,7 +163,11 @@ void TrialsScreen::poll() {
 void TrialsScreen::onBreakButton() {
     if (!running())
         return;
-    m_begun = true;
+    if (!m_begun) {
+        if (!m_card)
+            showCard();
+        return;
+    }
     switch (m_live->view().state) {
     case State::breakDue:
         if (m_live->view().breakLeft_s <= 0.0)
@@ -138,8 +199,8 @@ void TrialsScreen::mark() {
 }
 
 void TrialsScreen::pauseOrResume() {
-    if (!running() || m_live->view().state == State::stopped)
-        return; // that takes R
+    if (!running() || !m_begun || m_live->view().state == State::stopped)
+        return; // that takes R; and before it has begun, the card
     if (m_live->view().state == State::paused)
         onBreakButton();
     else
@@ -173,19 +234,13 @@ void TrialsScreen::capturePointer() {
         m_pointer->capture();
 }
 
-void TrialsScreen::toggleExperimenter() {
-    m_experimenter->setVisible(!m_experimenter->isVisible());
-    if (running() && m_experimenter->isVisible())
-        m_experimenter->show(m_live->view(), m_live->numbers(), m_live->condition());
-}
-
 void TrialsScreen::askToStop() {
     if (!running() || m_asking)
         return;
     m_asking = true;
     m_live->pause();
     freePointer();
-    QMessageBox box(QMessageBox::Question, title(), tr("Stop this sitting?"), QMessageBox::NoButton, window());
+    QMessageBox box(QMessageBox::Question, title(), tr("Stop this sitting?"), QMessageBox::NoButton, m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
     box.setObjectName(QStringLiteral("trials.ask"));
     box.setInformativeText(tr("All answered trials are kept. The run continues later at the same trial."));
     QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
@@ -200,43 +255,26 @@ void TrialsScreen::askToStop() {
         m_live->stop();
 }
 
-bool TrialsScreen::mayLeave() {
-    askToStop();
-    return !running() || m_live->finished();
-}
-
 void TrialsScreen::finished() {
-    m_over = true;
-    m_frame.stop();
+    over();
     m_sound.silence();
-    m_keys->setActive(false);
     freePointer();
-    context().setTrialRuns(false);
     const core::Result<session::LiveStudyResult>& result = m_live->result();
-    if (!result) {
-        fail(result.error());
-        return;
-    }
-    if (result->completed)
-        context().messages().done(tr("This condition is completed."));
-    else
-        context().messages().information(tr("All answered trials are kept. The run continues at the same trial."));
-    goBack();
-}
-
-void TrialsScreen::goBack() {
-    context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
+    m_completed = result && result->completed;
+    showEnd(!result      ? tr("The sitting could not be run.") + QLatin1Char('\n') + inWords(result.error())
+            : m_completed ? tr("This condition is completed.")
+                          : tr("All answered trials are kept. The run continues at the same trial."));
 }
 
 void TrialsScreen::fail(const core::Error& error) {
     over();
-    m_panel->showError(tr("The sitting could not be run"), error, [this] { goBack(); });
+    m_panel->showError(tr("The sitting could not be run"), error, [this] { leave(); });
 }
 
 /// No failure: another device, or another study, is what it takes.
 void TrialsScreen::refuse(const QString& words) {
     over();
-    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"), [this] { goBack(); });
+    m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"), [this] { leave(); });
 }
 
 void TrialsScreen::over() {
@@ -264,7 +302,7 @@ QString TrialsScreen::refusalWords(const session::SittingError& error, const QLo
 }
 
 std::vector<ScreenCommand> TrialsScreen::commands() {
-    return {{tr("Experimenter's view"), QKeySequence(Qt::Key_F2), [this] { toggleExperimenter(); }, !running()},
+    return {{tr("Experimenter"), QKeySequence(Qt::Key_F2), [this] { toggleExperimenter(); }, !running()},
             {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
             {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
             {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},

@@ -8,6 +8,7 @@
 #include "session/study/live_sitting.h"
 
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -23,12 +24,16 @@ class ApexStage;
 class BreakPanel;
 class ExperimenterPanel;
 class KeyFilter;
+class ParticipantWindow;
 class PlacesView;
+class ReadyCard;
 class StatePanel;
 
-/// One sitting of one participant at one condition: the participant's view (no value, level or condition name) with the experimenter's
-/// beside it, when it is wanted: places to compare, or the scene in which an apex is looked for. Each trial is stored as it is answered;
-/// leaving keeps the run, which is resumed at the trial. Place: {study, participant, condition}. GUI thread.
+/// One sitting of one participant at one condition. The participant's page (no value, level, condition or estimate: places to compare, or the
+/// scene in which an apex is looked for) fills a window of its own where there is a second screen, and the experimenter's desk this one; with
+/// one screen the page fills this window, and the desk comes in its place for the experimenter alone: where the study blinds anybody with
+/// their password. Each trial is stored as it is answered; leaving keeps the run, which is resumed at the trial. Place: {study, participant,
+/// condition}; without a condition the participant's next one; with "one_screen" true a second screen is left alone. GUI thread.
 class TrialsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -43,14 +48,19 @@ public:
     std::vector<ScreenCommand> commands() override;
 
     session::LiveSitting* live() const { return m_live.get(); } ///< null before it begins
+    bool atDesk() const; ///< the experimenter's desk is in this window
+    ParticipantWindow* participantWindow() const { return m_window; } ///< null with one screen
 
     /// Why the device is not taken, in the language of the program; empty where it is refused for something else.
     static QString refusalWords(const session::SittingError& error, const QLocale& locale);
 
 private:
     // trials_screen_build.cpp
+    void buildPage();
+    void buildDesk();
     QWidget* buildHead();
     QWidget* buildStage();
+    QWidget* buildStrip();
     void buildLive(); ///< what depends on the task, once it is known
     void buildPlaces();
     void buildApex();
@@ -68,8 +78,25 @@ private:
     QString apexWords(const session::LiveStudyView& view) const;
     QString stoppedText() const;
 
+    void showStrip(const session::LiveStudyView& view);
+    void hearMasking(bool scene);
+
+    // trials_screen_desk.cpp: who sees what, and who may go on
+    void placePage();
+    void bringBack(); ///< the participant's screen is gone
+    bool guarded() const;
+    void callExperimenter(std::function<void()> then);
+    void showDesk();
+    void showPage();
+    void showEnd(const QString& what);
+    void leave();
+
     // trials_screen.cpp
     void begin();
+    void showInstructions();
+    void showCard();
+    void go();
+    void stripAction(); ///< the free minute, or the feedback of practice, was long enough
     void poll();
     void onBreakButton();
     void answer(int answer, std::optional<double> value);
@@ -86,12 +113,22 @@ private:
     void freePointer();
     void capturePointer();
     bool running() const { return m_live && !m_over; }
-    void goBack();
 
     QString m_participant;
     std::string m_condition;
     database::StudyNumber m_study;
     StatePanel* m_panel = nullptr;
+    QStackedWidget* m_faces = nullptr; ///< of this window: the participant's page, the experimenter's desk
+    QWidget* m_page = nullptr;
+    QWidget* m_desk = nullptr;
+    ParticipantWindow* m_window = nullptr;
+    QLabel* m_deskNote = nullptr;
+    QPushButton* m_toPage = nullptr;
+    QPushButton* m_leave = nullptr;
+    ReadyCard* m_card = nullptr;
+    QLabel* m_strip = nullptr;
+    QPushButton* m_takeBack = nullptr;
+    QPushButton* m_enough = nullptr;
     QStackedWidget* m_stage = nullptr;
     BreakPanel* m_break = nullptr;
     QWidget* m_trial = nullptr;
@@ -100,13 +137,18 @@ private:
     ApexStage* m_apex = nullptr;      ///< null where places are compared
     QLabel* m_note = nullptr;
     QProgressBar* m_progress = nullptr;
-    QWidget* m_timeRow = nullptr;
     QProgressBar* m_time = nullptr;
     ExperimenterPanel* m_experimenter = nullptr;
+    QPushButton* m_call = nullptr; ///< the experimenter, from the participant's page
     QPushButton* m_stop = nullptr;
     KeyFilter* m_keys = nullptr;
     SoundCuePlayer m_sound{4.0};
     bool m_masking = true;
+    bool m_silent = false;    ///< there is no sound output
+    bool m_released = false;  ///< the experimenter goes on elsewhere
+    bool m_gate = false;      ///< their password is asked for
+    QString m_ended;          ///< what became of the sitting, for the experimenter
+    bool m_completed = false;
     bool m_over = false;
     bool m_asking = false;
     bool m_begun = false; ///< the instructions were read

@@ -9,8 +9,12 @@
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/study_run/participant_window.h"
+#include "desktop/study_run/study_controls.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/training/key_filter.h"
 #include "desktop/training/pointer_control.h"
+#include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 #include "simulation/exercises/comparison/comparison_parameters.h"
@@ -18,43 +22,84 @@
 #include <QCheckBox>
 #include <QProgressBar>
 #include <QStackedWidget>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
-constexpr double kSide_px = 330;
-constexpr double kLargestSideShare = 0.4;
+constexpr double kDesk_px = 720;
 } // namespace
 
 TrialsScreen::TrialsScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_participant(place.parameters.value(QStringLiteral("participant")).toString()),
       m_condition(place.parameters.value(QStringLiteral("condition")).toString().toStdString()),
       m_study(place.parameters.value(QStringLiteral("study")).toLongLong()) {
-    const Theme& theme = context.theme();
     setProperty("kind", QStringLiteral("page"));
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_faces = new QStackedWidget;
+    column->addWidget(m_faces);
+    buildPage();
+    buildDesk();
+    buildKeys();
+    connect(&m_frame, &QTimer::timeout, this, &TrialsScreen::poll);
+    m_frame.setTimerType(Qt::PreciseTimer);
+}
+
+void TrialsScreen::buildPage() {
+    const Theme& theme = context().theme();
+    m_page = new QWidget;
+    m_page->setObjectName(QStringLiteral("trials.page"));
+    auto* column = new QVBoxLayout(m_page);
     column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
     column->setSpacing(theme.px(10));
     column->addWidget(buildHead());
-    auto* row = new QHBoxLayout;
-    row->setSpacing(theme.px(12));
     m_panel = new StatePanel(theme);
     m_panel->setContent(buildStage());
-    row->addWidget(m_panel, 1);
-    m_experimenter = new ExperimenterPanel(theme, context.locale());
-    m_experimenter->setFixedWidth(std::min(theme.px(kSide_px), static_cast<int>(kLargestSideShare * context.theme().px(1280) / theme.scale())));
-    m_experimenter->hide();
+    column->addWidget(m_panel, 1);
+    m_faces->addWidget(m_page);
+}
+
+/// The experimenter's: nothing of it is ever on the participant's page.
+void TrialsScreen::buildDesk() {
+    const Theme& theme = context().theme();
+    m_desk = new QWidget;
+    m_desk->setObjectName(QStringLiteral("trials.desk"));
+    auto* column = new QVBoxLayout(m_desk);
+    column->setContentsMargins(theme.px(16), theme.px(12), theme.px(16), theme.px(12));
+    column->setSpacing(theme.px(10));
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(12), bar);
+    m_toPage = kit::button(theme, tr("Back to the participant (F2)"), "primary", QStringLiteral("go-previous"));
+    m_toPage->setObjectName(QStringLiteral("trials.to_page"));
+    connect(m_toPage, &QPushButton::clicked, this, &TrialsScreen::showPage);
+    row->addWidget(m_toPage);
+    m_leave = kit::button(theme, tr("Go on with the study"), "primary", QStringLiteral("go-next"));
+    m_leave->setObjectName(QStringLiteral("trials.leave"));
+    m_leave->hide();
+    connect(m_leave, &QPushButton::clicked, this, &TrialsScreen::leave);
+    row->addWidget(m_leave);
+    auto* masking = new QCheckBox(tr("Masking sound"));
+    masking->setObjectName(QStringLiteral("trials.masking"));
+    masking->setFont(theme.font(TextStyle::body));
+    masking->setToolTip(tr("Whether it is on is stored with each trial"));
+    masking->setChecked(true);
+    connect(masking, &QCheckBox::toggled, this, [this](bool on) { m_masking = on; });
+    row->addWidget(masking);
+    column->addWidget(bar);
+    m_deskNote = kit::label(theme, {}, TextStyle::body, "muted");
+    m_deskNote->setObjectName(QStringLiteral("trials.desk_note"));
+    column->addWidget(m_deskNote);
+    m_experimenter = new ExperimenterPanel(theme, context().locale());
+    m_experimenter->setMaximumWidth(theme.px(kDesk_px));
     connect(m_experimenter, &ExperimenterPanel::spoilAsked, this, [this] {
         if (running())
             m_live->spoil();
     });
     connect(m_experimenter, &ExperimenterPanel::pauseAsked, this, &TrialsScreen::pauseOrResume);
     connect(m_experimenter, &ExperimenterPanel::stopAsked, this, &TrialsScreen::askToStop);
-    row->addWidget(m_experimenter);
-    column->addLayout(row, 1);
-    buildKeys();
-    connect(&m_frame, &QTimer::timeout, this, &TrialsScreen::poll);
-    m_frame.setTimerType(Qt::PreciseTimer);
+    column->addWidget(m_experimenter, 1);
+    m_faces->addWidget(m_desk);
 }
 
 QWidget* TrialsScreen::buildHead() {
@@ -74,17 +119,10 @@ QWidget* TrialsScreen::buildHead() {
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
     row->addWidget(m_progress, 2);
-    auto* masking = new QCheckBox(tr("Sound"));
-    masking->setObjectName(QStringLiteral("trials.masking"));
-    masking->setFont(theme.font(TextStyle::body));
-    masking->setToolTip(tr("Masking sound on or off"));
-    masking->setChecked(true);
-    connect(masking, &QCheckBox::toggled, this, [this](bool on) { m_masking = on; });
-    row->addWidget(masking);
-    auto* experimenter = kit::button(theme, tr("Experimenter (F2)"), "quiet", QStringLiteral("view-statistics"));
-    experimenter->setObjectName(QStringLiteral("trials.experimenter"));
-    connect(experimenter, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
-    row->addWidget(experimenter);
+    m_call = kit::button(theme, tr("Experimenter …"), "quiet", QStringLiteral("system-lock-screen"));
+    m_call->setObjectName(QStringLiteral("trials.experimenter"));
+    connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
+    row->addWidget(m_call);
     m_stop = kit::button(theme, tr("Stop …"), "", QStringLiteral("media-playback-stop"));
     m_stop->setObjectName(QStringLiteral("trials.stop"));
     connect(m_stop, &QPushButton::clicked, this, &TrialsScreen::askToStop);
@@ -102,19 +140,50 @@ QWidget* TrialsScreen::buildStage() {
     auto* column = new QVBoxLayout(m_trial);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
-    m_timeRow = new QWidget;
-    auto* time = new QHBoxLayout(m_timeRow);
-    time->setContentsMargins(0, 0, 0, 0);
-    time->setSpacing(theme.px(8));
-    time->addWidget(kit::label(theme, tr("Time to explore"), TextStyle::small, "muted"));
-    m_time = new QProgressBar;
-    m_time->setAccessibleName(tr("Time to explore"));
-    m_time->setTextVisible(false);
-    m_time->setFixedHeight(theme.px(20));
-    time->addWidget(m_time, 1);
-    column->addWidget(m_timeRow);
+    column->addWidget(buildStrip());
     m_stage->addWidget(m_trial);
     return m_stage;
+}
+
+/// Above the scene: what a participant is told, the time, and what they may do. Everything keeps its room, so that nothing moves.
+QWidget* TrialsScreen::buildStrip() {
+    const Theme& theme = context().theme();
+    auto* strip = new QWidget;
+    auto* row = new QHBoxLayout(strip);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme.px(8));
+    const auto keepRoom = [](QWidget* part) {
+        QSizePolicy policy = part->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        part->setSizePolicy(policy);
+        part->hide();
+    };
+    m_strip = kit::label(theme, {}, TextStyle::strong);
+    m_strip->setObjectName(QStringLiteral("trials.strip"));
+    row->addWidget(m_strip, 2);
+    m_time = new QProgressBar;
+    m_time->setAccessibleName(tr("Time to explore"));
+    m_time->setToolTip(tr("Time to explore"));
+    m_time->setTextVisible(false);
+    m_time->setFixedHeight(theme.px(20));
+    keepRoom(m_time);
+    row->addWidget(m_time, 1);
+    m_takeBack = kit::button(theme, tr("Take back (⌫)"), "");
+    m_takeBack->setObjectName(QStringLiteral("trials.take_back"));
+    m_takeBack->setFocusPolicy(Qt::NoFocus); // keys are the screen's
+    connect(m_takeBack, &QPushButton::clicked, this, [this] {
+        if (running())
+            m_live->takeBack();
+    });
+    m_enough = kit::button(theme, tr("Next (Enter)"), "primary");
+    m_enough->setObjectName(QStringLiteral("trials.enough"));
+    m_enough->setFocusPolicy(Qt::NoFocus);
+    connect(m_enough, &QPushButton::clicked, this, &TrialsScreen::stripAction);
+    for (QPushButton* button : {m_takeBack, m_enough}) {
+        keepRoom(button);
+        row->addWidget(button);
+    }
+    return strip;
 }
 
 void TrialsScreen::buildLive() {
@@ -147,6 +216,10 @@ void TrialsScreen::buildPlaces() {
     m_places = new PlacesView(theme, setup);
     m_places->setObjectName(QStringLiteral("trials.places"));
     m_answers = new AnswerPanel(theme, condition.task, condition.stimulus.attribute);
+    connect(m_answers, &AnswerPanel::begun, this, [this] {
+        if (running())
+            m_live->beginAnswer();
+    });
     auto* column = static_cast<QVBoxLayout*>(m_trial->layout());
     column->addWidget(m_places, 1);
     column->addWidget(m_answers);
@@ -159,20 +232,22 @@ void TrialsScreen::buildPlaces() {
 }
 
 void TrialsScreen::buildKeys() {
-    m_keys = new KeyFilter(*this);
+    m_keys = new KeyFilter(*m_page); // wherever the page is: keys typed at the desk are no answers
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, &TrialsScreen::pauseOrResume);
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {
         if (m_stage->currentWidget() == m_break)
             onBreakButton();
+        else if (!m_enough->isHidden())
+            stripAction();
         else if (m_answers)
             m_answers->enterKey();
         else
             mark();
     });
     connect(m_keys, &KeyFilter::leaveSceneAsked, this, [this](bool) {
-        window()->activateWindow();
+        m_page->window()->activateWindow();
         m_stop->setFocus(Qt::TabFocusReason);
     });
     connect(m_keys, &KeyFilter::toolKey, this, &TrialsScreen::toolKey);
@@ -182,6 +257,16 @@ void TrialsScreen::toolKey(int key, bool down) {
     if (key == Qt::Key_F2 || key == Qt::Key_T) {
         if (down)
             key == Qt::Key_T ? freePointer() : toggleExperimenter();
+        return;
+    }
+    if (m_card) { // a first movement
+        const std::vector<int> movements = studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
+        if (down && std::find(movements.begin(), movements.end(), key) != movements.end())
+            go();
+        return;
+    }
+    if (key == Qt::Key_Backspace && down && running() && m_live->view().mayTakeBack) {
+        m_live->takeBack();
         return;
     }
     if (down && m_answers && m_answers->key(key))
@@ -195,6 +280,7 @@ void TrialsScreen::connectPointer() {
     m_pointer.reset();
     m_hand.reset();
     std::vector<int> keys = m_answers ? AnswerPanel::keys() : std::vector<int>();
+    keys.push_back(Qt::Key_Backspace);
     keys.push_back(Qt::Key_F2);
     keys.push_back(Qt::Key_T);
     if (devices::PointerMailbox* pointer = m_live->training().pointer()) {
@@ -203,7 +289,7 @@ void TrialsScreen::connectPointer() {
             keys.push_back(key);
         m_pointer = std::make_unique<ScenePointer>(*m_hand, source(), area());
         connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
-            if (!m_apex || m_live->view().canAnswer) // a click that comes too early is no mark
+            if (m_apex && m_live->view().canAnswer) // a click on an object answers nothing, and one that comes too early is no mark
                 m_hand->click();
         });
         connect(m_pointer.get(), &ScenePointer::captureAsked, this, &TrialsScreen::capturePointer);

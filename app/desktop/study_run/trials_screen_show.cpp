@@ -23,10 +23,12 @@ using State = session::LiveStudyView::State;
 void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
     m_progress->setVisible(view.ofAtMost > 0);
-    m_note->setText(view.practice ? tr("Participant %1 · practice").arg(m_participant) : tr("Participant %1").arg(m_participant));
+    m_note->setText(view.state == State::trying ? tr("Participant %1 · free minute").arg(m_participant)
+                    : view.practice            ? tr("Participant %1 · practice").arg(m_participant)
+                                               : tr("Participant %1").arg(m_participant));
     const bool changed = view.state != m_state;
     m_state = view.state;
-    const bool scene = view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||
+    const bool scene = view.state == State::trying || view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||
                        view.state == State::feedback;
     if (scene) {
         if (m_stage->currentWidget() != m_trial) {
@@ -41,22 +43,58 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         showBreak(view);
     }
     m_keys->setHeld(!scene);
-    if (m_live->design().trial.maskingSound)
-        m_sound.mask(m_masking && scene);
+    hearMasking(scene);
     if (changed && m_answers && view.state == State::coming)
         m_answers->clear();
 }
 
+/// Masking noise, and what the run says of it.
+void TrialsScreen::hearMasking(bool scene) {
+    using session::TrialCircumstances;
+    const bool wanted = m_masking && m_live->design().trial.maskingSound;
+    if (m_live->design().trial.maskingSound)
+        m_sound.mask(wanted && scene);
+    m_live->setMasking(!wanted ? TrialCircumstances::kMaskingOff : m_silent ? TrialCircumstances::kMaskingSilent : TrialCircumstances::kMaskingNoise);
+}
+
+/// The free minute, and the feedback of practice.
+void TrialsScreen::showStrip(const session::LiveStudyView& view) {
+    const bool trying = view.state == State::trying;
+    const int left_s = static_cast<int>(std::ceil(view.tryLeft_s));
+    m_strip->setText(trying             ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
+                     : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
+                                        : QString());
+    m_takeBack->setVisible(view.mayTakeBack);
+    m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
+    m_enough->setVisible(trying || view.mayTakeBack);
+    const double most_s = m_live->design().trial.exploreLimit_s;
+    m_time->setVisible(!trying && view.timeLeft_s > 0.0);
+    if (most_s > 0.0)
+        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
+}
+
+/// What is missing: names of the objects that were not touched yet.
+static QString missingObjects(const session::LiveStudyView& view) {
+    const QStringList names = AnswerPanel::placeNames(view.places);
+    QStringList missing;
+    for (int place = 0; place < names.size(); ++place)
+        if (((view.touched >> place) & 1U) == 0)
+            missing << names.at(place);
+    return missing.join(QStringLiteral(", "));
+}
+
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     switch (view.state) {
+    case State::trying:
+        return tr("The answers are here. They are taken once the trials begin.");
     case State::coming:
-        return tr("The next objects are coming. Lift the tool off.");
+        return view.again ? tr("Not every object was touched in time, so these come again. Lift the tool off.") : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
         return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
-        return view.right.value_or(false) ? tr("Correct.") : tr("Wrong.");
+        return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
-        return view.canAnswer ? QString() : tr("Touch every object first.");
+        return view.canAnswer ? QString() : view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missingObjects(view));
     case State::answering:
         return tr("The time to explore is over. Answer now.");
     default:
@@ -66,6 +104,8 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
 
 QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
     switch (view.state) {
+    case State::trying:
+        return tr("Feel for the highest point, and mark it.");
     case State::coming:
         return tr("The next sphere is coming. Lift the tool off.");
     case State::feedback:
@@ -80,16 +120,13 @@ QString TrialsScreen::apexWords(const session::LiveStudyView& view) const {
 void TrialsScreen::showScene(const session::LiveStudyView& view) {
     haptics::DisplayState state;
     m_live->training().display().read(state);
-    m_timeRow->setVisible(view.timeLeft_s > 0.0);
-    const double most_s = m_live->design().trial.exploreLimit_s;
-    if (most_s > 0.0)
-        m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
+    showStrip(view);
     if (m_apex) {
         m_apex->show(state, view.canAnswer, apexWords(view));
         return;
     }
     PlacesView::Now now;
-    now.objects = view.state == State::exploring || view.state == State::arming;
+    now.objects = view.state == State::trying || view.state == State::exploring || view.state == State::arming;
     now.touched = view.touched;
     now.place = view.place;
     now.feltNothing = !m_live->training().felt();
@@ -130,7 +167,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Continue"));
         break;
     default:
-        m_break->say(tr("Thank you"), tr("This part is done."), {});
+        m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
         break;
     }
     m_break->countDown(view.state == State::breakDue ? view.breakLeft_s : -1.0, m_live->design().trial.breakAtLeast_s);

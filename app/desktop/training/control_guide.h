@@ -8,8 +8,8 @@
 
 namespace chiron::desktop {
 
-/// What of a mouse is used, as a picture.
-enum class Pictogram { moveMouse, wheelTowards, wheelAway, leftClick, leftHeld, rightHeld };
+/// What of a mouse, of a device's handle or of the keyboard is used, as a picture.
+enum class Pictogram { moveMouse, wheelTowards, wheelAway, leftClick, leftHeld, rightHeld, moveStylus, pressStylus, stylusButton, keys };
 
 /// One thing that a hand does with a tool, and how with the device in hand.
 struct ControlHint {

@@ -12,11 +12,11 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double kSide_px = 84;
 } // namespace
 
-double LeanDial::Lean::angle_deg() const { return kDegrees * std::hypot(pitch_rad, roll_rad); }
+double LeanDial::Lean::angle_deg() const { return kDegreesPerRadian * std::hypot(pitch_rad, roll_rad); }
 
 LeanDial::LeanDial(const Theme& theme, const QLocale& locale, int fingers, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_fingers(std::clamp(fingers, 1, static_cast<int>(kMost))) {
@@ -61,7 +61,7 @@ void LeanDial::paintField(QPainter& painter, const QRectF& field) const {
     // A circle of the largest lean, cut at the largest roll.
     const double half = 0.5 * field.height();
     const QRectF circle(field.center().x() - half, field.top(), 2.0 * half, 2.0 * half);
-    const double cut_deg = kDegrees * std::acos(std::min(1.0, 0.5 * field.width() / half));
+    const double cut_deg = kDegreesPerRadian * std::acos(std::min(1.0, 0.5 * field.width() / half));
     QPainterPath outline;
     outline.arcMoveTo(circle, cut_deg);
     outline.arcTo(circle, cut_deg, 180.0 - 2.0 * cut_deg);

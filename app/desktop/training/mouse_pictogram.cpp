@@ -33,6 +33,59 @@ void MousePictogram::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(width() / kSide, height() / kSide);
+    switch (m_picture) {
+    case Pictogram::moveStylus:
+    case Pictogram::pressStylus:
+    case Pictogram::stylusButton:
+        return paintStylus(painter);
+    case Pictogram::keys:
+        return paintKeys(painter);
+    default:
+        return paintMouse(painter);
+    }
+}
+
+/// The handle of a haptic device: a pen whose tip is what touches.
+void MousePictogram::paintStylus(QPainter& painter) const {
+    const QColor accent = m_theme.color(Colour::accent);
+    const QPointF tip(26.0, 46.0);
+    const QPointF end(44.0, 10.0);
+    painter.setPen(QPen(m_theme.color(Colour::text), 9.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(31.0, 36.0), end);
+    painter.setPen(QPen(m_theme.color(Colour::surface), 6.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(31.0, 36.0), end);
+    painter.setPen(QPen(m_theme.color(Colour::text), 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(30.0, 38.0), tip);
+    if (m_picture == Pictogram::stylusButton) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(accent);
+        painter.drawEllipse(QPointF(38.0, 22.0), 4.0, 4.0);
+    }
+    painter.setPen(QPen(accent, 2.0, Qt::SolidLine, Qt::RoundCap));
+    if (m_picture == Pictogram::moveStylus) {
+        paintArrow(painter, {18.0, 30.0}, {6.0, 30.0});
+        paintArrow(painter, {48.0, 30.0}, {60.0, 30.0});
+    } else if (m_picture == Pictogram::pressStylus) {
+        paintArrow(painter, {14.0, 26.0}, {14.0, 44.0});
+    }
+    if (m_picture != Pictogram::moveStylus) {
+        painter.setPen(QPen(m_theme.color(Colour::text), 1.6));
+        painter.drawLine(QPointF(8.0, 54.0), QPointF(56.0, 54.0)); // what it touches
+    }
+}
+
+void MousePictogram::paintKeys(QPainter& painter) const {
+    const QColor accent = m_theme.color(Colour::accent);
+    for (int i = 0; i < 3; ++i) {
+        painter.setPen(QPen(i == 1 ? accent : m_theme.color(Colour::text), 1.6));
+        painter.setBrush(i == 1 ? accent : m_theme.color(Colour::surface));
+        painter.drawRoundedRect(QRectF(5.0 + 19.0 * i, i == 1 ? 28.0 : 24.0, 16.0, 16.0), 3.0, 3.0);
+    }
+    painter.setPen(QPen(accent, 2.0, Qt::SolidLine, Qt::RoundCap));
+    paintArrow(painter, {32.0, 8.0}, {32.0, 24.0});
+}
+
+void MousePictogram::paintMouse(QPainter& painter) const {
     QPainterPath body;
     body.addRoundedRect(kBody, 12.0, 12.0);
     const QColor accent = m_theme.color(Colour::accent);
@@ -74,6 +127,8 @@ void MousePictogram::paintEvent(QPaintEvent*) {
     case Pictogram::leftHeld: // pressed and kept down
         paintArrow(painter, {13.0, 2.0}, {22.0, 11.0});
         painter.drawLine(QPointF(6.0, 58.0), QPointF(22.0, 58.0));
+        break;
+    default:
         break;
     }
 }

@@ -8,7 +8,7 @@
 
 namespace chiron::desktop {
 
-/// A mouse seen from above, with what is used of it in colour and arrows for the way. Decorative: the words beside it say the same.
+/// A mouse seen from above, a handle from the side or keys, with what is used in colour and arrows for the way. Decorative: the words beside it say the same.
 /// GUI thread.
 class MousePictogram final : public QWidget {
     Q_OBJECT
@@ -19,6 +19,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintStylus(QPainter& painter) const;
+    void paintKeys(QPainter& painter) const;
+    void paintMouse(QPainter& painter) const;
     void paintArrow(QPainter& painter, QPointF from, QPointF to) const;
 
     const Theme& m_theme;

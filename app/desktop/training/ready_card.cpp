@@ -22,7 +22,7 @@ ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWi
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     column->addWidget(buildText(facts), 1);
-    column->addWidget(buildButtons());
+    column->addWidget(buildButtons(facts));
     installEventFilter(this);
     for (QPushButton* button : findChildren<QPushButton*>())
         button->installEventFilter(this);
@@ -79,7 +79,7 @@ QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
     return row;
 }
 
-QWidget* ReadyCard::buildButtons() {
+QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
     auto* bar = new QWidget;
     auto* flow = new FlowLayout(m_theme.px(10), bar);
     const auto add = [&](const QString& text, const char* kind, const char* name) {
@@ -90,7 +90,7 @@ QWidget* ReadyCard::buildButtons() {
     };
     m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : tr("Go (Enter)"), "primary", "training.ready.go");
     connect(m_go, &QPushButton::clicked, this, &ReadyCard::goAsked);
-    if (m_kind != Kind::paused) {
+    if (m_kind != Kind::paused && facts.offersPractice) {
         auto* practice = add(tr("Practise for a minute"), "", "training.ready.practice");
         practice->setToolTip(tr("Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
         connect(practice, &QPushButton::clicked, this, &ReadyCard::practiceAsked);

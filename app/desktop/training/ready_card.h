@@ -21,6 +21,7 @@ struct ReadyFacts {
     QStringList marks;                 ///< what the marks in the scene mean
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
+    bool offersPractice = true;        ///< a minute that does not count can be had from the card
     QString clock;                     ///< how many trials, and when the clock starts
 };
 
@@ -56,7 +57,7 @@ protected:
 private:
     QWidget* buildText(const ReadyFacts& facts);
     QWidget* buildControls(const std::vector<ControlHint>& controls);
-    QWidget* buildButtons();
+    QWidget* buildButtons(const ReadyFacts& facts);
 
     const Theme& m_theme;
     Kind m_kind;

@@ -62,7 +62,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     if (!begun)
         return tl::unexpected(begun.error());
-    auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun));
+    auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun), request.language);
     state->blinding = study.record.blinding;
     state->condition = conditionOf(state->study.design, sitting.run.condition);
     state->nextStation = std::move(request.nextStation);
@@ -72,6 +72,8 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     state->view.task = state->condition->task;
     state->view.places = 1;
     state->summarise();
+    if (sitting.run.trials.empty() && state->nextStation) // it takes a session of its own
+        state->tryFor_s = request.freeMinute_s;
     if (auto first = state->beginSession(std::move(request.station)); !first)
         return tl::unexpected(first.error());
     return state;
@@ -114,9 +116,32 @@ core::Result<void> LiveApex::answer(int answer, std::optional<double>) {
     s.describe();
     if (!s.view.canAnswer || answer != 0)
         return core::fail(core::ErrorCode::wrongUse, "no mark is taken now");
+    s.notes.answerBegins(s.last.tick);
     s.training->post(core::CommandKind::mark);
     return {};
 }
+
+void LiveApex::beginAnswer() {} // a mark is one press
+
+void LiveApex::takeBack() {
+    State& s = *m_state;
+    if (!s.pending)
+        return;
+    s.pending->answer = -1;
+    s.pending->value.reset();
+    s.pending->fidelity.apex.reset();
+    s.pending->spoiled = "taken_back";
+    s.storePending();
+}
+
+void LiveApex::goOn() { m_state->enough = m_state->pending.has_value(); }
+
+void LiveApex::endTrying() {
+    if (m_state->tries)
+        m_state->tried_s = m_state->tryFor_s;
+}
+
+void LiveApex::setMasking(const std::string& what) { m_state->notes.hear(what); }
 
 void LiveApex::spoil() {
     if (m_state->watch->inTrial())
@@ -151,8 +176,9 @@ void LiveApex::stop() {
     if (s.done || s.stopping)
         return;
     s.drain(); // a mark that was set already counts
+    s.storePending();
     s.stopping = true;
-    if (!s.done && s.watch->inTrial()) { // what was explored is not presented again
+    if (!s.done && !s.tries && s.watch->inTrial()) { // what was explored is not presented again
         s.spoiled = "stopped";
         s.record(s.watch->soFar());
     }

@@ -30,6 +30,11 @@ public:
     /// Answer 0: "here it is", a mark where the tool is. A device's own button marks as well.
     core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) override;
     /// The trial at hand does not count: it ends with the mark, as only the participant or the clock ends one here.
+    void beginAnswer() override;
+    void takeBack() override;
+    void goOn() override;
+    void endTrying() override;
+    void setMasking(const std::string& what) override;
     void spoil() override;
     void pause() override;
     void resume() override;

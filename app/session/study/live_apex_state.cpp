@@ -9,6 +9,7 @@
 #include "session/study/apex_sitting.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace chiron::session {
 
@@ -17,16 +18,19 @@ using core::TrialPhase;
 
 namespace {
 constexpr double kFeedback_s = 2.0; // a distance takes longer to read than "right"
+constexpr double kPracticeFeedback_s = 4.0; // as LiveStudy's
+constexpr int kTriedSpheres = 10; // more than anybody marks in a minute
 constexpr std::uint64_t kSummarySeed = 1; // of intervals alone
 } // namespace
 
 /// As the command line's: the places of a session follow from the run's seed and the presentations before it.
 core::Result<void> LiveApex::State::beginSession(Station station) {
-    const int wanted = std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
+    const bool free = tryFor_s > 0.0;
+    const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
     auto made = apexStudyLevel(study.design, *condition, wanted, sessionLabel(study, sealedCode));
     if (!made)
         return tl::unexpected(made.error());
-    const std::uint64_t seed = core::Random::mix(runSeed, "sitting " + std::to_string(trials.size())) >> 1;
+    const std::uint64_t seed = core::Random::mix(runSeed, free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >> 1;
     auto watching = ApexWatch::create(*made, seed, station, study.design);
     if (!watching)
         return tl::unexpected(watching.error());
@@ -49,6 +53,7 @@ core::Result<void> LiveApex::State::beginSession(Station station) {
     last = {};
     ending = waits = false;
     presented = 0;
+    tries = free;
     ++sessions;
     control.begin();
     training->post(CommandKind::start);
@@ -68,7 +73,12 @@ void LiveApex::State::take(const ApexTick& tick) {
     lost = lost || tick.lost;
     if (stopping)
         return; // the trial at hand was stored as stopped
-    if (auto answer = watch->take(tick.sample, tick.tool))
+    if ((tick.sample.events & core::event_bits::kTrialStarted) != 0)
+        notes.beginTrial();
+    auto answer = watch->take(tick.sample, tick.tool);
+    if (answer && tries)
+        tried_s += watch->clock().exploration_s(); // of the free minute: of no trial
+    else if (answer)
         record(std::move(*answer));
 }
 
@@ -77,6 +87,29 @@ void LiveApex::State::record(StudyAnswer answer) {
     answer.spoiled = spoiled.empty() && lost ? "late_ticks" : spoiled;
     spoiled.clear();
     ++presented;
+    answer.fidelity.circumstances = notes.ofTrial();
+    if (stopping || progress.done() || !progress.next().practice || answer.answer < 0 || !answer.spoiled.empty())
+        return store(answer);
+    view.beside_m = answer.value;
+    feedbackSince = Clock::now();
+    enough = false;
+    pending = std::move(answer);
+}
+
+void LiveApex::State::storePending() {
+    if (const auto answer = std::exchange(pending, std::nullopt)) {
+        store(*answer);
+        view.beside_m.reset();
+    }
+}
+
+bool LiveApex::State::feedbackOver() const {
+    return pending ? enough || stopping || secondsSince(feedbackSince) >= kPracticeFeedback_s : secondsSince(feedbackSince) >= kFeedback_s;
+}
+
+double LiveApex::State::triedSoFar_s() const { return tried_s + (watch->inTrial() ? watch->clock().exploration_s() : 0.0); }
+
+void LiveApex::State::store(const StudyAnswer& answer) {
     auto trial = progress.record(answer);
     if (!trial)
         return fail(trial.error());
@@ -92,7 +125,7 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
     numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
     numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
     summarise();
-    if ((study.design.trial.feedback || trial.practice) && trial.value && trial.spoiled.empty() && !progress.done()) {
+    if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() && !progress.done()) {
         view.beside_m = trial.value;
         feedbackSince = Clock::now();
     }
@@ -108,12 +141,14 @@ void LiveApex::State::summarise() {
 }
 
 bool LiveApex::State::heldBetween() const {
-    return view.beside_m.has_value() || (!watch->inTrial() && (progress.breakDue() || progress.needsExperimenter()));
+    return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (progress.breakDue() || progress.needsExperimenter()));
 }
 
 /// The exercise goes from trial to trial by itself: what holds it, and what ends it.
 void LiveApex::State::goOn() {
-    if (view.beside_m && secondsSince(feedbackSince) >= kFeedback_s)
+    if (pending && feedbackOver())
+        storePending();
+    if (view.beside_m && feedbackOver())
         view.beside_m.reset();
     if (done || waits)
         return;
@@ -122,7 +157,9 @@ void LiveApex::State::goOn() {
         control.hold(false);
     if (stopping || watch->over())
         control.letGo(); // a paused scene would never come to its end
-    if ((stopping || progress.done()) && !watch->over())
+    if (tries && triedSoFar_s() >= tryFor_s)
+        control.letGo();
+    if ((stopping || progress.done() || (tries && triedSoFar_s() >= tryFor_s)) && !watch->over())
         endSession();
 }
 
@@ -139,10 +176,12 @@ void LiveApex::State::fail(const core::Error& error) {
 /// A session is stored: the run is done, the sitting is, or another session follows.
 void LiveApex::State::sessionEnded() {
     drain(); // what came with the last ticks
+    const bool tried = std::exchange(tries, false);
+    tryFor_s = tried ? 0.0 : tryFor_s;
     if (!training->result())
         result = tl::unexpected(training->result().error());
     const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
-    const bool further = !failed && training->result() && !stopping && !progress.done() && presented > 0; // none: stuck, another would be, too
+    const bool further = !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried); // none: stuck, another would be, too
     if (!further)
         return conclude();
     waits = true;
@@ -163,6 +202,7 @@ void LiveApex::State::goOnWithNext() {
 }
 
 void LiveApex::State::conclude() {
+    storePending();
     done = true;
     if (!result && result.error().code != core::ErrorCode::wrongUse)
         return; // a trial could not be stored, a session not be run
@@ -178,7 +218,9 @@ void LiveApex::State::conclude() {
 void LiveApex::State::describe() {
     const StudyPresentation shown = progress.done() ? StudyPresentation{} : progress.next();
     const bool running = watch->inTrial() && last.phase == TrialPhase::running && !stopping;
-    view.practice = shown.practice;
+    view.practice = shown.practice && !tries;
+    view.mayTakeBack = pending.has_value() && !done;
+    view.tryLeft_s = tries ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
     view.trial = progress.scored();
     view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
     view.touched = watch->touched() ? 1u : 0u;
@@ -205,7 +247,7 @@ LiveStudyView::State LiveApex::State::where() const {
         return View::stopped;
     if (control.paused())
         return View::paused;
-    if (view.beside_m)
+    if (view.beside_m || pending)
         return View::feedback;
     if (!watch->inTrial() && progress.needsExperimenter())
         return View::needsExperimenter;
@@ -215,6 +257,8 @@ LiveStudyView::State LiveApex::State::where() const {
         return View::starting;
     if (last.paused != 0)
         return View::arming; // it goes on: force comes back first
+    if (tries && last.phase == TrialPhase::running)
+        return View::trying;
     if (last.phase == TrialPhase::running)
         return watch->inTrial() ? View::exploring : View::coming;
     return last.phase == TrialPhase::ready ? View::arming : View::coming;

@@ -7,6 +7,7 @@
 #include "session/study/begun_run.h"
 #include "session/study/live_apex.h"
 #include "session/study/sitting_control.h"
+#include "session/study/sitting_notes.h"
 
 #include <chrono>
 
@@ -16,9 +17,9 @@ namespace chiron::session {
 struct LiveApex::State {
     using Clock = std::chrono::steady_clock;
 
-    State(database::Database& data, database::Actor who, const ConductedSitting& sitting, BegunRun begun)
+    State(database::Database& data, database::Actor who, const ConductedSitting& sitting, BegunRun begun, std::string language)
         : database(data), actor(std::move(who)), study(sitting.study), run(begun.number), runSeed(begun.seed), sealedCode(sitting.run.sealedCode),
-          progress(std::move(begun.progress)), trials(sitting.run.trials) {}
+          progress(std::move(begun.progress)), trials(sitting.run.trials), notes(std::move(language)) {}
 
     database::Database& database;
     database::Actor actor;
@@ -29,6 +30,7 @@ struct LiveApex::State {
     database::Blinding blinding;
     StudyProgress progress;
     std::vector<database::StudyTrial> trials; ///< all of the run, as stored
+    SittingNotes notes;
     const psychophysics::Condition* condition = nullptr;
     std::function<core::Result<Station>()> nextStation;
     std::filesystem::path ringFolder;
@@ -49,6 +51,11 @@ struct LiveApex::State {
     bool lost = false;      ///< ticks of the trial at hand
     bool stopping = false, ending = false, waits = false, done = false;
     std::string spoiled;
+    std::optional<StudyAnswer> pending; ///< as LiveStudy::State's
+    bool enough = false;
+    double tryFor_s = 0.0; ///< the session at hand is the free minute, so long
+    double tried_s = 0.0;
+    bool tries = false;    ///< in this session
     Clock::time_point feedbackSince, breakSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 
@@ -58,6 +65,10 @@ struct LiveApex::State {
     void drain();
     void take(const ApexTick& tick);
     void record(StudyAnswer answer);
+    void store(const StudyAnswer& answer);
+    void storePending();
+    bool feedbackOver() const;
+    double triedSoFar_s() const;
     void note(const TrialFidelity& fidelity);
     void summarise();
     void goOn();

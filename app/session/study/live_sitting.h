@@ -27,12 +27,17 @@ struct LiveStudyRequest {
     std::function<core::Result<Station>()> nextStation;
     std::filesystem::path ringFolder; ///< empty: the default
     std::optional<double> measuredDelay_s; ///< of the first device, where the station knows it; else statedDelay_s() counts
+    /// A free minute before the first trial of a run, to try the controls on objects that are nearly alike: recorded, of no trial. Not in a
+    /// run that is gone on with. 0: none.
+    double freeMinute_s = 0.0;
+    std::string language; ///< that the participant reads; kept with each trial
 };
 
 /// Where a sitting stands. The participant's screen shows this and nothing else of the run: no value, level or condition.
 struct LiveStudyView {
     enum class State {
         starting,         ///< the session comes up
+        trying,           ///< the free minute; until endTrying() or its end
         coming,           ///< the next objects are on their way; lift the tool off
         arming,           ///< they lie there; force is being armed
         exploring,
@@ -52,6 +57,9 @@ struct LiveStudyView {
     int ofAtMost = 0;     ///< 0: not known
     int place = -1;       ///< touched now
     std::uint32_t touched = 0;  ///< in this trial, one bit a place
+    bool again = false;         ///< the trial before did not count, as its objects were gone before all were touched: it comes again
+    bool mayTakeBack = false;   ///< an answer of practice, while its feedback is shown
+    double tryLeft_s = 0.0;     ///< of the free minute
     bool canAnswer = false;     ///< an answer is taken now (every place touched, where that is asked)
     double timeLeft_s = 0.0;    ///< to explore; 0: no limit
     double breakLeft_s = 0.0;   ///< of the shortest break
@@ -136,6 +144,11 @@ public:
     /// wrongUse while none is taken (canAnswer), badInput.
     virtual core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) = 0;
     virtual void adjust(int) {}   ///< adjustment: so many candidates up (down)
+    virtual void beginAnswer() = 0; ///< the first key or click of an answer: its moment is kept; later ones of the same trial change nothing
+    virtual void takeBack() = 0;  ///< practice: the answer just given does not count, and its presentation comes again (view().mayTakeBack)
+    virtual void goOn() = 0;      ///< practice: enough of the feedback
+    virtual void endTrying() = 0; ///< the free minute is over
+    virtual void setMasking(const std::string& what) = 0; ///< TrialCircumstances::kMasking...: what is heard from now on
     virtual void spoil() = 0;     ///< the experimenter's: this trial does not count and comes again
     virtual void pause() = 0;     ///< wished at once, also before the loop ticks; nothing is presented until resume()
     virtual void resume() = 0;    ///< nothing while force is stopped: that takes rearm()

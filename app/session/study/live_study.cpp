@@ -54,6 +54,7 @@ core::Result<void> LiveStudy::answer(int answer, std::optional<double> value) {
     const psychophysics::Task task = s.condition->task;
     if (answer < 0 || answer >= psychophysics::answers(task) || (task == psychophysics::Task::magnitude && (!value || !(*value > 0.0))))
         return core::fail(core::ErrorCode::badInput, "an answer of the task is expected, and a number above 0 where one is said");
+    s.notes.answerBegins(s.last.tick);
     s.answered = answer;
     s.value = value;
     if (task == psychophysics::Task::adjustment)
@@ -74,6 +75,31 @@ void LiveStudy::adjust(int steps) {
     s.adjusted = wanted;
     s.training->post(CommandKind::present, core::encode({wanted, s.shown.arrangement}));
 }
+
+void LiveStudy::beginAnswer() {
+    m_state->describe();
+    if (m_state->view.canAnswer)
+        m_state->notes.answerBegins(m_state->last.tick);
+}
+
+void LiveStudy::takeBack() {
+    State& s = *m_state;
+    if (!s.pending)
+        return;
+    s.pending->answer = -1;
+    s.pending->value.reset();
+    s.pending->spoiled = "taken_back";
+    s.storePending();
+}
+
+void LiveStudy::goOn() { m_state->enough = m_state->pending.has_value(); }
+
+void LiveStudy::endTrying() {
+    if (m_state->trying())
+        m_state->tried_s = m_state->tryFor_s; // the objects go with the next look
+}
+
+void LiveStudy::setMasking(const std::string& what) { m_state->notes.hear(what); }
 
 void LiveStudy::spoil() {
     State& s = *m_state;
@@ -110,6 +136,7 @@ void LiveStudy::experimenterSays(bool goOn) {
 
 void LiveStudy::stop() {
     State& s = *m_state;
+    s.storePending();
     s.stopping = true;
     s.stopSince = State::Clock::now();
     s.control.letGo(); // else the scene hears no answer

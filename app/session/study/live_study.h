@@ -27,6 +27,11 @@ public:
 
     core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) override;
     void adjust(int steps) override;
+    void beginAnswer() override;
+    void takeBack() override;
+    void goOn() override;
+    void endTrying() override;
+    void setMasking(const std::string& what) override;
     void spoil() override;
     void pause() override;
     void resume() override;

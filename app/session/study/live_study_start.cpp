@@ -38,7 +38,8 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     if (!level)
         return tl::unexpected(level.error());
     auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
-                                         !request.station.devices.front()->descriptor().rendersForce);
+                                         !request.station.devices.front()->descriptor().rendersForce, request.language);
+    state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
     state->blinding = study.record.blinding;
     state->run = begun->number;
     state->describeRun(sitting.run, table, limits);

@@ -6,6 +6,8 @@
 #include "core/units.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace chiron::session {
 
@@ -14,6 +16,7 @@ using core::TrialPhase;
 
 namespace {
 constexpr double kFeedback_s = 1.2;
+constexpr double kPracticeFeedback_s = 4.0; // long enough to see that one was mistaken, and to take it back
 constexpr double kStopPatience_s = 2.0;
 } // namespace
 
@@ -38,12 +41,18 @@ void LiveStudy::State::drain() {
 void LiveStudy::State::take(const FidelitySample& sample) {
     constexpr std::uint32_t kEnds = core::event_bits::kCompleted | core::event_bits::kTimedOut | core::event_bits::kFailed;
     last = sample;
-    if (sample.events & core::event_bits::kTrialStarted)
+    if (sample.events & core::event_bits::kTrialStarted) {
         clock.begin(sample.tick);
+        view.again = false;
+    }
     clock.take(sample, sample.place != 0);
     meter.add(sample);
     if (presented && (sample.events & kEnds))
         endTrial(sample);
+    if (tryPresented && (sample.events & kEnds)) {
+        tried_s += clock.exploration_s();
+        tryPresented = false;
+    }
 }
 
 StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
@@ -60,12 +69,31 @@ StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
     answer.answer_s = clock.sinceContact_s();
     answer.fidelity = meter.finish();
     answer.spoiled = spoiled;
+    if (byButton)
+        notes.answerBegins(sample.tick);
+    answer.fidelity.circumstances = notes.ofTrial();
     return answer;
 }
 
 void LiveStudy::State::endTrial(const FidelitySample& sample) {
     presented = false;
-    const StudyAnswer answer = answerOf(sample);
+    StudyAnswer answer = answerOf(sample);
+    if (!shown.practice || answer.answer < 0 || !answer.spoiled.empty() || stopping)
+        return store(answer);
+    const int correct = psychophysics::correctAnswer(condition->task, shown.arrangement);
+    view.right = correct >= 0 && answer.fidelity.outside.empty() ? std::optional(answer.answer == correct) : std::nullopt;
+    feedbackSince = Clock::now();
+    enough = false;
+    pending = std::move(answer);
+}
+
+void LiveStudy::State::storePending() {
+    if (const auto answer = std::exchange(pending, std::nullopt))
+        store(*answer);
+    view.right.reset();
+}
+
+void LiveStudy::State::store(const StudyAnswer& answer) {
     auto trial = progress.record(answer);
     if (!trial)
         return fail(trial.error());
@@ -86,7 +114,8 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     numbers.practice += trial.practice ? 1 : 0;
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
-    if ((study.design.trial.feedback || trial.practice) && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
+    view.again = trial.spoiled == "untouched";
+    if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();
     }
@@ -120,16 +149,51 @@ void LiveStudy::State::goOn() {
         finishing = cut = training->post(CommandKind::end); // still paused or arming: the session ends as it stands
     if (presented || finishing || control.paused() || last.paused != 0)
         return;
-    if (view.right && secondsSince(feedbackSince) < kFeedback_s)
+    if (showsFeedback())
         return;
-    view.right.reset();
+    storePending();
+    if (trying())
+        return goOnTrying();
     if (stopping || progress.done())
         finish();
     else if (!progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
         present();
 }
 
+/// Not for who stops: what ends, ends.
+bool LiveStudy::State::showsFeedback() const {
+    if (pending)
+        return !enough && !stopping && secondsSince(feedbackSince) < kPracticeFeedback_s;
+    return view.right && secondsSince(feedbackSince) < kFeedback_s;
+}
+
+double LiveStudy::State::triedSoFar_s() const {
+    return tried_s + (tryPresented && last.phase == TrialPhase::running ? clock.exploration_s() : 0.0);
+}
+
+/// The candidate that differs least: who tries the controls should learn nothing of what will be asked.
+int LiveStudy::State::mostAlike() const {
+    const auto& differences = condition->stimulus.differences;
+    const auto least = std::min_element(differences.begin(), differences.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return static_cast<int>(least - differences.begin());
+}
+
+/// The free minute: objects lie there until it is over, of no trial. Where the design takes them away after a while they come again.
+void LiveStudy::State::goOnTrying() {
+    const bool over = stopping || triedSoFar_s() >= tryFor_s;
+    if (tryPresented) {
+        if (!posted && last.phase == TrialPhase::running && (over || timeIsUp()))
+            posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
+    } else if (over) {
+        tryFor_s = 0.0;
+    } else if (last.phase == TrialPhase::idle || last.phase == TrialPhase::between) {
+        posted = false;
+        tryPresented = training->post(CommandKind::present, core::encode({mostAlike(), 0}));
+    }
+}
+
 void LiveStudy::State::present() {
+    notes.beginTrial();
     shown = progress.next();
     adjusted = shown.candidate;
     meter.begin(shown.values);
@@ -146,6 +210,7 @@ void LiveStudy::State::finish() {
 
 /// The session is stored: the run is ended, or stays open for another sitting.
 void LiveStudy::State::conclude() {
+    storePending();
     done = true;
     if (!training->result()) {
         result = tl::unexpected(training->result().error());
@@ -163,7 +228,9 @@ void LiveStudy::State::conclude() {
 }
 
 void LiveStudy::State::describe() {
-    view.practice = presented && shown.practice;
+    view.practice = (presented || pending) && shown.practice;
+    view.mayTakeBack = pending.has_value() && !done;
+    view.tryLeft_s = trying() ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
     view.trial = progress.scored();
     view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
     view.place = static_cast<int>(last.place) - 1;
@@ -194,8 +261,10 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
         return View::paused;
     if (last.paused != 0)
         return View::arming; // it goes on: force comes back first
-    if (view.right)
+    if (view.right || pending)
         return View::feedback;
+    if (trying() && training->sessionId() != 0)
+        return last.phase == TrialPhase::running ? View::trying : last.phase == TrialPhase::ready ? View::arming : View::coming;
     if (!presented && progress.needsExperimenter())
         return View::needsExperimenter;
     if (!presented && progress.breakDue())

@@ -7,6 +7,7 @@
 #include "session/study/live_study.h"
 #include "session/study/sample_tap.h"
 #include "session/study/sitting_control.h"
+#include "session/study/sitting_notes.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_store.h"
 #include "session/study/trial_clock.h"
@@ -19,8 +20,9 @@ namespace chiron::session {
 struct LiveStudy::State {
     using Clock = std::chrono::steady_clock;
 
-    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made, bool rendersNone)
-        : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)),
+    State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made, bool rendersNone,
+          std::string language)
+        : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)), notes(std::move(language)),
           meter(std::get<simulation::ComparisonParameters>(level.parameters), study.design.fidelity, study.design.trial.mustTouchAll, rendersNone) {}
 
     database::Database& database;
@@ -28,6 +30,7 @@ struct LiveStudy::State {
     OpenedStudy study;
     StudyProgress progress;
     catalogue::ExerciseLevel level;
+    SittingNotes notes;
     FidelityMeter meter;
     const psychophysics::Condition* condition = nullptr;
     LimitedTable table;
@@ -44,6 +47,11 @@ struct LiveStudy::State {
     bool presented = false, posted = false, stopping = false, finishing = false, done = false;
     bool cut = false;         ///< it was asked politely to end, and then not
     SittingControl control;
+    std::optional<StudyAnswer> pending; ///< of practice: stored once its feedback is over, as it can be taken back until then
+    bool enough = false;                ///< of that feedback
+    double tryFor_s = 0.0;              ///< the free minute that is left to be given; 0: none
+    double tried_s = 0.0;               ///< of it, in presentations that have ended
+    bool tryPresented = false;
     int answered = -1;
     std::optional<double> value;
     std::string spoiled;
@@ -63,6 +71,13 @@ struct LiveStudy::State {
     void drain();
     void take(const FidelitySample& sample);
     void endTrial(const FidelitySample& sample);
+    void store(const StudyAnswer& answer);
+    void storePending();
+    bool showsFeedback() const;
+    bool trying() const { return tryFor_s > 0.0; }
+    double triedSoFar_s() const;
+    void goOnTrying();
+    int mostAlike() const;
     StudyAnswer answerOf(const FidelitySample& sample);
     void note(const database::StudyTrial& trial, const TrialFidelity& fidelity);
     void fail(const core::Error& error);

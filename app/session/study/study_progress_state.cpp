@@ -92,7 +92,7 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
     if (trial.practice && trial.answer < 0) {
         ++practiceUnanswered;
         ++repeat;
-        asksExperimenter = repeat >= repeatsAtMost;
+        asksExperimenter = repeat >= repeatsAtMost && trial.spoiled != "taken_back"; // nothing is wrong with who thinks again
     } else if (trial.practice) {
         ++practised;
         repeat = 0;

@@ -71,7 +71,24 @@ std::string fidelityJson(const TrialFidelity& f) {
                      {"outside", QString::fromStdString(f.outside)}};
     if (f.apex)
         json.insert("apex", apexJson(*f.apex));
+    const TrialCircumstances& c = f.circumstances; // a key for what is known: trials without it stay as they were
+    if (!c.language.empty())
+        json.insert("language", QString::fromStdString(c.language));
+    if (!c.masking.empty())
+        json.insert("masking", QString::fromStdString(c.masking));
+    if (c.answerTick)
+        json.insert("answer_tick", static_cast<qint64>(*c.answerTick));
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject keeps its keys sorted
+}
+
+TrialCircumstances circumstancesOf(const std::string& fidelityJson) {
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(fidelityJson)).object();
+    TrialCircumstances out;
+    out.language = json["language"].toString().toStdString();
+    out.masking = json["masking"].toString().toStdString();
+    if (const qint64 tick = json["answer_tick"].toInteger(-1); tick >= 0)
+        out.answerTick = static_cast<std::uint64_t>(tick);
+    return out;
 }
 
 std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,6 +33,19 @@ struct ApexMark {
     bool planned = false;    ///< drawn by the observer for planning: nothing was rendered, nobody felt anything
 };
 
+/// What a sitting in a window knows of a trial besides. Absent in scripted runs, and in trials of earlier versions.
+struct TrialCircumstances {
+    std::string language; ///< that the participant read: "en"
+    std::string masking;  ///< kMasking...: what was heard meanwhile
+    std::optional<std::uint64_t> answerTick; ///< of the session: the first key or click of the answer
+
+    static constexpr const char* kMaskingNoise = "pink_noise";
+    static constexpr const char* kMaskingOff = "off";            ///< the design has none, or somebody switched it off
+    static constexpr const char* kMaskingSilent = "no_output";   ///< there is no sound output, so nothing was heard
+    static constexpr const char* kMaskingChanged = "changed";    ///< switched on or off in the trial
+    bool operator==(const TrialCircumstances&) const = default;
+};
+
 /// Device fidelity and exploration of one trial (psychophysics.md §3.2). What was not measured is NaN: all of it where nothing was rendered.
 struct TrialFidelity {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -56,6 +70,7 @@ struct TrialFidelity {
     std::vector<PlaceFidelity> places;
     std::optional<ApexMark> apex; ///< of a study of the apex
     std::string outside;          ///< empty, or the first limit that was passed: the word stored as `spoiled`
+    TrialCircumstances circumstances;
 };
 
 /// Without what is told of forces and of the values felt: those are no numbers, places, mark and the limit that was passed are left out.
@@ -65,6 +80,8 @@ TrialFidelity withoutForces(TrialFidelity fidelity);
 std::string fidelityJson(const TrialFidelity& fidelity);
 /// `paused_s` of a stored trial.
 double pausedOf(const std::string& fidelityJson);
+/// What a stored trial knows of its sitting.
+TrialCircumstances circumstancesOf(const std::string& fidelityJson);
 /// The mark of a stored trial; nothing where it holds none (another study, a time-out, something that cannot be read).
 std::optional<ApexMark> apexMarkOf(const std::string& fidelityJson);
 

@@ -6,6 +6,7 @@ list(APPEND psychophysics_sources
     measures/discrimination.cpp
     measures/dprime.cpp
     measures/exact_tests.cpp
+    measures/instrument_score.cpp
     measures/magnitude_estimation.cpp
     measures/page_trend.cpp
     measures/paired_models.cpp

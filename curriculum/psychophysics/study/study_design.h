@@ -81,8 +81,10 @@ struct QuestionnaireItem {
 struct Questionnaire {
     std::string id;
     StudyText title;
-    enum class When : std::uint8_t { before, after } when = When::after;
+    /// `enrolment`: what is written down of a participant when they are enrolled (age, sex, handedness, ...), not asked at a sitting.
+    enum class When : std::uint8_t { before, after, enrolment } when = When::after;
     std::vector<QuestionnaireItem> items;
+    std::string score; ///< rule that makes scores of the answers (measures/instrument_score.h); empty: none
 };
 
 enum class OrderDesign : std::uint8_t { fixed, random, latinSquare, williams }; ///< "fixed", "random", "latin_square", "williams"

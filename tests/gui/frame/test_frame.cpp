@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/command_palette.h"
 #include "desktop/frame/instance_link.h"
+#include "desktop/accounts/notice_area.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/settings/settings_screen.h"
 #include "support/desktop_fixture.h"
 
+#include <QVBoxLayout>
+#include <QCursor>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -219,6 +222,44 @@ private slots:
         bar.tell({MessageKind::done, QStringLiteral("Soon gone"), {}, {}});
         timer->start(0);
         QTRY_VERIFY(bar.isHidden());
+    }
+
+    /// Nothing moves under the pointer when something is said, and nothing is said between the pointer and what it points at.
+    void noControlMovesWhenSomethingIsSaid() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        QWidget window;
+        window.resize(1280, 720);
+        auto* column = new QVBoxLayout(&window);
+        auto* above = new QPushButton(QStringLiteral("above"));
+        auto* below = new QPushButton(QStringLiteral("below"));
+        auto* area = new NoticeArea(theme);
+        column->addWidget(above);
+        column->addWidget(area);
+        column->addWidget(below);
+        column->addStretch();
+        MessageBar bar(theme, &window);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const QPoint first = above->pos(), second = below->pos();
+        const auto stays = [&](const char* when) {
+            QCoreApplication::processEvents();
+            QVERIFY2(above->pos() == first && below->pos() == second, when);
+        };
+        area->say("bad", QStringLiteral("This did not work. Try it again."));
+        stays("a notice");
+        area->clear();
+        stays("no notice");
+        QCursor::setPos(window.mapToGlobal(QPoint(640, 10)));
+        bar.tell({MessageKind::done, QStringLiteral("It was saved."), {}, {}});
+        stays("a message");
+        QVERIFY(bar.geometry().center().y() > window.height() / 2);
+        bar.hide();
+        QCursor::setPos(window.mapToGlobal(QPoint(640, 700)));
+        bar.tell({MessageKind::done, QStringLiteral("It was saved."), {}, {}});
+        QVERIFY(!bar.geometry().contains(window.mapFromGlobal(QCursor::pos())));
+        window.resize(1100, 600);
+        QCoreApplication::processEvents();
+        QVERIFY(window.rect().contains(bar.geometry()));
     }
 
     void secondProgramRaisesTheFirst() {

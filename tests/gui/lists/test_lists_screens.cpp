@@ -6,6 +6,8 @@
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/station/lateness_chart.h"
+#include "database/repositories/audit_repository.h"
+#include "desktop/station/station_record.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
@@ -20,6 +22,8 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
+
+#include <algorithm>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -375,6 +379,57 @@ private slots:
         QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("task.cancel")), Qt::LeftButton);
         QTRY_COMPARE(stopped.count(), 1);
         QVERIFY(!longer->findChild<LatenessChart*>());
+    }
+
+    /// Whom the data layer lets check stations: a researcher as well. The check stands in the audit trail, and its record can be filed.
+    void aCheckIsKeptAndFiled() {
+        DesktopFixture desktop;
+        desktop.logIn("rhea");
+        desktop.go(QStringLiteral("station"), {{QStringLiteral("self_test_ms"), 50}});
+        QVERIFY(loaded(desktop));
+        auto* screen = desktop.screen<StationScreen>();
+        auto* record = desktop.find<QPushButton>(QStringLiteral("station.test_record"));
+        QVERIFY(record && !record->isEnabled());
+        QVERIFY(!screen->writeLoopRecord(QStringLiteral("/tmp/nothing.pdf"))); // nothing was measured
+        QSignalSpy noted(screen, &StationScreen::checkNoted);
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("station.self_test")), Qt::LeftButton);
+        QTRY_COMPARE(noted.count(), 1);
+        QVERIFY(record->isEnabled());
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("record.pdf"));
+        QVERIFY(screen->writeLoopRecord(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
+        QVERIFY(!screen->writeLoopRecord(QStringLiteral("/no/such/folder/x.pdf")));
+        auto connection = desktop.database().openReader();
+        const auto audit = database::AuditRepository(**connection, desktop.actor("ada")).listAudit();
+        QVERIFY(audit);
+        const auto entry = std::find_if(audit->begin(), audit->end(), [](const database::AuditEntry& each) { return each.action == "recordStationCheck"; });
+        QVERIFY(entry != audit->end());
+        QCOMPARE(entry->actor, desktop.actor("rhea").personId());
+        QVERIFY(entry->detailJson.find("\"loop\"") != std::string::npos);
+    }
+
+    void whatIsFiledSaysEverything() {
+        session::SelfTestResult result;
+        result.loop.ticks = 10000;
+        result.loop.late = 31;
+        const CheckCircumstances of{QStringLiteral("rhea"), QDateTime(QDate(2026, 11, 28), QTime(9, 30)), QStringLiteral("bench-2"), QStringLiteral("A device"), QStringLiteral("SN-7"), QStringLiteral("1.2 build"), 41};
+        const report::CheckRecord failed = loopRecord(result, of, QLocale::c());
+        QVERIFY(failed.verdict.startsWith(QStringLiteral("Failed.")));
+        QStringList head;
+        for (const auto& [name, value] : failed.head)
+            head << value;
+        for (const char* told : {"rhea", "bench-2", "A device", "SN-7", "1.2 build", "41"})
+            QVERIFY2(head.contains(QLatin1String(told)), told);
+        QVERIFY(head.join(QString()).contains(QStringLiteral("2026")));
+        QCOMPARE(failed.tables.front().lines[1].mid(1), QStringList({"0.310 %", "at most 0.300 %", "FAIL"}));
+        result.loop.late = 30;
+        const report::CheckRecord good = loopRecord(result, of, QLocale::c());
+        QVERIFY(good.verdict.startsWith(QStringLiteral("Passed.")));
+        QCOMPARE(good.tables.front().lines[1].last(), QStringLiteral("pass"));
+        result.loop.skipped = 1;
+        QVERIFY(!loopHolds(result));
     }
 
     void selfTestNeverRunsBesideASession() {

@@ -58,7 +58,7 @@ private slots:
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("record.pdf"));
-        const auto written = desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(path, QStringLiteral("today"));
+        const auto written = desktop.find<PlatformCard>(QStringLiteral("station.platform"))->writeRecord(path, {QStringLiteral("ada"), QDateTime::currentDateTime(), {}, {}, {}, {}, 0});
         QVERIFY(written);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));

@@ -6,7 +6,7 @@
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
-#include "support/every_place.h"
+#include "support/sitting_hands.h"
 #include "support/picture_look.h"
 
 #include <QDir>
@@ -165,23 +165,15 @@ bool TestApexTrials::mark(desktop::TrialsScreen* screen) {
     return QTest::qWaitFor([&, alive = QPointer<desktop::TrialsScreen>(screen)] { return !alive || m_site->window->screen() != screen || counted() > before; }, kPatience_ms);
 }
 
-void TestApexTrials::stop(desktop::TrialsScreen* screen) {
-    QTimer look; // the question comes when it comes
-    connect(&look, &QTimer::timeout, this, [this] {
-        if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop")))
-            button->click();
-    });
-    look.start(200);
-    press(screen, "trials.stop");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
-}
+void TestApexTrials::stop(desktop::TrialsScreen* screen) { QVERIFY(tests::stopSitting(*m_site, screen, kPatience_ms)); }
 
 /// The picture is the same wherever the sphere lies, and says where the hand is, not where the surface is.
 void TestApexTrials::nothingGivesTheSphereAway() {
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen);
     keep("instructions");
-    press(screen, "break.button");
+    QVERIFY(tests::beginTrials(screen));
+    m_sessions = screen->live()->sessions(); // the free minute is one of its own
     QVERIFY(exploring(screen));
     auto& stage = *screen->findChild<desktop::ApexStage*>();
     for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
@@ -199,6 +191,7 @@ void TestApexTrials::nothingGivesTheSphereAway() {
     QVERIFY(drawn.tool[0].force_N.norm() > 0.05); // shown, not felt
     keep("exploring");
     press(screen, "trials.experimenter");
+    QVERIFY(tests::typePassword(*m_site));
     QTRY_VERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.estimate"))->text().contains(QStringLiteral("first scored")));
     keep("experimenter");
     stop(screen);
@@ -210,7 +203,8 @@ void TestApexTrials::stoppedInTheMiddle() {
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen);
     QCOMPARE(screen->live()->numbers().scored, 0);
-    press(screen, "break.button");
+    QVERIFY(tests::beginTrials(screen));
+    m_sessions = screen->live()->sessions(); // the free minute is one of its own
     QVERIFY2(mark(screen), "no trial came");
     QVERIFY2(mark(screen), "no second trial came");
     stop(screen);
@@ -227,7 +221,8 @@ void TestApexTrials::forceIsStoppedByKeyAndRearmed() {
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen);
     QCOMPARE(screen->live()->numbers().scored, 2);
-    press(screen, "break.button");
+    QVERIFY(tests::beginTrials(screen));
+    m_sessions = screen->live()->sessions(); // the free minute is one of its own
     QVERIFY(exploring(screen));
     QTest::keyClick(m_site->window.get(), Qt::Key_Escape);
     QTRY_COMPARE(screen->live()->view().state, State::stopped);
@@ -250,18 +245,19 @@ void TestApexTrials::aSpoiledTrialComesAgainAndTheRunEnds() {
     QVERIFY(screen);
     QCOMPARE(screen->live()->numbers().scored, 2);
     const int spoiled = screen->live()->numbers().spoiled;
-    press(screen, "break.button");
-    press(screen, "trials.experimenter");
+    QVERIFY(tests::beginTrials(screen));
+    m_sessions = screen->live()->sessions(); // the free minute is one of its own
     QVERIFY(exploring(screen));
-    QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("experimenter.spoil"))->isEnabled());
-    press(screen, "experimenter.spoil");
+    screen->live()->spoil();
     QVERIFY(mark(screen));
     QCOMPARE(screen->live()->numbers().scored, 2);
     QCOMPARE(screen->live()->numbers().spoiled, spoiled + 1);
     QVERIFY(mark(screen));
     QVERIFY(mark(screen)); // in a further session
     QCOMPARE(m_sessions, 2);
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QCOMPARE(screen->findChild<QLabel*>(QStringLiteral("break.text"))->text(), QStringLiteral("Please call the experimenter."));
+    stop(screen);
     QCOMPARE(opened().runs.front().state, database::StudyRunState::completed);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study from its draft to its data, as a researcher does it.
+#include "catalogue/instrument_catalogue.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_data/study_data_screen.h"
@@ -15,6 +16,7 @@
 #include <QRadioButton>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QSlider>
 #include <QTableWidget>
 
 using namespace chiron;
@@ -34,6 +36,8 @@ private slots:
     void faultsAreSaid();
     void frozen();
     void enrolledAndConsented();
+    void theNewOneIsSelected();
+    void fieldsAreWrittenDownAtTheEnrolment();
     void runsInOrder();
     void questionnaire();
     void dataAndUnblinding();
@@ -154,10 +158,80 @@ void TestStudyScreens::enrolledAndConsented() {
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("participants.table"))->item(0, 0)->text(), m_code);
 }
 
+/// Whoever was enrolled last is selected, and stays so when the list is read anew: Run acts on them.
+void TestStudyScreens::theNewOneIsSelected() {
+    const auto selected = [this] {
+        const auto* table = m_site->find<QTableWidget>(QStringLiteral("participants.table"));
+        return table && table->currentRow() >= 0 ? table->item(table->currentRow(), 0)->text() : QString();
+    };
+    QCOMPARE(selected(), m_code);
+    click("participants.enrol");
+    m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Second"));
+    click("enrol.accept");
+    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    const QString second = text("enrol.code");
+    click("enrol.cancel");
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_COMPARE(selected(), second);
+    click("participants.consent");
+    m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
+    click("consent.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() && tests::waitUntilLoaded(*m_site), 10000);
+    QCOMPARE(selected(), second); // read anew: still the same
+    click("participants.run");
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), second);
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+}
+
+/// What the design says is asked for, stored with the participation, and nobody is enrolled without what must be answered.
+void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
+    const database::Actor rhea = m_site->context.actor();
+    psychophysics::StudyDesign design = tests::smallStudy("fields");
+    const auto instruments = catalogue::loadInstruments();
+    QVERIFY(instruments);
+    for (const catalogue::Instrument& each : *instruments)
+        if (each.questionnaire.when == psychophysics::Questionnaire::When::enrolment || each.questionnaire.id == "nasa_tlx")
+            design.questionnaires.push_back(each.questionnaire);
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    go("study", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), 5}});
+    click("participants.enrol");
+    m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Example"));
+    click("enrol.accept"); // age is missing: nobody is enrolled
+    QVERIFY(text("enrol.code").isEmpty() && m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isVisible());
+    m_site->find<QLineEdit>(QStringLiteral("questionnaire.age"))->setText(QStringLiteral("34"));
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.sex.0"))->click();
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.handedness.1"))->click();
+    click("enrol.accept");
+    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    const QString code = text("enrol.code");
+    click("enrol.cancel");
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    auto connection = m_site->database().openReader();
+    database::StudyReader reader(**connection, rhea);
+    const auto answers = reader.questionnaireAnswers(number);
+    QVERIFY(answers && answers->size() == 3);
+    QVERIFY(answers->front().item == "age" && answers->front().number == 34.0);
+    QCOMPARE(answers->front().participant, reader.participantByCode(number, code.toStdString())->id);
+    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) {
+        return studies.recordConsent(answers->front().participant, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
+    });
+    go("questionnaire", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), code}, {QStringLiteral("questionnaire"), QStringLiteral("nasa_tlx")}});
+    QTRY_VERIFY(m_site->find<QSlider>(QStringLiteral("questionnaire.mental")));
+    click("questionnaire.submit"); // a slider that nobody moved is no answer
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
+    for (const char* scale : {"mental", "physical", "temporal", "performance", "effort", "frustration"})
+        QTest::keyClick(m_site->find<QSlider>(QStringLiteral("questionnaire.%1").arg(QLatin1String(scale))), Qt::Key_Right);
+    click("questionnaire.submit");
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
+    const auto rated = reader.questionnaireAnswers(number);
+    QVERIFY(rated && rated->size() == 9 && rated->back().number == 12.0);
+}
+
 void TestStudyScreens::runsInOrder() {
     go("study_run", study());
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("run.begin")));
-    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), m_code);
+    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), m_code); // the first who still takes part
     for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
         QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
 }

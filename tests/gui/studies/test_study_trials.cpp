@@ -2,7 +2,7 @@
 // A sitting: instructions, trials by keyboard, stop, and on again at the same trial.
 #include "desktop/study_run/trials_screen.h"
 #include "desktop/widgets/state_panel.h"
-#include "support/every_place.h"
+#include "support/sitting_hands.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -79,16 +79,7 @@ std::vector<database::StudyTrial> TestStudyTrials::stored() {
     return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
 }
 
-void TestStudyTrials::stop(desktop::TrialsScreen* screen) {
-    QTimer look; // the question comes when it comes
-    connect(&look, &QTimer::timeout, this, [this] {
-        if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop")))
-            button->click();
-    });
-    look.start(200);
-    press(screen, "trials.stop");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 20000);
-}
+void TestStudyTrials::stop(desktop::TrialsScreen* screen) { QVERIFY(tests::stopSitting(*m_site, screen)); }
 
 void TestStudyTrials::unknownParticipantIsSaid() {
     desktop::TrialsScreen* screen = sit(QStringLiteral("ZZZ-ZZZ"));
@@ -101,7 +92,7 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
     QVERIFY(screen && screen->live());
     for (const QLabel* label : screen->findChildren<QLabel*>()) // no value and no name of a condition
         QVERIFY2(!label->text().contains(QStringLiteral("N/m")) && !label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
-    press(screen, "break.button");
+    QVERIFY2(tests::beginTrials(screen), qPrintable(where(screen)));
     for (int trial = 0; trial < 3; ++trial) {
         QVERIFY2(canAnswer(screen), qPrintable(where(screen)));
         const session::LiveStudyNumbers before = screen->live()->numbers();
@@ -110,6 +101,7 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
         QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, 30000);
     }
     press(screen, "trials.experimenter");
+    QVERIFY(tests::typePassword(*m_site));
     QTRY_VERIFY(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty());
     stop(screen);
     m_trials = stored();
@@ -153,7 +145,8 @@ void TestStudyTrials::goesOnWhereItStopped() {
     desktop::TrialsScreen* screen = sit(QString::fromStdString(m_participant.code));
     QVERIFY(screen && screen->live());
     QCOMPARE(screen->live()->numbers().scored + screen->live()->numbers().spoiled, static_cast<int>(m_stored));
-    press(screen, "trials.experimenter"); // no trial of this sitting yet: nothing counted, and nothing is sealed
+    press(screen, "trials.experimenter");
+    QVERIFY(tests::typePassword(*m_site)); // no trial of this sitting yet: nothing counted, and nothing is sealed
     const auto beside = [screen] {
         QString words;
         for (const QLabel* label : screen->findChildren<QLabel*>())

@@ -2,7 +2,7 @@
 // Pictures of what the screens of studies show only after somebody did something: sittings, dialogs, a preview; and of studies of other kinds.
 #pragma once
 
-#include "support/every_place.h"
+#include "support/sitting_hands.h"
 
 #include <functional>
 
@@ -78,9 +78,19 @@ struct StudyPictures {
         sit({"run_trials", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}}}});
         picture("run_trials_instructions");
         press("break.button");
+        QTest::qWait(500);
+        picture("run_trials_card");
+        press("training.ready.go");
+        QTest::qWait(4000);
+        picture("run_trials_free_minute");
+        press("trials.enough");
         QTest::qWait(4000);
         picture("run_trials_participant");
         press("trials.experimenter");
+        QTest::qWait(500);
+        if (auto* gate = desktop.find<QDialog>(QStringLiteral("gate")))
+            dialog("run_trials_gate", *gate);
+        (void)typePassword(desktop);
         QTest::keyClick(desktop.window.get(), Qt::Key_1);
         QTest::keyClick(desktop.window.get(), Qt::Key_3);
         QTest::qWait(500);
@@ -96,10 +106,15 @@ struct StudyPictures {
     void apexTrials() {
         sit({"run_apex", "rhea", {QStringLiteral("study_trials"), {{"study", qlonglong(more.apex)}, {"participant", more.apexCode}}}});
         press("break.button");
+        press("training.ready.go");
         QTest::qWait(4000);
-        press("trials.experimenter");
-        QTest::qWait(500);
+        press("trials.enough");
+        QTest::qWait(5000);
         picture("run_apex");
+        press("trials.experimenter");
+        (void)typePassword(desktop);
+        QTest::qWait(500);
+        picture("run_apex_experimenter");
         QTest::keyClick(desktop.window.get(), Qt::Key_Escape);
         QTest::qWait(700);
         picture("run_apex_stopped");
@@ -157,6 +172,8 @@ private:
         press("trials.stop");
         if (!QTest::qWaitFor([this] { return !desktop.context.trialRuns(); }, 10000))
             std::fprintf(stderr, "the sitting did not end\n");
+        if (auto* leave = desktop.find<QPushButton>(QStringLiteral("trials.leave")); leave && !leave->isHidden())
+            leave->click();
     }
 };
 

@@ -24,6 +24,7 @@ private slots:
     void trialsFollowOnAndStay();
     void sealedCodesCannotBeComputed();
     void answersMustFit();
+    void enrolmentComesBeforeTheConsent();
 };
 
 // The row of the order of conditions: from 0 in each study, of people and of simulated observers apart; whoever left makes room.
@@ -293,6 +294,28 @@ void TestStudyRuns::answersMustFit() {
     const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(study);
     QCOMPARE(answers->size(), std::size_t{4});
     QVERIFY(answers->front().number == 5.0 && answers->back().text == "weich, \"ähnlich\"" && !answers->back().number);
+}
+
+/// What is written down at the enrolment is stored before the consent, nothing else is; and never of who has left.
+void TestStudyRuns::enrolmentComesBeforeTheConsent() {
+    std::string design = someDesign("enrolment");
+    design.replace(design.find(R"("questionnaires":[)"), 18,
+                   R"("questionnaires":[{"id":"person","title":{"en":"Person"},"when":"enrolment","items":[{"id":"age","text":{"en":"Age"},"kind":"number","lowest":0,"highest":120}]},)");
+    const auto study = write(m_ruth, [&](StudyRepository& s) { return s.createStudy("enrolment", "Enrolment", design); });
+    REQUIRE(study);
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); }));
+    const auto who = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(*study, "Jane Roe", 0, ""); });
+    REQUIRE(who);
+    const auto store = [&](ParticipantNumber of, const char* questionnaire, const char* item, double value) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.storeQuestionnaireAnswers({{of, questionnaire, item, value, "", ""}}); });
+    };
+    QCOMPARE(store(who->id, "face", "real", 5.0).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(store(who->id, "person", "age", 130.0).error().code, core::ErrorCode::badInput);
+    REQUIRE(store(who->id, "person", "age", 31.0));
+    QCOMPARE(store(who->id, "person", "age", 32.0).error().code, core::ErrorCode::wrongUse); // once
+    const auto left = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(*study, "John Roe", 0, ""); });
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(left->id, false); }));
+    QCOMPARE(store(left->id, "person", "age", 40.0).error().code, core::ErrorCode::wrongUse);
 }
 
 QTEST_GUILESS_MAIN(TestStudyRuns)

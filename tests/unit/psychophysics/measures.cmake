@@ -5,6 +5,7 @@ chiron_test(test_rankings SOURCES measures/test_rankings.cpp LINKS psychophysics
 chiron_test(test_ranking_summary SOURCES measures/test_ranking_summary.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_group_estimate SOURCES measures/test_group_estimate.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_apex_study SOURCES measures/test_apex_study.cpp LINKS psychophysics LABELS fast unit)
+chiron_test(test_instrument_score SOURCES measures/test_instrument_score.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_questionnaire_summary SOURCES measures/test_questionnaire_summary.cpp LINKS psychophysics LABELS fast unit)
 chiron_test(test_run_coverage SOURCES measures/test_run_coverage.cpp LINKS psychophysics LABELS long unit TIMEOUT 2400)
 chiron_test(test_plan_coverage SOURCES test_plan_coverage.cpp LINKS psychophysics LABELS fast unit)

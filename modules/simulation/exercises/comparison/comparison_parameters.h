@@ -46,6 +46,7 @@ struct ComparisonParameters {
     double answerLimit_s = 20.0;  ///< after that; then the trial ends without an answer; 0: none
     double betweenTrials_s = 1.0;
     bool buttonAnswers = false;   ///< the tool's mark button at a place that is touched answers that place
+    bool buttonNeedsAll = false;  ///< and only once every place was touched
     bool adjusts = false;         ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
     double maximumForce_N = 4.0;  ///< the exercise's cap for the supervisor

@@ -161,7 +161,9 @@ int ComparisonScene::buttonAnswer(const SceneInput& in) noexcept {
     const bool down = in.tools.count > 0 && (in.tools.tools[0].buttons & core::kButtonMark) != 0;
     const bool edge = (down && !m_buttonWasDown) || in.mark;
     m_buttonWasDown = down;
-    return edge && m_parameters.buttonAnswers && m_place >= 0 ? m_place : -1;
+    const std::uint32_t every = (1u << static_cast<unsigned>(m_parameters.places)) - 1u;
+    const bool taken = m_parameters.buttonAnswers && (!m_parameters.buttonNeedsAll || (m_touched & every) == every);
+    return edge && taken && m_place >= 0 ? m_place : -1;
 }
 
 void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {

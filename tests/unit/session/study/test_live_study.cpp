@@ -92,8 +92,11 @@ struct Site {
             qFatal("it was not refused");
         return live.error();
     }
-    std::unique_ptr<session::LiveStudy> sit() {
-        auto live = session::LiveStudy::start(*fixture.database, actor, request());
+    std::unique_ptr<session::LiveStudy> sit(double freeMinute_s = 0.0) {
+        auto asked = request();
+        asked.freeMinute_s = freeMinute_s;
+        asked.language = "de";
+        auto live = session::LiveStudy::start(*fixture.database, actor, std::move(asked));
         if (!live)
             qFatal("%s", live.error().message.c_str());
         return std::move(*live);
@@ -125,6 +128,11 @@ private slots:
     void limitsOfAnUnmeasuredDeviceAreCautious();
     void whatADeviceCannotRenderIsTyped();
     void anotherVersionNeverGoesOn();
+    void theFreeMinuteIsOfNoTrial();
+    void theFreeMinuteEndsByItself();
+    void stoppedInTheFreeMinute();
+    void practiceIsTakenBackAndRunAgain();
+    void whatASittingNotesIsExported();
 };
 
 /// Instructions are read before the session is up, for as long as it takes: however often a pause is asked for, going on is heard.
@@ -407,6 +415,148 @@ void TestLiveStudy::anotherVersionNeverGoesOn() {
     const auto live = session::LiveStudy::start(*site.fixture.database, site.actor, site.request());
     QVERIFY(!live && live.error().otherVersion && !live.error().device);
     QCOMPARE(live.error().code, core::ErrorCode::wrongUse);
+}
+
+namespace {
+
+std::vector<database::StudyTrial> storedTrials(Site& site) {
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    const auto runs = reader.runs(reader.participantByCode(site.study, site.code)->id);
+    return runs->empty() ? std::vector<database::StudyTrial>() : *reader.studyTrials(runs->front().id);
+}
+
+} // namespace
+
+void TestLiveStudy::theFreeMinuteIsOfNoTrial() {
+    Site site;
+    const auto live = site.sit(60.0);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
+    QVERIFY(!live->view().canAnswer && !live->answer(0));
+    live->pause();
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::paused, kPatience_ms);
+    live->resume();
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
+    live->endTrying();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QCOMPARE(live->view().tryLeft_s, 0.0);
+    QVERIFY(live->answer(0));
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+    const auto trials = storedTrials(site);
+    QCOMPARE(trials.size(), std::size_t{1});
+    QCOMPARE(trials.front().ordinal, 0);
+    QVERIFY(trials.front().firstTick > 0); // after what was tried, in the same recording
+    live->stop();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    const auto again = site.sit(60.0); // gone on with: no further minute
+    QCOMPARE(again->view().tryLeft_s, 0.0);
+}
+
+void TestLiveStudy::theFreeMinuteEndsByItself() {
+    Site site(false, [](psychophysics::StudyDesign& design) { design.trial.exploreLimit_s = 0.4; }); // objects go and come again meanwhile
+    const auto live = site.sit(1.0);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().tryLeft_s == 0.0 && live->view().canAnswer), kPatience_ms);
+    QVERIFY(storedTrials(site).empty());
+}
+
+void TestLiveStudy::stoppedInTheFreeMinute() {
+    Site site;
+    {
+        const auto live = site.sit(60.0);
+        QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
+        live->stop();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+        QVERIFY(live->result() && !live->result()->completed);
+    }
+    QVERIFY(storedTrials(site).empty());
+    const auto again = site.sit(60.0); // nothing was done yet: the minute is offered again
+    QVERIFY(again->view().tryLeft_s > 0.0);
+}
+
+/// Kept as taken back, run again by the log, and asked for as often as it takes.
+void TestLiveStudy::practiceIsTakenBackAndRunAgain() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.practiceTrials = 1;
+        design.fidelity.repeatsAtMost = 2;
+    });
+    const auto live = site.sit();
+    const auto answered = [&] {
+        return QTest::qWaitFor([&] { return live->poll(), live->view().canAnswer; }, kPatience_ms) && live->answer(0) &&
+               QTest::qWaitFor([&] { return live->poll(), live->view().mayTakeBack; }, kPatience_ms);
+    };
+    for (int i = 0; i < 3; ++i) { // more often than a spoiled trial may come again: the experimenter is not called for it
+        QVERIFY(answered());
+        QCOMPARE(live->view().state, View::feedback);
+        live->takeBack();
+        live->poll();
+        QVERIFY(live->view().state != View::needsExperimenter);
+    }
+    QVERIFY(answered());
+    QVERIFY(live->view().practice);
+    QCOMPARE(storedTrials(site).size(), std::size_t{3}); // the last one can still be taken back
+    live->stop(); // it is kept with the stop
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    const auto trials = storedTrials(site);
+    QCOMPARE(trials.size(), std::size_t{4});
+    QVERIFY(trials[0].practice && trials[0].answer == -1 && trials[0].spoiled == "taken_back");
+    QCOMPARE(trials[3].answer, 0);
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    const auto runs = reader.runs(reader.participantByCode(site.study, site.code)->id);
+    const auto replayed = session::rerunChoices(site.design, runs->front(), trials);
+    QVERIFY(replayed);
+    QCOMPARE(replayed->same, 4);
+    const auto again = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((again->poll(), again->view().canAnswer), kPatience_ms);
+    QVERIFY(!again->view().practice); // it was practised
+}
+
+/// Language, masking and the moments of trial and answer, in every table that they belong in.
+void TestLiveStudy::whatASittingNotesIsExported() {
+    Site site;
+    {
+        const auto live = site.sit();
+        live->setMasking(session::TrialCircumstances::kMaskingNoise);
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+        live->beginAnswer();
+        QTest::qWait(300);
+        live->poll();
+        QVERIFY(live->answer(0));
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 1), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+        live->setMasking(session::TrialCircumstances::kMaskingOff); // in the middle of a trial
+        QVERIFY(live->answer(1));
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().scored + live->numbers().spoiled == 2), kPatience_ms);
+        live->stop();
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->finished()), kPatience_ms);
+    }
+    const auto trials = storedTrials(site);
+    QTemporaryDir folder;
+    auto connection = site.fixture.database->openReader();
+    database::StudyReader reader(**connection, site.actor);
+    const QString into = folder.filePath(QStringLiteral("out"));
+    QVERIFY(session::exportStudyCsv(reader, site.study, into.toStdString()));
+    const auto cells = [&](const char* table, const char* column) {
+        QFile file(into + QLatin1Char('/') + QLatin1String(table));
+        QStringList out;
+        if (!file.open(QIODevice::ReadOnly))
+            return out;
+        QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        const qsizetype at = lines.takeFirst().split(',').indexOf(column);
+        for (const QByteArray& line : lines)
+            out << QString::fromUtf8(line.split(',').value(at));
+        return out;
+    };
+    QCOMPARE(cells("trials.csv", "language").mid(0, 2), QStringList({"de", "de"}));
+    QCOMPARE(cells("trials.csv", "masking_sound").mid(0, 2), QStringList({"pink_noise", "changed"}));
+    QCOMPARE(cells("trials.csv", "sitting").mid(0, 2), QStringList({"1", "1"}));
+    QCOMPARE(cells("trials.csv", "onset").front().toDouble(), 1e-3 * static_cast<double>(trials[0].firstTick));
+    QCOMPARE(cells("trials.csv", "offset").front().toDouble(), 1e-3 * static_cast<double>(trials[0].lastTick));
+    const double began = cells("trials.csv", "response_onset").front().toDouble(), took = cells("trials.csv", "response_duration").front().toDouble();
+    QVERIFY2(took > 0.1 && std::abs(began + took - 1e-3 * static_cast<double>(trials[0].lastTick)) < 1e-9, qPrintable(QString::number(took)));
+    QCOMPARE(cells("runs.csv", "language"), QStringList({"de"}));
+    QVERIFY(cells("runs.csv", "masking_sound").front().contains(QStringLiteral("pink_noise")));
 }
 
 QTEST_MAIN(TestLiveStudy)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/people/form_dialog.h"
+
+class QLineEdit;
+
+namespace chiron::desktop {
+
+/// Lets the experimenter by, and nobody else: asks for the password of whoever is logged in. GUI thread.
+class ExperimenterGate final : public FormDialog {
+    Q_OBJECT
+public:
+    ExperimenterGate(AppContext& context, QWidget* parent);
+
+signals:
+    void opened();
+
+protected:
+    void submit() override;
+
+private:
+    QLineEdit* m_password = nullptr;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/study_run/study_controls.h"
+
+#include "simulation/exercises/comparison/comparison_parameters.h"
+
+#include <QCoreApplication>
+
+namespace chiron::desktop {
+
+namespace {
+
+using psychophysics::Attribute;
+using psychophysics::Task;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(StudyControls)
+};
+
+bool isTakenHold(Attribute attribute) { return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute)); } // in the same order
+
+ControlHint moveHint(const StudyHand& hand) {
+    return hand.pointer ? ControlHint{Pictogram::moveMouse, Words::tr("Move"), Words::tr("Move the mouse, or use the arrow keys.")}
+                        : ControlHint{Pictogram::moveStylus, Words::tr("Move"), Words::tr("Take the handle and move it over the objects.")};
+}
+
+ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
+    if (hand.pointer)
+        return isTakenHold(attribute)
+                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"), Words::tr("Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or "
+                                                                                                  "Page Up, pulls.")}
+                   : ControlHint{Pictogram::wheelTowards, Words::tr("Press"), Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.")};
+    return isTakenHold(attribute) ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"), Words::tr("Lower the tip onto the ring, then raise the handle. Push on to let go.")}
+                                  : ControlHint{Pictogram::pressStylus, Words::tr("Press"), Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
+}
+
+QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
+    if (attribute == Attribute::apex)
+        return hand.pointer ? Words::tr("Click, or press Enter, while the tool is at the place.") : Words::tr("Press the button of the handle, or Enter, while the tip is at the place.");
+    switch (task) {
+    case Task::rank3:
+        return Words::tr("Press 1, 2 or 3 from least to most, then Enter. Backspace takes the last one back.");
+    case Task::rank3Ties:
+        return Words::tr("Press 1, 2 or 3 from least to most, = before one that equals the last, then Enter. Backspace takes back.");
+    case Task::sameDifferent:
+        return Words::tr("Press 1 for the same, 2 for different.");
+    case Task::yesNo:
+        return Words::tr("Press Y for yes, N for no.");
+    case Task::adjustment:
+        return Words::tr("Press + and − until both feel the same, then Enter.");
+    case Task::magnitude:
+        return Words::tr("Type a number, then press Enter.");
+    default:
+        return hand.pointer ? Words::tr("Press the number of the object: 1, 2 or 3.") : Words::tr("Press the number of the object, or the button of the handle while you touch it.");
+    }
+}
+
+} // namespace
+
+std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand) {
+    const bool click = attribute == Attribute::apex;
+    const Pictogram answer = hand.pointer ? (click ? Pictogram::leftClick : Pictogram::keys) : click ? Pictogram::stylusButton : Pictogram::keys;
+    return {moveHint(hand), exploreHint(attribute, hand), {answer, Words::tr("Answer"), answerHow(task, attribute, hand)}};
+}
+
+QString studyKeys(Task, Attribute, const StudyHand& hand) {
+    const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly.");
+    return hand.pointer ? Words::tr("%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.").arg(always)
+                        : Words::tr("%1 The answers can be clicked as well.").arg(always);
+}
+
+std::vector<int> studyMovementKeys(const StudyHand& hand) {
+    return hand.pointer ? movementKeys(session::PointerTool::point) : std::vector<int>();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who sees what of a sitting: the participant's page and the experimenter's desk, and the way from one to the other.
+#include "desktop/study_run/trials_screen.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/study_run/break_panel.h"
+#include "desktop/study_run/experimenter_gate.h"
+#include "desktop/study_run/experimenter_panel.h"
+#include "desktop/study_run/participant_window.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+
+namespace chiron::desktop {
+
+bool TrialsScreen::atDesk() const { return m_window || m_faces->currentWidget() == m_desk; }
+
+/// Where a second screen is, the participant sits before it; the desk stays here.
+void TrialsScreen::placePage() {
+    QScreen* second = place().parameters.value(QStringLiteral("one_screen")).toBool() ? nullptr : ParticipantWindow::otherScreen(*this);
+    if (!second)
+        return;
+    m_window = new ParticipantWindow(context().theme(), *second, this);
+    connect(m_window, &ParticipantWindow::lost, this, &TrialsScreen::bringBack, Qt::QueuedConnection);
+    m_faces->removeWidget(m_page);
+    m_window->take(m_page);
+    m_page->show();
+    m_call->hide();
+    m_toPage->hide();
+    m_faces->setCurrentWidget(m_desk);
+    m_deskNote->setText(tr("The participant's page is on the other screen."));
+}
+
+void TrialsScreen::bringBack() {
+    if (!m_window)
+        return;
+    if (running())
+        m_live->pause();
+    freePointer();
+    m_window->giveBack();
+    m_window->deleteLater();
+    m_window = nullptr;
+    m_faces->insertWidget(0, m_page);
+    m_call->show();
+    m_toPage->setVisible(running());
+    m_deskNote->setText(tr("The participant's screen is gone. The sitting is paused, and everything so far is kept. The participant's page is "
+                           "in this window now."));
+}
+
+/// Whether the experimenter has to show who they are before anybody sees the desk or goes on.
+bool TrialsScreen::guarded() const {
+    return m_live && (m_live->design().blindParticipant || m_live->design().blindExperimenter);
+}
+
+void TrialsScreen::callExperimenter(std::function<void()> then) {
+    if (m_gate)
+        return;
+    if (running()) {
+        m_live->pause();
+        freePointer();
+    }
+    if (atDesk() || !guarded()) {
+        then();
+        return;
+    }
+    m_gate = true;
+    auto* gate = new ExperimenterGate(context(), window());
+    connect(gate, &ExperimenterGate::opened, this, [this, then = std::move(then)] {
+        m_gate = false;
+        then();
+    });
+    connect(gate, &QDialog::rejected, this, [this] { m_gate = false; });
+    gate->open();
+}
+
+void TrialsScreen::showDesk() {
+    m_faces->setCurrentWidget(m_desk);
+    m_toPage->setVisible(running() && !m_window);
+    m_deskNote->setText(running() ? tr("The sitting is paused. Before you hand over, go back to the participant's page.") : m_ended);
+    if (running())
+        m_experimenter->show(m_live->view(), m_live->numbers(), m_live->condition());
+    (m_toPage->isHidden() ? m_leave : m_toPage)->setFocus(Qt::OtherFocusReason);
+}
+
+void TrialsScreen::showPage() {
+    if (m_window)
+        return;
+    m_faces->setCurrentWidget(m_page);
+    m_break->focusButton();
+}
+
+/// F2 and "Experimenter …".
+void TrialsScreen::toggleExperimenter() {
+    if (m_window)
+        return; // it is there all the time
+    if (atDesk())
+        showPage();
+    else if (m_over)
+        callExperimenter([this] { leave(); });
+    else
+        callExperimenter([this] { showDesk(); });
+}
+
+/// The same for everybody, whatever became of the sitting.
+void TrialsScreen::showEnd(const QString& what) {
+    m_ended = what;
+    m_panel->showContent();
+    m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
+    m_break->countDown(-1.0, 0.0);
+    m_stage->setCurrentWidget(m_break);
+    m_strip->clear();
+    m_stop->hide();
+    m_progress->hide();
+    m_leave->show();
+    m_toPage->hide();
+    m_deskNote->setText(what);
+    (atDesk() ? m_leave : m_call)->setFocus(Qt::OtherFocusReason);
+}
+
+void TrialsScreen::leave() {
+    m_released = true;
+    if (m_completed)
+        context().messages().done(m_ended);
+    else if (!m_ended.isEmpty())
+        context().messages().information(m_ended);
+    context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
+}
+
+bool TrialsScreen::mayLeave() {
+    if (m_released || !m_live || m_panel->state() != StatePanel::State::content)
+        return true; // it never began: the experimenter is still there
+    if (!atDesk() && guarded()) {
+        callExperimenter([this] { m_over ? leave() : showDesk(); });
+        return false;
+    }
+    if (running())
+        askToStop();
+    return !running() || m_live->finished();
+}
+
+} // namespace chiron::desktop

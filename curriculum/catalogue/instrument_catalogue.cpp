@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalogue/instrument_catalogue.h"
+
+#include "catalogue/catalogue.h"
+#include "catalogue/json_file.h"
+#include "catalogue/object_reader.h"
+#include "catalogue/study_parts.h"
+#include "catalogue/whole_file.h"
+
+#include <QDir>
+
+namespace chiron::catalogue {
+
+namespace {
+
+core::Result<Instrument> readInstrument(const QByteArray& text, const std::string& file, const QString& name) {
+    const auto json = JsonFile::parse(text, QString::fromStdString(file));
+    if (!json)
+        return tl::unexpected(json.error());
+    Problems problems;
+    const ObjectReader all(json->root(), QStringLiteral("$"), problems);
+    refuseUnknownKeys(all, {"source", "permission", "questionnaire"}, QStringLiteral("a key of an instrument"));
+    Instrument out;
+    out.source = all.text("source");
+    out.permission = all.text("permission");
+    out.questionnaire = readQuestionnaire(all.object("questionnaire"));
+    if (out.questionnaire.id + ".json" != name.toStdString())
+        problems.push_back({QStringLiteral("$.questionnaire.id"), QString::fromStdString(out.questionnaire.id), QStringLiteral("the name of its file")});
+    if (problems.empty())
+        return out;
+    return tl::unexpected(json->error(problems));
+}
+
+} // namespace
+
+core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory) {
+    constexpr qint64 kLargest_bytes = 1 << 20;
+    const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
+    if (!directory)
+        return tl::unexpected(directory.error());
+    const QDir folder(QString::fromStdString(*directory) + "/instruments");
+    std::vector<Instrument> out;
+    for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
+        const std::string path = folder.filePath(name).toStdString();
+        const auto text = readWholeFile(folder.filePath(name), kLargest_bytes);
+        if (!text)
+            return tl::unexpected(text.error());
+        auto read = readInstrument(*text, path, name);
+        if (!read)
+            return tl::unexpected(read.error());
+        out.push_back(std::move(*read));
+    }
+    return out;
+}
+
+} // namespace chiron::catalogue

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/station_repository.h"
+
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/audit/audit_trail.h"
+#include "database/query.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+
+namespace chiron::database {
+
+namespace {
+
+constexpr std::size_t kLongest = 200;
+
+/// Printable ASCII: tokens and versions, no text of a person.
+bool isPlain(const std::string& word) {
+    return word.size() <= kLongest && std::all_of(word.begin(), word.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+} // namespace
+
+core::Result<std::int64_t> StationRepository::recordStationCheck(const StationCheck& check) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return tl::unexpected(writer.error());
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::recordStationCheck); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    if (check.what.empty() || check.build.empty() || !isPlain(check.what) || !isPlain(check.driver) || !isPlain(check.build)) {
+        return core::fail(core::ErrorCode::badInput, "station check: expected what was checked and the program's build, in printable ASCII");
+    }
+    const QJsonObject detail{{"what", QString::fromStdString(check.what)},
+                             {"driver", QString::fromStdString(check.driver)},
+                             {"build", QString::fromStdString(check.build)},
+                             {"passed", check.passed}};
+    const auto added = appendAudit(m_connection, m_actor,
+                                   {"recordStationCheck", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
+    const auto last = added ? selectInteger(m_connection, "SELECT max(sequence) FROM audit") : tl::unexpected(added.error());
+    return last ? core::Result<std::int64_t>(last->value_or(0)) : tl::unexpected(last.error());
+}
+
+} // namespace chiron::database

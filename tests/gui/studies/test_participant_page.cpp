@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a participant sees and can do, and what only the experimenter can: the card and the free minute before anything counts, answers only when
+// they are possible, practice taken back, the neutral end, the way to the experimenter's desk; and what happens half-way.
+#include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/participant_window.h"
+#include "desktop/study_run/places_view.h"
+#include "desktop/study_run/study_controls.h"
+#include "session/study/trial_fidelity.h"
+#include "support/sitting_hands.h"
+
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QScreen>
+#include <QTemporaryDir>
+
+using namespace chiron;
+using State = session::LiveStudyView::State;
+
+namespace {
+
+constexpr int kPatience_ms = 30000;
+
+/// Two screens beside each other, as the platform is told of them.
+const char* const kScreens = R"({"screens": [{"name": "one", "x": 0, "y": 0, "width": 1280, "height": 720},
+                                             {"name": "two", "x": 1280, "y": 0, "width": 1280, "height": 720}]})";
+
+} // namespace
+
+class TestParticipantPage : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void cleanup();
+    void cleanupTestCase() { m_site.reset(); }
+    void theControlsOfEveryTaskAndDeviceAreShown();
+    void whatIsMissingIsNamed();
+    void theCardAndTheFreeMinuteComeFirst();
+    void aClickInTheSceneAnswersNothing();
+    void practiceIsTakenBack();
+    void theDeskTakesThePassword();
+    void whoLeavesMidTrialSeesTheNeutralEnd();
+    void anOpenStudyAsksForNoPassword();
+    void aSecondScreenIsTheParticipants();
+    void anUnpluggedScreenBringsThePageBack();
+    void sittingsNoteTheirCircumstances();
+
+private:
+    /// A frozen study and a participant who has consented.
+    void prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change = {});
+    desktop::TrialsScreen* sit(bool oneScreen = true);
+    bool canAnswer(desktop::TrialsScreen* screen) {
+        return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, kPatience_ms);
+    }
+    std::vector<database::StudyTrial> stored();
+    QString told(const QWidget& page) {
+        QString words;
+        for (const QLabel* label : page.findChildren<QLabel*>())
+            words += label->text() + QLatin1Char('\n');
+        for (const QAbstractButton* button : page.findChildren<QAbstractButton*>())
+            words += button->text() + QLatin1Char('\n');
+        return words;
+    }
+    QWidget* page(desktop::TrialsScreen* screen) {
+        QWidget* in = screen->participantWindow() ? static_cast<QWidget*>(screen->participantWindow()) : screen;
+        return in->findChild<QWidget*>(QStringLiteral("trials.page"));
+    }
+
+    std::unique_ptr<tests::DesktopFixture> m_site;
+    database::StudyNumber m_study = 0;
+    database::Participant m_participant;
+};
+
+void TestParticipantPage::initTestCase() {
+    m_site = std::make_unique<tests::DesktopFixture>();
+    m_site->logIn("rhea");
+}
+
+void TestParticipantPage::cleanup() { // what a failure left running
+    if (auto* screen = m_site->screen<desktop::TrialsScreen>(); screen && screen->live())
+        (void)tests::stopSitting(*m_site, screen);
+}
+
+void TestParticipantPage::prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change) {
+    const database::Actor rhea = m_site->actor("rhea");
+    psychophysics::StudyDesign design = tests::smallStudy(key);
+    design.conditions.resize(1);
+    design.trial.mustTouchAll = false;
+    design.trial.betweenTrials_s = 0.1;
+    design.fidelity.lateTicks = 1.0; // a busy machine is no fault of what is tested
+    if (change)
+        change(design);
+    m_study = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(m_study); });
+    m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
+}
+
+desktop::TrialsScreen* TestParticipantPage::sit(bool oneScreen) {
+    m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)},
+                                              {QStringLiteral("one_screen"), oneScreen}});
+    auto* screen = m_site->screen<desktop::TrialsScreen>();
+    return screen && screen->live() ? screen : nullptr;
+}
+
+std::vector<database::StudyTrial> TestParticipantPage::stored() {
+    auto connection = m_site->database().openReader();
+    database::StudyReader reader(**connection, m_site->context.actor());
+    const auto runs = reader.runs(m_participant.id);
+    return runs && !runs->empty() ? *reader.studyTrials(runs->back().id) : std::vector<database::StudyTrial>();
+}
+
+void TestParticipantPage::theControlsOfEveryTaskAndDeviceAreShown() {
+    using namespace psychophysics;
+    const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
+    for (int task = 0; task < kTasks; ++task)
+        for (int attribute = 0; attribute < kAttributes; ++attribute)
+            for (const desktop::StudyHand hand : {desktop::StudyHand{true, false}, desktop::StudyHand{false, true}}) {
+                desktop::ReadyFacts facts;
+                facts.controls = desktop::studyControls(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
+                facts.keys = desktop::studyKeys(static_cast<Task>(task), static_cast<Attribute>(attribute), hand);
+                facts.offersPractice = false;
+                QCOMPARE(facts.controls.size(), std::size_t(3));
+                for (const desktop::ControlHint& hint : facts.controls) {
+                    QVERIFY(!hint.what.isEmpty() && !hint.how.isEmpty());
+                    QVERIFY2(hand.pointer || !hint.how.contains(QStringLiteral("mouse")), qPrintable(hint.how));
+                }
+                QVERIFY(facts.keys.contains(QStringLiteral("Esc")));
+                const desktop::ReadyCard card(theme, facts, desktop::ReadyCard::Kind::whole);
+                QVERIFY(!card.findChild<QPushButton*>(QStringLiteral("training.ready.practice")));
+            }
+}
+
+void TestParticipantPage::whatIsMissingIsNamed() {
+    prepare("missing", [](psychophysics::StudyDesign& design) { design.trial.mustTouchAll = true; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+    auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
+    QTRY_COMPARE(why->text(), QStringLiteral("Touch first: left, middle, right."));
+    for (const char* name : {"answer.0", "answer.1", "answer.2", "answer.confirm"})
+        QVERIFY2(!tests::sittingButton(screen, name)->isEnabled(), name);
+    QTest::keyClick(m_site->window.get(), Qt::Key_1); // neither do keys answer
+    QVERIFY(screen->findChild<desktop::AnswerPanel*>()->marks().join(QString()).isEmpty());
+    const QWidget* first = tests::sittingButton(screen, "answer.0");
+    QVERIFY(why->mapTo(screen, QPoint()).y() < first->mapTo(screen, QPoint()).y()); // above the answers
+}
+
+/// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can be ended at once.
+void TestParticipantPage::theCardAndTheFreeMinuteComeFirst() {
+    prepare("card");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen);
+    tests::sittingButton(screen, "break.button")->click();
+    const auto* card = page(screen)->findChild<desktop::ReadyCard*>();
+    QVERIFY(card && card->isVisible());
+    QVERIFY2(told(*card).contains(QStringLiteral("free minute")), qPrintable(told(*card)));
+    QCOMPARE(screen->live()->view().state, State::paused);
+    tests::sittingButton(screen, "training.ready.go")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
+    QVERIFY(!screen->live()->view().canAnswer);
+    QVERIFY(screen->live()->view().tryLeft_s > 0.0);
+    QTRY_VERIFY(page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"))->text().contains(QStringLiteral("Nothing counts yet")));
+    QVERIFY(stored().empty());
+    tests::sittingButton(screen, "trials.enough")->click();
+    QVERIFY(canAnswer(screen));
+    QVERIFY(stored().empty()); // the minute is of no trial
+    QVERIFY(!tests::sittingButton(screen, "trials.enough")->isVisible());
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    const auto trials = stored(); // the one at hand: a run that is gone on with has no free minute
+    QCOMPARE(trials.size(), std::size_t(1));
+    screen = sit();
+    QVERIFY(screen);
+    QCOMPARE(screen->live()->view().tryLeft_s, 0.0);
+    QVERIFY(tests::pastTheCard(screen));
+    QVERIFY(canAnswer(screen));
+}
+
+void TestParticipantPage::aClickInTheSceneAnswersNothing() {
+    prepare("click", [](psychophysics::StudyDesign& design) {
+        design.conditions[0].task = psychophysics::Task::twoAfc;
+        design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    auto* scene = page(screen)->findChild<desktop::PlacesView*>();
+    for (int i = 0; i < 5; ++i) {
+        QTest::mouseClick(scene, Qt::LeftButton);
+        QTest::qWait(60);
+    }
+    QVERIFY(screen->live()->view().canAnswer);
+    QVERIFY(stored().empty());
+    QTest::keyClick(m_site->window.get(), Qt::Key_1);
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
+}
+
+/// A slip in practice is no practice: the presentation is kept as taken back, and comes again.
+void TestParticipantPage::practiceIsTakenBack() {
+    prepare("practice", [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    const auto answer = [&] {
+        if (!canAnswer(screen))
+            return false;
+        for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+            tests::sittingButton(screen, button)->click();
+        return QTest::qWaitFor([&] { return screen->live()->view().mayTakeBack; }, kPatience_ms);
+    };
+    QVERIFY(answer());
+    QVERIFY(screen->live()->view().practice);
+    QTRY_VERIFY(tests::sittingButton(screen, "trials.take_back")->isVisible());
+    QVERIFY(stored().empty());
+    tests::sittingButton(screen, "trials.take_back")->click();
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
+    QCOMPARE(stored().front().spoiled, std::string("taken_back"));
+    QCOMPARE(stored().front().answer, -1);
+    QVERIFY(stored().front().practice);
+    QVERIFY(answer()); // practice again
+    tests::sittingButton(screen, "trials.enough")->click(); // enough of the feedback
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(2), kPatience_ms);
+    QVERIFY(stored().back().practice && stored().back().answer >= 0);
+    QVERIFY(canAnswer(screen));
+    QVERIFY(!screen->live()->view().practice);
+    for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+        tests::sittingButton(screen, button)->click();
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(3), kPatience_ms);
+    QVERIFY(!screen->live()->view().mayTakeBack); // what counts, counts
+}
+
+/// F2 shows nobody anything: the password of whoever is logged in is asked for, and a wrong one leaves the page as it is.
+void TestParticipantPage::theDeskTakesThePassword() {
+    prepare("desk");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    const QString seen = told(*page(screen));
+    for (const char* word : {"Stiffness of a tube", "N/m", "Weber", "stiffness\n"})
+        QVERIFY2(!seen.contains(QLatin1String(word)), qPrintable(seen));
+    QTest::keyClick(m_site->window.get(), Qt::Key_F2);
+    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("gate.password")));
+    QVERIFY(!screen->atDesk());
+    QTRY_COMPARE(screen->live()->view().state, State::paused); // nothing runs while somebody types
+    m_site->find<QLineEdit>(QStringLiteral("gate.password"))->setText(QStringLiteral("not the password"));
+    m_site->find<QPushButton>(QStringLiteral("gate.accept"))->click();
+    QTRY_VERIFY(m_site->context.background().idle());
+    QVERIFY(m_site->find<QLineEdit>(QStringLiteral("gate.password")) && !screen->atDesk());
+    m_site->context.navigator().go(QStringLiteral("studies")); // no other way out either
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
+    QVERIFY(tests::typePassword(*m_site));
+    QVERIFY(screen->atDesk());
+    QVERIFY(!page(screen)->isVisible());
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))->text().contains(QStringLiteral("Stiffness of a tube")));
+    tests::sittingButton(screen, "trials.to_page")->click();
+    QVERIFY(!screen->atDesk() && page(screen)->isVisible());
+    QCOMPARE(told(*page(screen)).contains(QStringLiteral("Stiffness of a tube")), false);
+}
+
+void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
+    prepare("leaves");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    QTimer look;
+    connect(&look, &QTimer::timeout, this, [this] {
+        if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop")))
+            button->click();
+    });
+    look.start(100);
+    tests::sittingButton(screen, "trials.stop")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.title"))->text(), QStringLiteral("Thank you"));
+    QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("break.text"))->text(), QStringLiteral("Please call the experimenter."));
+    QVERIFY(!told(*page(screen)).contains(QStringLiteral("condition"), Qt::CaseInsensitive));
+    m_site->context.navigator().go(QStringLiteral("study_run")); // the next participant is the experimenter's to call
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
+    QVERIFY(tests::typePassword(*m_site));
+    QTRY_COMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_run"));
+    QCOMPARE(stored().back().spoiled, std::string("stopped")); // nothing was lost, and it comes again
+}
+
+void TestParticipantPage::anOpenStudyAsksForNoPassword() {
+    prepare("open", [](psychophysics::StudyDesign& design) { design.blindParticipant = false; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    tests::sittingButton(screen, "trials.experimenter")->click();
+    QVERIFY(screen->atDesk());
+    QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("gate.password")));
+}
+
+void TestParticipantPage::aSecondScreenIsTheParticipants() {
+    if (QGuiApplication::screens().size() < 2)
+        QSKIP("the platform has one screen");
+    prepare("second");
+    desktop::TrialsScreen* screen = sit(false);
+    QVERIFY(screen && screen->participantWindow());
+    QVERIFY(screen->participantWindow()->isVisible() && screen->atDesk());
+    QVERIFY(page(screen)->window() == screen->participantWindow());
+    QVERIFY(!screen->participantWindow()->close()); // not by whoever sits there
+    QVERIFY(tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    const QString seen = told(*screen->participantWindow());
+    QVERIFY2(!seen.contains(QStringLiteral("Stiffness of a tube")) && !seen.contains(QStringLiteral("Weber")), qPrintable(seen));
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.what"))->text().contains(QStringLiteral("Stiffness of a tube")));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+void TestParticipantPage::anUnpluggedScreenBringsThePageBack() {
+    if (QGuiApplication::screens().size() < 2)
+        QSKIP("the platform has one screen");
+    prepare("unplugged");
+    desktop::TrialsScreen* screen = sit(false);
+    QVERIFY(screen && screen->participantWindow() && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    emit qGuiApp->screenRemoved(QGuiApplication::screens().at(1));
+    QTRY_VERIFY(!screen->participantWindow());
+    QCOMPARE(screen->live()->view().state, State::paused);
+    QVERIFY(screen->atDesk()); // the experimenter was there, and sees what happened
+    QVERIFY(screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"))->text().contains(QStringLiteral("screen is gone")));
+    tests::sittingButton(screen, "trials.to_page")->click();
+    QVERIFY(page(screen)->isVisible());
+    tests::sittingButton(screen, "break.button")->click();
+    QVERIFY(canAnswer(screen)); // and on at the same trial
+}
+
+void TestParticipantPage::sittingsNoteTheirCircumstances() {
+    prepare("noted", [](psychophysics::StudyDesign& design) { design.trial.maskingSound = false; });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    tests::sittingButton(screen, "answer.2")->click();
+    QTest::qWait(200);
+    for (const char* button : {"answer.0", "answer.confirm"})
+        tests::sittingButton(screen, button)->click();
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
+    const database::StudyTrial trial = stored().front();
+    const session::TrialCircumstances noted = session::circumstancesOf(trial.fidelityJson);
+    QCOMPARE(noted.language, std::string("en"));
+    QCOMPARE(noted.masking, std::string(session::TrialCircumstances::kMaskingOff));
+    QVERIFY(noted.answerTick && *noted.answerTick >= trial.firstTick && *noted.answerTick + 100 < trial.lastTick); // the first key, not the last
+}
+
+int main(int argc, char** argv) {
+    QTemporaryDir folder;
+    if (qEnvironmentVariable("QT_QPA_PLATFORM", QStringLiteral("offscreen")) == QLatin1String("offscreen")) {
+        QFile file(folder.filePath(QStringLiteral("screens.json")));
+        if (file.open(QIODevice::WriteOnly) && file.write(kScreens) > 0)
+            qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + file.fileName().toUtf8());
+    }
+    QApplication application(argc, argv);
+    TestParticipantPage test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_participant_page.moc"
