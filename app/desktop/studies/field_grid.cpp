@@ -71,6 +71,11 @@ void FieldGrid::control(const QString& label, const QString& name, QWidget* fiel
 
 QWidget* FieldGrid::field(const QString& name) const { return m_fields.value(name).widget; }
 
+void FieldGrid::setShown(const QString& name, bool shown) {
+    if (QWidget* found = field(name))
+        found->parentWidget()->setVisible(shown);
+}
+
 QString FieldGrid::faultOf(const QString& name) const {
     const Field found = m_fields.value(name);
     return found.unread.isEmpty() ? found.given : found.unread;

@@ -32,7 +32,7 @@ struct NumberRange {
     int decimals = 3;
     QString unit;
     double step = 0.0; ///< 0: a tenth of what decimals show
-    QString zero;      ///< what the smallest value is called ("no limit"); empty: by its number
+    QString zero{};    ///< what the smallest value is called ("no limit"); empty: by its number
 };
 
 /// What is said under a number's field: what it may be and what it usually is, in the field's unit.
@@ -74,6 +74,7 @@ public:
     void showFaults(const QMap<QString, QString>& faults);
     /// What the field itself cannot take ("abc" for a number); empty: nothing.
     void setUnread(const QString& name, const QString& words);
+    void setShown(const QString& name, bool shown); ///< where a field does not apply now; nothing where there is none of this name
     bool hasField(const QString& name) const { return m_fields.contains(name); }
     QWidget* field(const QString& name) const;
     QString faultOf(const QString& name) const; ///< what is said under it; empty: nothing

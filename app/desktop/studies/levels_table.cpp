@@ -97,6 +97,16 @@ void LevelsTable::setRow(int row, double percent) {
     m_table->setItem(row, valueColumn, value);
 }
 
+void LevelsTable::showValues() {
+    m_filling = true;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const NumberList read = readNumbers(m_table->item(row, percentColumn)->text(), m_locale);
+        if (!read.values.empty())
+            m_table->item(row, valueColumn)->setText(m_value(read.values.front()));
+    }
+    m_filling = false;
+}
+
 void LevelsTable::edited(int row) {
     if (m_filling)
         return;

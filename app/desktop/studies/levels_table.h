@@ -23,6 +23,7 @@ public:
 
     /// Replaces all rows by the numbers of a text; what is no number is said, and nothing is taken.
     void paste(const QString& text);
+    void showValues(); ///< of the objects anew: the reference is another one
 
 signals:
     void changed(const std::vector<double>& percents); ///< by a person, all of them numbers

@@ -4,6 +4,7 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/station/device_delay.h"
+#include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
@@ -225,6 +226,10 @@ void TrialsScreen::finished() {
 }
 
 void TrialsScreen::goBack() {
+    if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) { // a pilot goes back to the design that was tried
+        context().navigator().replace({QStringLiteral("study"), {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
+        return;
+    }
     context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
 }
 
