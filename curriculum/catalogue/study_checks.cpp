@@ -13,13 +13,8 @@ using psychophysics::ProcedureScale;
 using psychophysics::ProcedureSpec;
 using psychophysics::Task;
 
-namespace {
-
-/// What a reference and every presented value may be, SI (unitOf): what the simulation and a desktop device have any use for.
-struct Range {
-    double lowest, highest;
-};
-Range rangeOf(Attribute attribute) {
+// What the simulation and a desktop device have any use for.
+ValueRange valueRange(Attribute attribute) {
     switch (attribute) {
     case Attribute::stiffness: return {1.0, 20000.0};
     case Attribute::mass: return {0.001, 10.0};
@@ -31,6 +26,8 @@ Range rangeOf(Attribute attribute) {
     }
     return {};
 }
+
+namespace {
 
 QString word(std::string_view token) { return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())); }
 
@@ -85,7 +82,7 @@ void checkTable(const Condition& condition, const QString& path, Problems& probl
         problems.push_back({at, QString::number(first), QStringLiteral("more than 0: the scale takes its logarithm")});
     else if (!takesBothSides(condition.task) && first <= 0.0)
         problems.push_back({at, QString::number(first), QStringLiteral("more than 0 for the task %1").arg(word(psychophysics::token(condition.task)))});
-    const Range range = rangeOf(condition.stimulus.attribute);
+    const ValueRange range = valueRange(condition.stimulus.attribute);
     const double reference = condition.stimulus.reference;
     const QString expected = QStringLiteral("%1 to %2 %3").arg(range.lowest).arg(range.highest).arg(word(psychophysics::unitOf(condition.stimulus.attribute)));
     if (!(reference >= range.lowest && reference <= range.highest)) {
@@ -135,7 +132,7 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
 } // namespace
 
 double middleReference(const Condition& condition) {
-    const Range range = rangeOf(condition.stimulus.attribute);
+    const ValueRange range = valueRange(condition.stimulus.attribute);
     const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
     const auto& differences = condition.stimulus.differences;
     const double below = differences.empty() ? 0.0 : std::min(0.0, multiple * differences.front());

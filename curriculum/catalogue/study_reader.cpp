@@ -105,12 +105,30 @@ Condition readCondition(const ObjectReader& json) {
     return out;
 }
 
+/// A text in one language, or none.
+std::string readLine(const ObjectReader& json, const char* key) {
+    constexpr qsizetype kLongest = 2000;
+    if (!json.has(QLatin1String(key)))
+        return {};
+    std::string text = json.text(QLatin1String(key));
+    const qsizetype length = QString::fromStdString(text).size();
+    if (length > kLongest)
+        addProblem(json, key, QStringLiteral("%1 characters").arg(length), QStringLiteral("at most %1").arg(kLongest));
+    return text;
+}
+
 void readTexts(const ObjectReader& json, StudyDesign& out) {
     out.id = readIdentifier(json, "id");
     out.title = readStudyText(json, "title", true);
     out.objective = readStudyText(json, "objective", true);
     out.instructions = readStudyText(json, "instructions", true);
+    if (json.has("own_instructions"))
+        out.ownInstructions = readStudyText(json, "own_instructions", false);
     out.consent = readStudyText(json, "consent", true);
+    out.source = readLine(json, "source");
+    out.ethics = readLine(json, "ethics");
+    if (json.has("pilot_of"))
+        out.pilotOf = readIdentifier(json, "pilot_of");
 }
 
 void readConditions(const ObjectReader& json, StudyDesign& out) {
@@ -156,8 +174,9 @@ core::Result<StudyDesign> readStudy(const QByteArray& json, const std::string& f
     out.blindParticipant = readSwitch(root, "blind_participant", out.blindParticipant);
     out.blindExperimenter = readSwitch(root, "blind_experimenter", out.blindExperimenter);
     out.seed = readSeed(root);
-    refuseUnknownKeys(root, {"id", "title", "objective", "instructions", "consent", "conditions", "order", "trial", "fidelity",
-                             "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed"},
+    refuseUnknownKeys(root, {"id", "title", "objective", "instructions", "own_instructions", "consent", "conditions", "order", "trial", "fidelity",
+                             "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed", "source", "ethics",
+                             "pilot_of"},
                       QStringLiteral("a key of a study"));
     if (!problems.empty())
         return tl::unexpected(parsed->error(problems));

@@ -17,6 +17,13 @@ core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const
 /// same bytes.
 QByteArray studyJson(const psychophysics::StudyDesign& design);
 
+/// What a reference and every presented value of an attribute may be, SI.
+struct ValueRange {
+    double lowest = 0.0;
+    double highest = 0.0;
+};
+ValueRange valueRange(psychophysics::Attribute attribute);
+
 /// A reference that is in range with every object of the condition's table, and in the middle of what its attribute can be: says nothing of
 /// what the condition's own is.
 double middleReference(const psychophysics::Condition& condition);

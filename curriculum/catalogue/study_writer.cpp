@@ -5,6 +5,7 @@
 #include "catalogue/study_reader.h"
 
 #include <QJsonArray>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -126,20 +127,27 @@ QByteArray studyJson(const StudyDesign& design) {
     QJsonObject fidelity;
     write(fidelity, kFidelityNumbers, design.fidelity);
     write(fidelity, kFidelityWholes, design.fidelity);
-    return QByteArray::fromStdString(canonicalJson(QJsonObject{{"id", text(design.id)},
-                                                               {"title", textJson(design.title)},
-                                                               {"objective", textJson(design.objective)},
-                                                               {"instructions", textJson(design.instructions)},
-                                                               {"consent", textJson(design.consent)},
-                                                               {"conditions", conditions},
-                                                               {"order", wordOf(kOrders, design.order)},
-                                                               {"trial", trial},
-                                                               {"fidelity", fidelity},
-                                                               {"questionnaires", questionnaires},
-                                                               {"participants_planned", design.participantsPlanned},
-                                                               {"blind_participant", design.blindParticipant},
-                                                               {"blind_experimenter", design.blindExperimenter},
-                                                               {"seed", static_cast<double>(design.seed)}}));
+    QJsonObject json{{"id", text(design.id)},
+                     {"title", textJson(design.title)},
+                     {"objective", textJson(design.objective)},
+                     {"instructions", textJson(design.instructions)},
+                     {"consent", textJson(design.consent)},
+                     {"conditions", conditions},
+                     {"order", wordOf(kOrders, design.order)},
+                     {"trial", trial},
+                     {"fidelity", fidelity},
+                     {"questionnaires", questionnaires},
+                     {"participants_planned", design.participantsPlanned},
+                     {"blind_participant", design.blindParticipant},
+                     {"blind_experimenter", design.blindExperimenter},
+                     {"seed", static_cast<double>(design.seed)}};
+    // Written only where they say something: designs of earlier versions, which lack them, keep their bytes and with them their SHA-256.
+    if (design.ownInstructions)
+        json["own_instructions"] = textJson(*design.ownInstructions);
+    for (const auto& [key, words] : {std::pair{"source", &design.source}, std::pair{"ethics", &design.ethics}, std::pair{"pilot_of", &design.pilotOf}})
+        if (!words->empty())
+            json[QLatin1String(key)] = text(*words);
+    return QByteArray::fromStdString(canonicalJson(json));
 }
 
 } // namespace chiron::catalogue

@@ -74,6 +74,7 @@ constexpr AccessRow kRows[] = {
     {A::finishRun,            No,       Own,      No,         No,     No,     All,       All},
     {A::storeQuestionnaireAnswers,No,       Own,      No,         No,     No,     All,       All},
     {A::listStudies,          Sim,      Sim,      No,         No,     No,     All,       All},
+    {A::listPilots,           Sim,      Sim,      No,         No,     No,     All,       All},
     {A::study,                Sim,      Sim,      No,         No,     No,     All,       All},
     {A::studyByKey,           Sim,      Sim,      No,         No,     No,     All,       All},
     {A::conditionCodes,       Sim,      Sim,      No,         No,     No,     All,       All},

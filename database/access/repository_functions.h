@@ -61,6 +61,7 @@
     X(StudyRepository, finishRun)                                                                            \
     X(StudyRepository, storeQuestionnaireAnswers)                                                            \
     X(StudyReader, listStudies)                                                                              \
+    X(StudyReader, listPilots)                                                                               \
     X(StudyReader, study)                                                                                    \
     X(StudyReader, studyByKey)                                                                               \
     X(StudyReader, conditionCodes)                                                                           \

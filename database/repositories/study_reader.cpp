@@ -26,7 +26,8 @@ constexpr const char* kSummaryColumns =
     "t.run_id = r.id WHERE p.study_id = s.id AND t.spoiled = '' AND t.practice = 0 AND t.undone = 0 "
     // While experimenters are blind, of those who are done with all conditions: else the count before a run and after it would be the run's.
     "AND (p.state = 'completed' OR s.unblinded = 1 OR s.state = 'draft' "
-    "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.blind_experimenter'), 0) ELSE 0 END = 0))";
+    "OR CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.blind_experimenter'), 0) ELSE 0 END = 0)), "
+    "CASE WHEN json_valid(s.design_json) THEN coalesce(json_extract(s.design_json, '$.pilot_of'), '') ELSE '' END AS pilot_of";
 
 StudySummary summaryOf(const Query& row) {
     StudySummary summary;
@@ -43,6 +44,7 @@ StudySummary summaryOf(const Query& row) {
     summary.participants = static_cast<int>(row.integer(11));
     summary.completed = static_cast<int>(row.integer(12));
     summary.trials = static_cast<int>(row.integer(13));
+    summary.pilotOf = row.text(14);
     return summary;
 }
 
@@ -71,15 +73,26 @@ core::Result<std::vector<StudySummary>> StudyReader::listStudies(bool includeArc
     }
     return rowsOf<StudySummary>(m_connection,
                                 std::string("SELECT ") + kSummaryColumns +
-                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) ORDER BY s.id",
+                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND (s.archived = 0 OR ?) AND pilot_of = '' ORDER BY s.id",
                                 {std::int64_t{*scope == Scope::all}, std::int64_t{includeArchived}}, summaryOf);
+}
+
+core::Result<std::vector<StudySummary>> StudyReader::listPilots(const std::string& key) {
+    const auto scope = authorise(m_connection, m_actor, Action::listPilots);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    return rowsOf<StudySummary>(m_connection,
+                                std::string("SELECT ") + kSummaryColumns +
+                                    " FROM study s WHERE (s.author_id = 1 OR ?) AND pilot_of <> '' AND pilot_of = ? ORDER BY s.id",
+                                {std::int64_t{*scope == Scope::all}, key}, summaryOf);
 }
 
 core::Result<StudyRecord> StudyReader::study(StudyNumber study) {
     auto found = permittedRows<StudyRecord>(
         m_connection, m_actor, Action::study, StudyPart::study, study,
         std::string("SELECT ") + kSummaryColumns + ", s.design_json FROM study s WHERE s.id = ?",
-        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(14), {}, false}; });
+        [](const Query& row) { return StudyRecord{summaryOf(row), row.text(15), {}, false}; });
     if (!found || found->empty()) {
         return found ? core::fail(core::ErrorCode::notFound, "there is no study " + std::to_string(study))
                      : core::Result<StudyRecord>(tl::unexpected(found.error()));

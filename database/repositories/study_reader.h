@@ -17,7 +17,9 @@ public:
     StudyReader(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    core::Result<std::vector<StudySummary>> listStudies(bool includeArchived = false); ///< by number
+    /// By number, without pilots: whatever chooses a study to run, analyse or export chooses among these.
+    core::Result<std::vector<StudySummary>> listStudies(bool includeArchived = false);
+    core::Result<std::vector<StudySummary>> listPilots(const std::string& key); ///< of the study of this key; by number
     /// Of a frozen study that is blinded the design is masked for those who may not look up which code is which (sealedConditions).
     core::Result<StudyRecord> study(StudyNumber study);
     /// The one of this key that the actor may read: a person's before the simulated account's. For those who read only simulated ones: theirs.

@@ -36,6 +36,7 @@ struct StudySummary {
     int participants = 0;
     int completed = 0; ///< participants
     int trials = 0;    ///< scored; while experimenters are blind of those who completed alone
+    std::string pilotOf; ///< key of the study whose draft was tried with this copy; empty: no pilot
 };
 
 /// What a blinded study's lists leave out (study_blinding.h).

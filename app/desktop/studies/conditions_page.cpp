@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/conditions_page.h"
 
+#include "catalogue/study_reader.h"
+
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
@@ -33,7 +35,8 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     column->addWidget(chooser());
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
-        column->addWidget(tableBox());
+        if (!apex())
+            column->addWidget(tableBox());
         column->addWidget(proceduresBox());
     }
     column->addStretch();
@@ -115,10 +118,27 @@ QWidget* ConditionsPage::chooser() {
         row->addWidget(button);
         return button;
     };
-    add(tr("Copy"), "edit-copy", "conditions.copy", [this] { addCondition(true); });
+    add(tr("Add a condition"), "list-add", "conditions.copy", [this] { addCondition(true); });
     add(tr("Remove"), "edit-delete", "conditions.remove", [this] { removeCondition(); })->setEnabled(conditions.size() > 1);
     return bar;
 }
+
+namespace {
+
+/// "Tube (2)": a title that no condition has in this language.
+std::string freeTitle(const StudyDesign& design, const std::string& language, const std::string& title) {
+    const auto taken = [&](const std::string& wanted) {
+        return std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) {
+            const auto found = each.title.find(language);
+            return found != each.title.end() && found->second == wanted;
+        });
+    };
+    for (int n = 2;; ++n)
+        if (const std::string wanted = title + " (" + std::to_string(n) + ")"; !taken(wanted))
+            return wanted;
+}
+
+} // namespace
 
 void ConditionsPage::addCondition(bool) {
     m_page.draft.change(tr("Add a condition"), {}, [this](StudyDesign& design) {
@@ -127,7 +147,7 @@ void ConditionsPage::addCondition(bool) {
         for (int n = 2; std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) { return each.id == copy.id; }); ++n)
             copy.id = base + "_" + std::to_string(n);
         for (auto& [language, words] : copy.title)
-            words += " (2)";
+            words = freeTitle(design, language, words);
         design.conditions.push_back(std::move(copy));
     }, true);
     emit showAsked(static_cast<int>(m_page.draft.design().conditions.size()) - 1);
@@ -137,49 +157,70 @@ void ConditionsPage::removeCondition() {
     m_page.draft.change(tr("Remove a condition"), {}, [this](StudyDesign& design) { design.conditions.erase(design.conditions.begin() + m_shown); }, true);
 }
 
+bool ConditionsPage::apex() const { return condition().stimulus.attribute == Attribute::apex; }
+
 QWidget* ConditionsPage::stimulusBox() {
     const Theme& theme = m_page.app.theme();
-    const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("What is compared"), TextStyle::title));
+    const kit::Box box = titledBox(theme, apex() ? tr("What is looked for") : tr("What is compared"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
-    addStudyText(*grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
-                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].title; });
-    grid->text(tr("Id"), QStringLiteral("condition.id"), QString::fromStdString(condition().id), [this](const QString& now) {
-        edit(tr("Id of a condition"), QStringLiteral("id"), [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
-    });
+    addNames(*grid);
     std::vector<std::pair<QString, QVariant>> attributes;
     for (int i = 0; i < kAttributes; ++i)
         attributes.emplace_back(study_words::attribute(static_cast<Attribute>(i)), i);
     grid->choice(tr("Attribute"), QStringLiteral("condition.attribute"), attributes, static_cast<int>(condition().stimulus.attribute), [this](const QVariant& now) {
-        edit(tr("Another attribute"), {}, [&](Condition& changed) {
-            changed.stimulus.attribute = static_cast<Attribute>(now.toInt());
-            changed.stimulus.reference = usualReference(changed.stimulus.attribute);
-            changed.stimulus.fixed.clear();
-        }, true);
+        edit(tr("Another attribute"), {}, [&](Condition& changed) { takeAttribute(changed, static_cast<Attribute>(now.toInt())); }, true);
     });
-    const study_words::Unit unit = study_words::unitOf(condition().stimulus.attribute);
-    grid->number(tr("Reference"), QStringLiteral("condition.reference"), condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
-                 [this, factor = unit.factor](double now) {
-                     edit(tr("Reference"), QStringLiteral("reference"), [&](Condition& changed) { changed.stimulus.reference = now / factor; });
-                 });
-    std::vector<std::pair<QString, QVariant>> tasks;
-    for (int i = 0; i < kTasks; ++i)
-        tasks.insert(static_cast<Task>(i) == Task::rank3Ties ? tasks.begin() + 1 : tasks.end(), {study_words::task(static_cast<Task>(i)), i});
-    grid->choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
-        edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
-    });
-    grid->number(tr("Threshold at (proportion correct)"), QStringLiteral("condition.criterion"), condition().criterion, {0.01, 0.99, 3, {}, 0.01}, [this](double now) {
-        edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now; });
-    });
-    grid->wide(kit::label(theme, study_words::taskInWords(condition().task), TextStyle::small, "muted"));
+    grid->explain(QStringLiteral("condition.attribute"), tr("What the objects differ in, and nothing else."));
+    addReference(*grid);
+    if (!apex())
+        addTask(*grid);
     box.layout->addWidget(grid);
     return box.frame;
 }
 
+void ConditionsPage::addNames(FieldGrid& grid) {
+    addStudyText(grid, m_page, tr("Title"), QStringLiteral("condition.title"), 1,
+                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].title; });
+    grid.explain(QStringLiteral("condition.title"), tr("What the condition is called in tables and figures. Participants never see it."));
+    grid.text(tr("Short name in exports"), QStringLiteral("condition.id"), QString::fromStdString(condition().id), [this](const QString& now) {
+        edit(tr("Id of a condition"), QStringLiteral("id"), [&](Condition& changed) { changed.id = now.trimmed().toStdString(); });
+    });
+    grid.explain(QStringLiteral("condition.id"), tr("Lower-case letters, digits and _ only; each condition has another."));
+}
+
+void ConditionsPage::addReference(FieldGrid& grid) {
+    const Attribute attribute = condition().stimulus.attribute;
+    const study_words::Unit unit = study_words::unitOf(attribute);
+    const catalogue::ValueRange range = catalogue::valueRange(attribute);
+    grid.number(apex() ? tr("Radius of the sphere") : tr("Reference"), QStringLiteral("condition.reference"), condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
+                [this, factor = unit.factor](double now) {
+                    edit(tr("Reference"), QStringLiteral("reference"), [&](Condition& changed) { changed.stimulus.reference = now / factor; });
+                });
+    grid.explain(QStringLiteral("condition.reference"), apex() ? tr("How large the sphere is whose highest point is looked for.") : tr("The object that the others are compared with."),
+                 {range.lowest * unit.factor, range.highest * unit.factor, usualReference(attribute) * unit.factor});
+}
+
+void ConditionsPage::addTask(FieldGrid& grid) {
+    std::vector<std::pair<QString, QVariant>> tasks;
+    for (int i = 0; i < kTasks; ++i)
+        tasks.insert(static_cast<Task>(i) == Task::rank3Ties ? tasks.begin() + 1 : tasks.end(), {study_words::task(static_cast<Task>(i)), i});
+    grid.choice(tr("Task"), QStringLiteral("condition.task"), tasks, static_cast<int>(condition().task), [this](const QVariant& now) {
+        edit(tr("Another task"), {}, [&](Condition& changed) { takeTask(changed, static_cast<Task>(now.toInt())); }, true);
+    });
+    grid.explain(QStringLiteral("condition.task"), study_words::taskInWords(condition().task));
+    if (correctAnswer(condition().task, 0) < 0)
+        return; // no answer is right, so there is no proportion of right ones
+    constexpr double kPercent = 100.0;
+    grid.number(tr("Threshold at"), QStringLiteral("condition.criterion"), kPercent * condition().criterion, {1, 99, 1, QStringLiteral("%"), 1}, [this](double now) {
+        edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now / kPercent; });
+    });
+    grid.explain(QStringLiteral("condition.criterion"), tr("The threshold is the difference at which so many answers are right."), {1, 99, 75});
+}
+
 QWidget* ConditionsPage::tableBox() {
     const Theme& theme = m_page.app.theme();
-    const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Table of differences"), TextStyle::title));
+    const kit::Box box = titledBox(theme, tr("Table of differences"));
+    box.layout->addWidget(kit::label(theme, tr("The differences from the reference that a procedure may choose from."), TextStyle::body, "muted"));
     auto* table = new DifferenceTable(theme, m_page.app.locale(), m_page.readOnly, condition().stimulus);
     connect(table, &DifferenceTable::changed, this, [this](const std::vector<double>& differences) {
         edit(tr("Table of differences"), {}, [&](Condition& changed) {
@@ -188,33 +229,27 @@ QWidget* ConditionsPage::tableBox() {
                 procedure = usualProcedure(std::string(kindOf(procedure)), changed);
         }, true);
     });
+    connect(&m_page.draft, &StudyDraft::changed, table, [this, table] { // the values of objects follow the reference
+        if (static_cast<std::size_t>(m_shown) < m_page.draft.design().conditions.size())
+            table->showObjects(condition().stimulus);
+    });
     box.layout->addWidget(table);
     return box.frame;
 }
 
 QWidget* ConditionsPage::proceduresBox() {
     const Theme& theme = m_page.app.theme();
-    const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Procedure"), TextStyle::title));
+    const kit::Box box = titledBox(theme, apex() ? tr("Trials") : tr("Procedure"));
     if (condition().procedures.size() > 1)
         box.layout->addWidget(kit::label(theme, tr("Several procedures are interleaved at random."), TextStyle::body, "muted"));
-    auto* scale = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
-    scale->choice(tr("The procedure works on"), QStringLiteral("condition.scale"),
-                  {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
-                   {study_words::scale(ProcedureScale::logDifference), static_cast<int>(ProcedureScale::logDifference)}},
-                  static_cast<int>(condition().scale), [this](const QVariant& now) {
-                      edit(tr("Scale of the procedure"), {}, [&](Condition& changed) {
-                          changed.scale = static_cast<ProcedureScale>(now.toInt());
-                          for (ProcedureSpec& procedure : changed.procedures)
-                              procedure = usualProcedure(std::string(kindOf(procedure)), changed);
-                      }, true);
-                  });
-    box.layout->addWidget(scale);
+    if (hasScale())
+        box.layout->addWidget(scaleGrid());
     for (std::size_t i = 0; i < condition().procedures.size(); ++i) {
-        box.layout->addWidget(kit::rule());
+        if (i > 0 || hasScale())
+            box.layout->addWidget(kit::rule());
         box.layout->addWidget(new ProcedureForm(theme, m_page.app.locale(), m_page.readOnly, m_page.draft, {static_cast<std::size_t>(m_shown), i}));
     }
-    if (!m_page.readOnly) {
+    if (!m_page.readOnly && !apex()) {
         auto* more = kit::button(theme, tr("Interleave one more"), "quiet", QStringLiteral("list-add"));
         more->setObjectName(QStringLiteral("conditions.more_procedures"));
         connect(more, &QPushButton::clicked, this, &ConditionsPage::addProcedure);
@@ -229,6 +264,27 @@ QWidget* ConditionsPage::proceduresBox() {
         box.layout->addWidget(bar);
     }
     return box.frame;
+}
+
+/// Where the logarithm of a difference can be worked on, and the procedure leaves it open.
+bool ConditionsPage::hasScale() const {
+    return !apex() && !ranksThree(condition().task) && condition().task != Task::adjustment && condition().task != Task::magnitude;
+}
+
+QWidget* ConditionsPage::scaleGrid() {
+    auto* scale = new FieldGrid(m_page.app.theme(), m_page.app.locale(), m_page.readOnly);
+    scale->choice(tr("The procedure works on"), QStringLiteral("condition.scale"),
+                  {{study_words::scale(ProcedureScale::difference), static_cast<int>(ProcedureScale::difference)},
+                   {study_words::scale(ProcedureScale::logDifference), static_cast<int>(ProcedureScale::logDifference)}},
+                  static_cast<int>(condition().scale), [this](const QVariant& now) {
+                      edit(tr("Scale of the procedure"), {}, [&](Condition& changed) {
+                          changed.scale = static_cast<ProcedureScale>(now.toInt());
+                          for (ProcedureSpec& procedure : changed.procedures)
+                              procedure = usualProcedure(std::string(kindOf(procedure)), changed);
+                      }, true);
+                  });
+    scale->explain(QStringLiteral("condition.scale"), tr("Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference."));
+    return scale;
 }
 
 void ConditionsPage::addProcedure() {

@@ -25,6 +25,12 @@ private:
     QWidget* sharedBox(); ///< what is the same of all of them
     QWidget* chooser();
     QWidget* stimulusBox();
+    void addNames(FieldGrid& grid);
+    void addReference(FieldGrid& grid);
+    void addTask(FieldGrid& grid);
+    bool apex() const; ///< the condition on the page looks for one, and has neither task nor table
+    bool hasScale() const;
+    QWidget* scaleGrid();
     QWidget* tableBox();
     QWidget* proceduresBox();
     void addCondition(bool copy);

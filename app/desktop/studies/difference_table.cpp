@@ -2,11 +2,14 @@
 #include "desktop/studies/difference_table.h"
 
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/levels_table.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 
-#include <QLineEdit>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSpinBox>
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +20,11 @@ using namespace psychophysics;
 namespace {
 constexpr int kMostTyped = 64; // longer tables are generated or imported
 constexpr int kMostCandidates = 4096;
+constexpr int kApexTrials = 10;
+constexpr double kPercent = 100.0;
+constexpr double kUsualLow = 0.02; // of the reference
+constexpr double kUsualHigh = 0.6;
+constexpr int kUsualCount = 40;
 } // namespace
 
 double usualReference(Attribute attribute) {
@@ -63,66 +71,121 @@ std::vector<double> differencesAround(double high, int count) {
     return differences;
 }
 
+void takeAttribute(Condition& condition, Attribute attribute) {
+    constexpr double kApexStiffness_N_per_m = 500.0;
+    const bool wasApex = condition.stimulus.attribute == Attribute::apex;
+    condition.stimulus.attribute = attribute;
+    condition.stimulus.reference = usualReference(attribute);
+    condition.stimulus.fixed.clear();
+    if (attribute == Attribute::apex) {
+        condition.stimulus.differences = {0.0};
+        condition.stimulus.fixed = {{"stiffness_N_per_m", kApexStiffness_N_per_m}};
+        condition.task = Task::adjustment;
+        condition.scale = ProcedureScale::difference;
+        condition.procedures = {ConstantSpec{{0.0}, kApexTrials, true}};
+    } else if (wasApex) {
+        condition.stimulus.differences = differencesBetween(kUsualLow, kUsualHigh, kUsualCount);
+        takeTask(condition, Task::rank3);
+    }
+}
+
 DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const StimulusDesign& stimulus, QWidget* parent)
-    : QWidget(parent) {
+    : QWidget(parent), m_locale(locale), m_stimulus(stimulus) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(10));
-    auto* words = kit::label(theme, summary(stimulus, locale));
-    words->setObjectName(QStringLiteral("differences.summary"));
-    column->addWidget(words);
+    m_summary = kit::label(theme, summary());
+    m_summary->setObjectName(QStringLiteral("differences.summary"));
+    column->addWidget(m_summary);
     const std::vector<double>& now = stimulus.differences;
     if (!now.empty()) {
         m_bothSides = now.front() < 0.0;
-        m_low_percent = std::max(0.01, 100.0 * study_words::ratioOf(std::abs(now.front())));
-        m_high_percent = std::max(0.02, 100.0 * study_words::ratioOf(now.back()));
+        m_low_percent = std::max(0.01, kPercent * study_words::ratioOf(std::abs(now.front())));
+        m_high_percent = std::max(0.02, kPercent * study_words::ratioOf(now.back()));
         m_count = static_cast<int>(now.size());
     }
-    if (readOnly)
-        return;
-    auto* grid = new FieldGrid(theme, locale, false);
-    grid->number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent, {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) { m_low_percent = to; });
-    grid->number(tr("Largest"), QStringLiteral("differences.high"), m_high_percent, {0.02, 1000, 2, QStringLiteral("%"), 5}, [this](double to) { m_high_percent = to; });
-    grid->whole(tr("Number"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates, [this](int to) { m_count = to; });
-    grid->check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides, [this](bool to) { m_bothSides = to; });
-    if (now.size() <= kMostTyped) {
-        std::vector<double> percents;
-        for (const double difference : now)
-            percents.push_back(std::round(1e4 * study_words::ratioOf(difference)) / 100.0);
-        QLineEdit* typed = grid->list(tr("Or type them, in per cent"), QStringLiteral("differences.typed"), percents, [this](std::vector<double> to) { m_typed = std::move(to); });
-        connect(typed, &QLineEdit::editingFinished, this, [this] {
-            if (m_typed.empty())
-                return;
-            std::vector<double> differences;
-            for (const double percent : m_typed)
-                if (percent > -100.0)
-                    differences.push_back(study_words::differenceOf(0.01 * percent));
-            std::sort(differences.begin(), differences.end());
-            m_typed.clear();
-            emit changed(differences);
-        });
+    m_grid = new FieldGrid(theme, locale, readOnly);
+    if (!readOnly)
+        addMaker(theme, *m_grid);
+    if (now.size() <= kMostTyped)
+        addLevels(theme, readOnly, *m_grid);
+    column->addWidget(m_grid);
+}
+
+void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
+    const auto onceTyped = [](QAbstractSpinBox* field) { field->setKeyboardTracking(false); }; // a table of what is half typed would be another one
+    onceTyped(grid.number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent, {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) {
+        m_low_percent = to;
+        generate();
+    }));
+    grid.explain(QStringLiteral("differences.low"), tr("Too small for anybody to feel."), {0.01, 1000, kPercent * kUsualLow});
+    grid.setShown(QStringLiteral("differences.low"), !m_bothSides);
+    onceTyped(grid.number(tr("Largest"), QStringLiteral("differences.high"), m_high_percent, {0.02, 1000, 2, QStringLiteral("%"), 5}, [this](double to) {
+        m_high_percent = to;
+        generate();
+    }));
+    grid.explain(QStringLiteral("differences.high"), tr("Large enough for everybody to feel."), {0.02, 1000, kPercent * kUsualHigh});
+    onceTyped(grid.whole(tr("Number"), QStringLiteral("differences.count"), m_count, 1, kMostCandidates, [this](int to) {
+        m_count = to;
+        generate();
+    }));
+    grid.explain(QStringLiteral("differences.count"), tr("How many differences there are to choose from, in even steps."), {1, kMostCandidates, kUsualCount});
+    grid.check(tr("On both sides of the reference"), QStringLiteral("differences.both"), m_bothSides, [this](bool to) {
+        m_bothSides = to;
+        generate();
+    });
+    grid.explain(QStringLiteral("differences.both"), tr("Also objects with less of the attribute; not for rankings and thresholds."));
+}
+
+void DifferenceTable::addLevels(const Theme& theme, bool readOnly, FieldGrid& grid) {
+    std::vector<double> percents;
+    for (const double difference : m_stimulus.differences)
+        percents.push_back(kPercent * study_words::ratioOf(difference));
+    const QString name = QStringLiteral("differences.levels");
+    m_levels = new LevelsTable(theme, m_locale, readOnly, name, percents, [this](double percent) {
+        return study_words::value(m_stimulus.reference * (1.0 + percent / kPercent), m_stimulus.attribute, m_locale);
+    });
+    grid.control(tr("Differences"), name, m_levels);
+    grid.explain(name, tr("Change them one by one, or paste them from a table; numbers may have decimal points or commas."));
+    connect(m_levels, &LevelsTable::unread, this, [this, name](const QString& words) { m_grid->setUnread(name, words); });
+    connect(m_levels, &LevelsTable::changed, this, &DifferenceTable::typed);
+}
+
+void DifferenceTable::typed(const std::vector<double>& percents) {
+    std::vector<double> differences;
+    for (const double percent : percents) {
+        if (percent <= -kPercent) {
+            m_grid->setUnread(QStringLiteral("differences.levels"), tr("%1 % less than the reference is less than nothing.").arg(m_locale.toString(-percent, 'g', 6)));
+            return;
+        }
+        differences.push_back(study_words::differenceOf(percent / kPercent));
     }
-    column->addWidget(grid);
-    auto* make = kit::button(theme, tr("Create the table"), "", QStringLiteral("view-refresh"));
-    make->setObjectName(QStringLiteral("differences.make"));
-    connect(make, &QPushButton::clicked, this, &DifferenceTable::generate);
-    column->addWidget(make, 0, Qt::AlignLeft);
+    std::sort(differences.begin(), differences.end());
+    emit changed(differences);
 }
 
 void DifferenceTable::generate() {
-    const double high = 0.01 * std::max(m_high_percent, m_low_percent);
-    emit changed(m_bothSides ? differencesAround(high, m_count) : differencesBetween(0.01 * m_low_percent, high, m_count));
+    const double high = std::max(m_high_percent, m_low_percent) / kPercent;
+    emit changed(m_bothSides ? differencesAround(high, m_count) : differencesBetween(m_low_percent / kPercent, high, m_count));
 }
 
-QString DifferenceTable::summary(const StimulusDesign& stimulus, const QLocale& locale) const {
-    if (stimulus.differences.empty())
+void DifferenceTable::showObjects(const StimulusDesign& stimulus) {
+    m_stimulus.reference = stimulus.reference;
+    m_stimulus.attribute = stimulus.attribute;
+    m_summary->setText(summary());
+    if (m_levels)
+        m_levels->showValues();
+}
+
+QString DifferenceTable::summary() const {
+    if (m_stimulus.differences.empty())
         return tr("No candidates yet.");
-    const double low = stimulus.differences.front();
-    const double high = stimulus.differences.back();
-    const auto valueOf = [&](double difference) { return study_words::value(stimulus.reference * std::pow(10.0, difference), stimulus.attribute, locale); };
+    const double low = m_stimulus.differences.front();
+    const double high = m_stimulus.differences.back();
+    const auto valueOf = [&](double difference) { return study_words::value(m_stimulus.reference * std::pow(10.0, difference), m_stimulus.attribute, m_locale); };
     return tr("%1 candidates, from %2 to %3 of the reference: %4 to %5.")
-        .arg(locale.toString(static_cast<int>(stimulus.differences.size())), study_words::percent(study_words::ratioOf(low), locale),
-             study_words::percent(study_words::ratioOf(high), locale), valueOf(low), valueOf(high));
+        .arg(m_locale.toString(static_cast<int>(m_stimulus.differences.size())), study_words::percent(study_words::ratioOf(low), m_locale),
+             study_words::percent(study_words::ratioOf(high), m_locale), valueOf(low), valueOf(high));
 }
 
 } // namespace chiron::desktop

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/field_grid.h"
 
+#include "desktop/accounts/form.h"
+#include "desktop/studies/number_list.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>
@@ -54,9 +56,87 @@ void FieldGrid::add(const QString& label, QWidget* field, const QString& name, b
         auto* words = kit::label(m_theme, label, TextStyle::label);
         words->setBuddy(field);
         column->addWidget(words);
+    } else {
+        column->addSpacing(m_theme.px(kLine_px)); // level with fields that have a label above them
     }
     column->addWidget(field);
-    put(cell, wide, Qt::AlignBottom); // fields are level where a label takes two lines or, of a check box, none
+    Field& kept = m_fields[name];
+    kept = {};
+    kept.widget = field;
+    kept.column = column;
+    put(cell, wide);
+}
+
+void FieldGrid::control(const QString& label, const QString& name, QWidget* field) { add(label, field, name, true); }
+
+QWidget* FieldGrid::field(const QString& name) const { return m_fields.value(name).widget; }
+
+void FieldGrid::setShown(const QString& name, bool shown) {
+    if (QWidget* found = field(name))
+        found->parentWidget()->setVisible(shown);
+}
+
+QString FieldGrid::faultOf(const QString& name) const {
+    const Field found = m_fields.value(name);
+    return found.unread.isEmpty() ? found.given : found.unread;
+}
+
+void FieldGrid::explain(const QString& name, const QString& meaning) {
+    Field& found = m_fields[name];
+    if (!found.widget)
+        return;
+    found.meaning = meaning;
+    found.widget->setAccessibleDescription(meaning);
+    auto* words = kit::label(m_theme, meaning, TextStyle::small, "muted");
+    words->setObjectName(name + QStringLiteral(".meaning"));
+    found.column->insertWidget(found.column->indexOf(found.widget) + 1, words);
+}
+
+void FieldGrid::explain(const QString& name, const QString& meaning, const UsualNumber& number) {
+    const auto said = [&](double value) { return m_locale.toString(value, 'g', 6); };
+    const QString unit = m_fields.value(name).unit;
+    const QString allowed = tr("%1 to %2, usually %3.").arg(said(number.lowest), said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit), said(number.usual));
+    explain(name, meaning + QLatin1Char(' ') + allowed);
+}
+
+void FieldGrid::setUnread(const QString& name, const QString& words) {
+    if (!m_fields.contains(name) || m_fields[name].unread == words)
+        return;
+    m_fields[name].unread = words;
+    showFault(name);
+}
+
+void FieldGrid::showFaults(const QMap<QString, QString>& faults) {
+    for (auto each = m_fields.begin(); each != m_fields.end(); ++each) {
+        const QString words = faults.value(each.key());
+        if (each->given == words)
+            continue;
+        each->given = words;
+        showFault(each.key());
+    }
+}
+
+/// Colour is never alone: a sign and the words stand under the field.
+void FieldGrid::showFault(const QString& name) {
+    Field& found = m_fields[name];
+    const QString words = faultOf(name);
+    delete found.fault;
+    found.fault = nullptr;
+    form::setKind(found.widget, words.isEmpty() ? "" : "bad");
+    found.widget->setAccessibleDescription(words.isEmpty() ? found.meaning : words + QLatin1Char(' ') + found.meaning);
+    if (words.isEmpty())
+        return;
+    found.fault = new QWidget;
+    found.fault->setObjectName(name + QStringLiteral(".fault"));
+    auto* row = new QHBoxLayout(found.fault);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(m_theme.px(6));
+    auto* sign = new QLabel;
+    const int size = m_theme.px(16);
+    sign->setPixmap(m_theme.icon(QStringLiteral("dialog-error"), Colour::bad).pixmap(size, size));
+    row->addWidget(sign, 0, Qt::AlignTop);
+    row->addWidget(kit::label(m_theme, words, TextStyle::small, "bad"), 1);
+    found.column->insertWidget(found.column->indexOf(found.widget) + 1, found.fault);
 }
 
 void FieldGrid::wide(QWidget* widget) { put(widget, true); }
@@ -77,14 +157,15 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
     field->setSingleStep(range.step > 0.0 ? range.step : std::pow(10.0, -std::min(range.decimals, 2)));
     if (!range.unit.isEmpty())
         field->setSuffix(QLatin1Char(' ') + range.unit);
+    field->setSpecialValueText(range.zero);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setValue(value);
     field->setReadOnly(m_readOnly);
-    field->setKeyboardTracking(false);
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
     connect(field, &QDoubleSpinBox::valueChanged, this, [taken = std::move(taken)](double now) { taken(now); });
     add(label, field, name);
+    m_fields[name].unit = range.unit;
     return field;
 }
 
@@ -95,7 +176,6 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setValue(value);
     field->setReadOnly(m_readOnly);
-    field->setKeyboardTracking(false);
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
     connect(field, &QSpinBox::valueChanged, this, [taken = std::move(taken)](int now) { taken(now); });
@@ -151,7 +231,12 @@ QLineEdit* FieldGrid::list(const QString& label, const QString& name, const std:
     auto* field = new QLineEdit(listText(values, m_locale));
     field->setReadOnly(m_readOnly);
     field->setCursorPosition(0);
-    connect(field, &QLineEdit::textEdited, this, [this, taken = std::move(taken)](const QString& now) { taken(listOf(now, m_locale)); });
+    connect(field, &QLineEdit::textEdited, this, [this, name, taken = std::move(taken)](const QString& now) {
+        const NumberList read = readNumbers(now, m_locale);
+        setUnread(name, unreadWords(read));
+        if (read.unread.isEmpty())
+            taken(read.values);
+    });
     add(label, field, name, true);
     return field;
 }
@@ -187,24 +272,6 @@ void FieldGrid::arrange(int columns) {
     }
     for (int i = 0; i < std::max(columns, m_grid->columnCount()); ++i)
         m_grid->setColumnStretch(i, i < columns ? 1 : 0);
-}
-
-QString listText(const std::vector<double>& values, const QLocale& locale) {
-    QStringList words;
-    for (const double value : values)
-        words << locale.toString(value, 'g', 6);
-    return words.join(QStringLiteral("; "));
-}
-
-std::vector<double> listOf(const QString& text, const QLocale& locale) {
-    std::vector<double> values;
-    for (const QString& word : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
-        bool good = false;
-        const double value = locale.toDouble(word.trimmed(), &good);
-        if (good && std::isfinite(value))
-            values.push_back(value);
-    }
-    return values;
 }
 
 } // namespace chiron::desktop

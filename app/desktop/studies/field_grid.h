@@ -3,7 +3,9 @@
 
 #include "desktop/theme/theme.h"
 
+#include <QHash>
 #include <QLocale>
+#include <QMap>
 #include <QString>
 #include <QVariant>
 #include <QWidget>
@@ -11,10 +13,12 @@
 #include <utility>
 #include <vector>
 
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
+class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QSpinBox;
@@ -28,10 +32,19 @@ struct NumberRange {
     int decimals = 3;
     QString unit;
     double step = 0.0; ///< 0: a tenth of what decimals show
+    QString zero{};    ///< what the smallest value is called ("no limit"); empty: by its number
+};
+
+/// What is said under a number's field: what it may be and what it usually is, in the field's unit.
+struct UsualNumber {
+    double lowest = 0.0;
+    double highest = 0.0;
+    double usual = 0.0;
 };
 
 /// Fields under their labels in as many columns as the width has room for. Each calls back when it is changed by a person, never when it
-/// is filled. Read-only grids show the same fields, which cannot be changed. GUI thread.
+/// is filled. Under a field stands what it means, and what is wrong with it. Read-only grids show the same fields, which cannot be changed.
+/// GUI thread.
 class FieldGrid : public QWidget {
     Q_OBJECT
 public:
@@ -45,22 +58,49 @@ public:
     QLineEdit* text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken);
     /// Several lines, over the whole width.
     QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines, std::function<void(const QString&)> taken);
-    /// Numbers separated by semicolons; what is no number is left out. Over the whole width.
+    /// Numbers in a line, as number_list.h reads them; what is no number is a fault of the field, and nothing is taken. Over the whole width.
     QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values, std::function<void(std::vector<double>)> taken);
     /// Anything else over the whole width, in its turn.
     void wide(QWidget* widget);
     void cell(QWidget* widget); ///< in one column
+    /// A widget of its own as a field, over the whole width: it can be explained and be wrong as the others.
+    void control(const QString& label, const QString& name, QWidget* field);
+
+    /// One sentence of what the field of this name means, under it and for screen readers; of a number with what it may be.
+    void explain(const QString& name, const QString& meaning);
+    void explain(const QString& name, const QString& meaning, const UsualNumber& number);
+    /// What is wrong with the fields, by name: said under each with a sign, and for screen readers. Names of other grids are passed over; fields
+    /// that are not named are right.
+    void showFaults(const QMap<QString, QString>& faults);
+    /// What the field itself cannot take ("abc" for a number); empty: nothing.
+    void setUnread(const QString& name, const QString& words);
+    void setShown(const QString& name, bool shown); ///< where a field does not apply now; nothing where there is none of this name
+    bool hasField(const QString& name) const { return m_fields.contains(name); }
+    QWidget* field(const QString& name) const;
+    QString faultOf(const QString& name) const; ///< what is said under it; empty: nothing
+
     /// Stops "5" of the wheel from changing a field that is only scrolled past.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
+    const Theme& gridTheme() const { return m_theme; }
+    const QLocale& gridLocale() const { return m_locale; }
+    bool isReadOnly() const { return m_readOnly; }
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void add(const QString& label, QWidget* field, const QString& name, bool wide = false);
     void put(QWidget* widget, bool wide, Qt::AlignmentFlag level = Qt::AlignTop);
     void arrange(int columns);
+    void showFault(const QString& name);
 
+    /// A field with what is said under it.
+    struct Field {
+        QWidget* widget = nullptr;
+        QBoxLayout* column = nullptr;
+        QString meaning, unit, unread, given;
+        QWidget* fault = nullptr; ///< null where nothing is wrong
+    };
     struct Cell {
         QWidget* widget;
         bool wide;
@@ -71,11 +111,8 @@ private:
     bool m_readOnly;
     QGridLayout* m_grid;
     std::vector<Cell> m_cells;
+    QHash<QString, Field> m_fields;
     int m_columns = 0;
 };
-
-/// "0.02; 0.05; 0.1" in the locale, and back.
-QString listText(const std::vector<double>& values, const QLocale& locale);
-std::vector<double> listOf(const QString& text, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/freeze_dialog.h"
 
+#include "desktop/studies/check_list.h"
 #include "desktop/studies/study_store.h"
 #include "desktop/widgets/kit.h"
+
+#include <QCheckBox>
 
 namespace chiron::desktop {
 
@@ -18,8 +21,21 @@ QString grouped(const std::string& sha256) {
 
 } // namespace
 
-FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& study, const psychophysics::StudyDesign& design, QWidget* parent)
+FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& study, const psychophysics::StudyDesign& design, const FreezeFacts& facts, QWidget* parent)
     : FormDialog(context, QStringLiteral("freeze"), tr("Freeze %1").arg(QString::fromStdString(study.title)), parent), m_study(study.id) {
+    m_checks = new CheckList(context, design, facts);
+    column()->addWidget(m_checks);
+    connect(m_checks, &CheckList::goAsked, this, [this](const FreezeCheck& check) {
+        emit goAsked(check);
+        reject();
+    });
+    m_cannot = kit::notice(theme(), "bad", tr("What is marked in red must be corrected first: after freezing nobody can."));
+    m_cannot->setObjectName(QStringLiteral("freeze.cannot"));
+    column()->addWidget(m_cannot);
+    m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));
+    m_seen->setObjectName(QStringLiteral("freeze.seen"));
+    m_seen->setFont(theme().font(TextStyle::body));
+    column()->addWidget(m_seen);
     column()->addWidget(kit::label(theme(), tr("From now on nobody can change the design. Participants can be enrolled, each condition "
                                                "gets a sealed code, and every export carries this SHA-256 of the design:")));
     auto* sha = kit::label(theme(), grouped(catalogue::studySha256(catalogue::studyJson(design))), TextStyle::mono);
@@ -33,8 +49,18 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
                                    TextStyle::body, "muted"));
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone. To change the study later, copy it into a new one.")));
     setAccept(tr("Freeze the design"));
-    setAcceptable(true);
     cancelAtEnter();
+    connect(m_checks, &CheckList::changed, this, &FreezeDialog::weigh);
+    connect(m_seen, &QCheckBox::toggled, this, &FreezeDialog::weigh);
+    weigh();
+}
+
+void FreezeDialog::weigh() {
+    const bool bad = m_checks->has(FreezeCheck::State::bad);
+    const bool advice = m_checks->has(FreezeCheck::State::advice);
+    m_cannot->setVisible(bad);
+    m_seen->setVisible(advice && !bad);
+    setAcceptable(!bad && !m_checks->has(FreezeCheck::State::waiting) && (!advice || m_seen->isChecked()));
 }
 
 void FreezeDialog::submit() {

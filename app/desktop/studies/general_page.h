@@ -7,23 +7,20 @@
 
 namespace chiron::desktop {
 
-/// What a study is about and what participants read. GUI thread.
+/// What a new study of no template holds where its aim belongs: nobody's aim.
+inline constexpr const char* kPlaceholderAim = "What is to be found out.";
+bool isPlaceholderAim(const QString& aim);
+
+/// What a study is about, who approved it, and what participants agree to. GUI thread.
 class GeneralPage final : public QWidget {
     Q_OBJECT
 public:
     explicit GeneralPage(const DesignPage& page, QWidget* parent = nullptr);
-};
-
-/// Rules of a trial, breaks, order, blinding and the limits beyond which a trial is repeated. GUI thread.
-class TrialsPage final : public QWidget {
-    Q_OBJECT
-public:
-    explicit TrialsPage(const DesignPage& page, QWidget* parent = nullptr);
 
 private:
-    QWidget* orderBox(const DesignPage& page);
-    QWidget* rulesBox(const DesignPage& page);
-    QWidget* fidelityBox(const DesignPage& page);
+    QWidget* aimBox(const DesignPage& page);
+    void addAim(FieldGrid& grid, const DesignPage& page);
+    QWidget* ethicsBox(const DesignPage& page);
 };
 
 } // namespace chiron::desktop

@@ -3,6 +3,9 @@
 
 #include "catalogue/study_catalogue.h"
 #include "desktop/accounts/form.h"
+#include "desktop/studies/general_page.h"
+#include "desktop/studies/participant_card.h"
+#include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_store.h"
 #include "desktop/studies/study_words.h"
@@ -12,6 +15,7 @@
 #include <QButtonGroup>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -22,10 +26,28 @@ constexpr int kDifferences = 40;
 constexpr double kSmallest_percent = 2.0;
 constexpr double kLargest_percent = 60.0;
 constexpr double kUsualStiffness_N_per_m = 300.0;
+constexpr qsizetype kLongestKey = 40;
 
 bool isKey(const QString& key) {
     static const QRegularExpression kKey(QStringLiteral("^[a-z][a-z0-9_]{0,62}$"));
     return kKey.match(key).hasMatch();
+}
+
+/// "Tubes of 60 N/m" as "tubes_of_60_n_m"; of letters that keys have none of, nothing.
+QString keyOf(const QString& title) {
+    static const QRegularExpression kOther(QStringLiteral("[^a-z0-9]+"));
+    static const QRegularExpression kEnds(QStringLiteral("^[_0-9]+|_+$"));
+    QString key = title.normalized(QString::NormalizationForm_D).toLower();
+    key.remove(QRegularExpression(QStringLiteral("[\\x{0300}-\\x{036F}]"))); // ü as u
+    return key.replace(kOther, QStringLiteral("_")).remove(kEnds).left(kLongestKey);
+}
+
+QString freeOf(const QString& wanted, const std::set<QString>& taken, const QString& between) {
+    if (!taken.contains(wanted))
+        return wanted;
+    for (int n = 2;; ++n)
+        if (const QString other = wanted + between + QString::number(n); !taken.contains(other))
+            return other;
 }
 
 } // namespace
@@ -34,8 +56,8 @@ psychophysics::StudyDesign plainStudy() {
     psychophysics::StudyDesign study;
     study.id = "new_study";
     study.title["en"] = "New study";
-    study.objective["en"] = "What is to be found out.";
-    study.instructions["en"] = "Explore all objects, then answer.";
+    study.objective["en"] = kPlaceholderAim;
+    study.ownInstructions = psychophysics::StudyText{{"en", "Explore all objects, then answer."}};
     study.consent["en"] = "I take part of my own free will and may stop at any time.";
     psychophysics::Condition condition;
     condition.id = "stiffness";
@@ -47,10 +69,19 @@ psychophysics::StudyDesign plainStudy() {
     }
     condition.procedures = {usualProcedure("rank3_quest_plus", condition)};
     study.conditions = {condition};
+    renewInstructions(study);
     return study;
 }
 
-NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : FormDialog(context, QStringLiteral("new_study"), tr("New study"), parent) {
+psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design) {
+    design.ethics.clear();
+    design.pilotOf.clear();
+    return design;
+}
+
+NewStudyDialog::NewStudyDialog(AppContext& context, const QString& title, QWidget* parent) : FormDialog(context, QStringLiteral("new_study"), title, parent) {}
+
+NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : NewStudyDialog(context, tr("New study"), parent) {
     m_list = new QWidget;
     auto* rows = new QVBoxLayout(m_list);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -58,15 +89,65 @@ NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : FormDialo
     m_choice = new QButtonGroup(this);
     connect(m_choice, &QButtonGroup::idClicked, this, &NewStudyDialog::choose);
     column()->addWidget(kit::label(theme(), tr("Begin with"), TextStyle::label));
+    column()->addWidget(kit::label(theme(), tr("Each is a complete design. Everything in it can be changed until the study is frozen."), TextStyle::small, "muted"));
     column()->addWidget(m_list);
+    addNames();
+    renew();
+    loadTaken();
+    loadTemplates();
+}
+
+NewStudyDialog::NewStudyDialog(AppContext& context, const psychophysics::StudyDesign& copied, QWidget* parent) : NewStudyDialog(context, tr("Copy to a new study"), parent) {
+    m_templates = {copyOf(copied)};
+    column()->addWidget(kit::label(theme(), tr("The copy is a draft with the whole design of “%1”, without its participants, data and ethics approval.").arg(study_words::text(copied.title, context.language()))));
+    addNames();
+    m_title->setText(study_words::text(copied.title, QStringLiteral("en")));
+    suggestKey();
+    renew();
+    loadTaken();
+    m_title->selectAll();
+    m_title->setFocus();
+}
+
+void NewStudyDialog::addNames() {
+    const auto fault = [this](const char* name) {
+        auto* words = kit::label(theme(), {}, TextStyle::small, "bad");
+        words->setObjectName(QLatin1String(name));
+        words->hide();
+        column()->addWidget(words);
+        return words;
+    };
     m_title = form::textField(theme(), column(), tr("Title"), QStringLiteral("new_study.title"));
+    m_titleFault = fault("new_study.title.fault");
     m_key = form::textField(theme(), column(), tr("Key (in files and commands)"), QStringLiteral("new_study.key"));
+    m_keyFault = fault("new_study.key.fault");
     column()->addWidget(kit::label(theme(), tr("Lower-case letters, digits and _ only. It cannot be changed later."), TextStyle::small, "muted"));
     setAccept(tr("Create draft"));
-    connect(m_title, &QLineEdit::textEdited, this, &NewStudyDialog::renew);
-    connect(m_key, &QLineEdit::textEdited, this, &NewStudyDialog::renew);
-    renew();
-    loadTemplates();
+    connect(m_title, &QLineEdit::textEdited, this, [this] {
+        suggestKey();
+        renew();
+    });
+    connect(m_key, &QLineEdit::textEdited, this, [this] {
+        m_ownKey = true;
+        renew();
+    });
+}
+
+/// Keys and titles that are taken: told while the form is filled in, not when it is sent.
+void NewStudyDialog::loadTaken() {
+    readStudies(context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
+                [this](const core::Result<std::vector<database::StudySummary>>& studies) {
+                    if (!studies)
+                        return;
+                    for (const database::StudySummary& each : *studies) {
+                        m_keys.insert(QString::fromStdString(each.key));
+                        m_titles.insert(QString::fromStdString(each.title).trimmed());
+                    }
+                    if (!m_choice)
+                        m_title->setText(freeOf(m_title->text(), m_titles, QStringLiteral(" ")));
+                    suggestKey();
+                    renew();
+                });
 }
 
 void NewStudyDialog::loadTemplates() {
@@ -82,44 +163,108 @@ void NewStudyDialog::loadTemplates() {
 void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templates) {
     m_templates = std::move(templates);
     m_templates.push_back(plainStudy());
-    for (std::size_t i = 0; i < m_templates.size(); ++i) {
-        const bool plain = i + 1 == m_templates.size();
-        const QString title = plain ? tr("A simple study") : study_words::text(m_templates[i].title, context().language());
-        const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.") : study_words::text(m_templates[i].objective, context().language());
-        auto* tile = new TileButton(theme());
-        tile->setCheckable(true);
-        tile->setObjectName(QStringLiteral("new_study.template.%1").arg(QString::fromStdString(m_templates[i].id)));
-        tile->setAccessibleName(tr("%1. %2").arg(title, objective));
-        auto* words = new QVBoxLayout;
-        words->addWidget(kit::label(theme(), title, TextStyle::strong));
-        words->addWidget(kit::label(theme(), objective, TextStyle::small, "muted"));
-        tile->row()->addLayout(words, 1);
-        tile->seal();
-        m_choice->addButton(tile, static_cast<int>(i));
-        m_list->layout()->addWidget(tile);
-    }
+    for (std::size_t i = 0; i < m_templates.size(); ++i)
+        m_list->layout()->addWidget(tile(i, i + 1 == m_templates.size()));
     m_choice->button(0)->setChecked(true);
     m_choice->button(0)->setFocus();
     choose(0);
 }
 
+/// What it finds out, what a participant does for it, and where it was published.
+QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
+    const psychophysics::StudyDesign& design = m_templates[index];
+    const QString title = plain ? tr("A simple study") : study_words::text(design.title, context().language());
+    const QString objective = plain ? tr("One condition: three objects are ranked by stiffness.") : study_words::text(design.objective, context().language());
+    QStringList meets;
+    for (const auto& [name, words] : participantFacts(design, context().locale(), context().language())) {
+        if (name == QStringLiteral("trials"))
+            meets << tr("Trials: %1").arg(words);
+        else if (name == QStringLiteral("minutes"))
+            meets << tr("Duration: %1").arg(words);
+    }
+    auto* tile = new TileButton(theme());
+    tile->setCheckable(true);
+    tile->setObjectName(QStringLiteral("new_study.template.%1").arg(QString::fromStdString(design.id)));
+    const QString source = QString::fromStdString(design.source);
+    tile->setAccessibleName(tr("%1. %2").arg(title, objective));
+    tile->setAccessibleDescription(meets.join(QStringLiteral(". ")) + QStringLiteral(". ") + source);
+    auto* words = new QVBoxLayout;
+    words->addWidget(kit::label(theme(), title, TextStyle::strong));
+    words->addWidget(kit::label(theme(), objective, TextStyle::small, "muted"));
+    words->addWidget(kit::label(theme(), meets.join(QStringLiteral(" · ")), TextStyle::small));
+    if (!source.isEmpty()) {
+        auto* cited = kit::label(theme(), tr("After: %1").arg(source), TextStyle::small, "muted");
+        cited->setObjectName(tile->objectName() + QStringLiteral(".source"));
+        words->addWidget(cited);
+    }
+    tile->row()->addLayout(words, 1);
+    tile->seal();
+    m_choice->addButton(tile, static_cast<int>(index));
+    return tile;
+}
+
+const psychophysics::StudyDesign* NewStudyDialog::chosen() const {
+    const int index = m_choice ? m_choice->checkedId() : 0;
+    return index >= 0 && static_cast<std::size_t>(index) < m_templates.size() ? &m_templates[static_cast<std::size_t>(index)] : nullptr;
+}
+
 void NewStudyDialog::choose(int index) {
     const psychophysics::StudyDesign& design = m_templates[static_cast<std::size_t>(index)];
+    m_ownKey = false;
     m_title->setText(study_words::text(design.title, QStringLiteral("en")));
-    m_key->setText(QString::fromStdString(design.id));
+    suggestKey();
     renew();
 }
 
+void NewStudyDialog::suggestKey() {
+    if (m_ownKey || !m_title)
+        return;
+    const psychophysics::StudyDesign* design = chosen();
+    const bool untouched = m_choice && design && m_title->text() == study_words::text(design->title, QStringLiteral("en"));
+    const QString key = untouched ? QString::fromStdString(design->id) : keyOf(m_title->text());
+    m_key->setText(key.isEmpty() ? QString() : freeOf(key, m_keys, QStringLiteral("_")));
+}
+
+QString NewStudyDialog::titleFault() const {
+    if (m_title->text().trimmed().isEmpty())
+        return tr("Give the study a title.");
+    return m_titles.contains(m_title->text().trimmed()) ? tr("Another study has this title. They would look alike in lists; a different one is easier to find.") : QString();
+}
+
+QString NewStudyDialog::keyFault() const {
+    const QString key = m_key->text();
+    if (key.isEmpty())
+        return tr("Give the study a key.");
+    if (!isKey(key))
+        return tr("Use lower-case letters, digits and _ only, a letter first.");
+    return m_keys.contains(key) ? tr("Another study has this key. Choose another.") : QString();
+}
+
+void NewStudyDialog::showFault(QLineEdit* field, QLabel* words, const QString& fault) {
+    words->setText(fault);
+    words->setVisible(!fault.isEmpty());
+    field->setAccessibleDescription(fault);
+    form::setKind(field, fault.isEmpty() ? "" : "bad");
+}
+
 void NewStudyDialog::renew() {
-    form::setKind(m_key, isKey(m_key->text()) || m_key->text().isEmpty() ? "" : "bad");
-    setAcceptable(m_choice->checkedId() >= 0 && isKey(m_key->text()) && !m_title->text().trimmed().isEmpty());
+    if (!chosen()) { // templates are still being read
+        setAcceptable(false);
+        return;
+    }
+    showFault(m_title, m_titleFault, titleFault());
+    showFault(m_key, m_keyFault, keyFault());
+    setAcceptable(!m_title->text().trimmed().isEmpty() && keyFault().isEmpty()); // titles may be alike
 }
 
 void NewStudyDialog::submit() {
     setWorking(true);
-    psychophysics::StudyDesign design = m_templates[static_cast<std::size_t>(m_choice->checkedId())];
+    psychophysics::StudyDesign design = *chosen();
     design.id = m_key->text().toStdString();
-    design.title["en"] = m_title->text().trimmed().toStdString();
+    const std::string title = m_title->text().trimmed().toStdString();
+    if (design.title.at("en") != title)
+        design.title = {{"en", title}}; // in other languages the template's would be another study's
+    renewInstructions(design);
     writeStudies(
         context(), this,
         [design](database::StudyRepository& studies) {

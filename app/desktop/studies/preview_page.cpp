@@ -6,7 +6,9 @@
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "psychophysics/study/apex_study.h"
 #include "report/plot_view.h"
+#include "session/study/presentation_order.h"
 #include "session_report/study_warning_words.h"
 
 #include <QProgressBar>
@@ -22,6 +24,11 @@ namespace {
 constexpr int kPoll_ms = 100;
 constexpr int kSteps = 1000;
 constexpr double kPercent = 100.0;
+
+bool isApex(const psychophysics::Condition& condition) { return condition.stimulus.attribute == psychophysics::Attribute::apex; }
+
+/// Of a mark along one axis, by the published mean error: per cent of the radius.
+double publishedMarkSpread_percent() { return psychophysics::kP2MeanPercent / std::sqrt(2.0 / std::acos(-1.0)); }
 } // namespace
 
 PreviewPage::PreviewPage(const DesignPage& page, QWidget* parent) : QWidget(parent), m_page(page) {
@@ -56,20 +63,19 @@ PreviewPage::~PreviewPage() {
 QWidget* PreviewPage::observerBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Simulated observers run through the study without haptic rendering. Their true values are "
-                                               "known, so bias and precision can be estimated before the first participant."),
-                                     TextStyle::body, "muted"));
-    auto* grid = new FieldGrid(theme, m_page.app.locale(), false);
-    grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber, {0.1, 200, 1, QStringLiteral("%"), 1},
-                 [this](double now) { m_observer.weber = now / kPercent; });
-    grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
-                 [this](double now) { m_observer.lapse = now / kPercent; });
     const auto& conditions = m_page.draft.design().conditions;
-    if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; }))
-        grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
-    grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
-    box.layout->addWidget(grid);
-    if (conditions.size() > 1)
+    const auto compared = std::count_if(conditions.begin(), conditions.end(), [](const psychophysics::Condition& each) { return !isApex(each); });
+    if (compared > 0) {
+        box.layout->addWidget(kit::label(theme, tr("Simulated observers run through the study without haptic rendering. Their true values are "
+                                                   "known, so bias and precision can be estimated before the first participant."),
+                                         TextStyle::body, "muted"));
+        box.layout->addWidget(observerGrid());
+    } else { // nobody's Weber fraction says how well an apex is found
+        box.layout->addWidget(kit::label(theme, tr("How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.")
+                                                    .arg(study_words::percent(publishedMarkSpread_percent() / kPercent, m_page.app.locale())),
+                                         TextStyle::body, "muted"));
+    }
+    if (compared > 1)
         box.layout->addWidget(powerGrid());
     auto* row = new QHBoxLayout;
     m_start = kit::button(theme, tr("Preview"), "primary", QStringLiteral("media-playback-start"));
@@ -94,6 +100,24 @@ QWidget* PreviewPage::observerBox() {
     });
     setWorking(false);
     return box.frame;
+}
+
+QWidget* PreviewPage::observerGrid() {
+    auto* grid = new FieldGrid(m_page.app.theme(), m_page.app.locale(), false);
+    grid->number(tr("Their Weber fraction"), QStringLiteral("preview.weber"), kPercent * m_observer.weber, {0.1, 200, 1, QStringLiteral("%"), 1},
+                 [this](double now) { m_observer.weber = now / kPercent; });
+    grid->explain(QStringLiteral("preview.weber"), tr("How small a difference they feel, as a share of the reference."), {0.1, 200, 10});
+    grid->number(tr("Lapse rate"), QStringLiteral("preview.lapse"), kPercent * m_observer.lapse, {0, 50, 1, QStringLiteral("%"), 1},
+                 [this](double now) { m_observer.lapse = now / kPercent; });
+    grid->explain(QStringLiteral("preview.lapse"), tr("Share of their answers that are careless."), {0, 50, 2});
+    const auto& conditions = m_page.draft.design().conditions;
+    if (std::any_of(conditions.begin(), conditions.end(), [](const psychophysics::Condition& c) { return c.task == psychophysics::Task::rank3Ties; })) {
+        grid->number(tr("Equality threshold (σ)"), QStringLiteral("preview.ties"), m_observer.ties, {0, 10, 2, {}, 0.1}, [this](double now) { m_observer.ties = now; });
+        grid->explain(QStringLiteral("preview.ties"), tr("Differences below it they call equal, in standard deviations of what they feel."));
+    }
+    grid->whole(tr("Runs per condition"), QStringLiteral("preview.runs"), m_runs, 5, 2000, [this](int now) { m_runs = now; });
+    grid->explain(QStringLiteral("preview.runs"), tr("More runs take longer, and their figures are surer."), {5, 2000, 40});
+    return grid;
 }
 
 QWidget* PreviewPage::powerGrid() {
@@ -130,6 +154,12 @@ QWidget* PreviewPage::powerGrid() {
         m_wantedPower = now / kPercent;
         showPower();
     });
+    grid->explain(QStringLiteral("preview.paired"), tr("Else each person does one of them."));
+    grid->explain(QStringLiteral("preview.participants"), tr("How many people are compared."));
+    grid->explain(QStringLiteral("preview.effect_sd"), tr("How much the difference varies between people: 0.05 is a factor of 1.12."));
+    grid->explain(QStringLiteral("preview.person_sd"), tr("How much people vary: 0.15 is a factor of 1.41."));
+    grid->explain(QStringLiteral("preview.alpha"), tr("How often a difference may be found where there is none."));
+    grid->explain(QStringLiteral("preview.power"), tr("How often a difference that is there is to be found."));
     column->addWidget(grid);
     showPower();
     return part;
@@ -205,9 +235,12 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     const kit::Box box = kit::box(theme);
     box.frame->setObjectName(QStringLiteral("preview.result"));
     QString title = QString::fromStdString(result.condition);
+    const psychophysics::Condition* shown = nullptr;
     for (const psychophysics::Condition& condition : m_page.draft.design().conditions)
-        if (condition.id == result.condition)
+        if (condition.id == result.condition) {
             title = study_words::text(condition.title, m_page.app.language());
+            shown = &condition;
+        }
     box.layout->addWidget(kit::label(theme, title, TextStyle::title));
     auto* grid = new FieldGrid(theme, locale, true);
     const auto fact = [&](const QString& name, const QString& value) {
@@ -222,6 +255,11 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
         grid->cell(part);
         return std::pair(number, words);
     };
+    if (shown && isApex(*shown)) {
+        addApexFacts(*shown, [&](const QString& name, const QString& value) { fact(name, value); });
+        box.layout->addWidget(grid);
+        return box.frame;
+    }
     const auto factor = [](double log10) { return std::pow(10.0, log10) - 1.0; };
     const psychophysics::ConditionPlan& plan = result.plan;
     const auto withError = [](const QString& value, const QString& error) { return QStringLiteral("%1 ± %2").arg(value, error); };
@@ -244,6 +282,20 @@ QWidget* PreviewPage::resultBox(const PreviewResult& result) {
     if (!result.curve.empty())
         box.layout->addWidget(plotOf(result));
     return box.frame;
+}
+
+void PreviewPage::addApexFacts(const psychophysics::Condition& condition, const std::function<void(const QString&, const QString&)>& fact) const {
+    const QLocale locale = m_page.app.locale();
+    const psychophysics::StudyDesign& design = m_page.draft.design();
+    const int trials = session::trialsAtMost(condition);
+    const double spread_m = publishedMarkSpread_percent() / kPercent * condition.stimulus.reference;
+    const auto millimetres = [&](double metres) { return study_words::value(metres, psychophysics::Attribute::apex, locale); };
+    fact(tr("spread of one mark along an axis, as published"), millimetres(spread_m));
+    fact(tr("standard error of one participant's bias"), millimetres(spread_m / std::sqrt(std::max(1.0, static_cast<double>(trials)))));
+    fact(tr("standard error of the bias of %n participant(s), if they do not differ", nullptr, design.participantsPlanned),
+         millimetres(spread_m / std::sqrt(std::max(1.0, static_cast<double>(trials) * design.participantsPlanned))));
+    fact(tr("trials"), locale.toString(trials));
+    fact(tr("minutes, breaks included"), study_words::number(psychophysics::minutesOf(condition, design.trial, trials), locale, 2));
 }
 
 QWidget* PreviewPage::plotOf(const PreviewResult& result) const {

@@ -6,6 +6,7 @@
 #include "desktop/studies/study_page.h"
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,6 +30,9 @@ public:
 
 private:
     QWidget* observerBox();
+    QWidget* observerGrid();
+    /// How well an apex is found with so many trials and participants, by the published spread of marks.
+    void addApexFacts(const psychophysics::Condition& condition, const std::function<void(const QString&, const QString&)>& fact) const;
     void start();
     void finished(core::Result<std::vector<PreviewResult>> results);
     void setWorking(bool working);

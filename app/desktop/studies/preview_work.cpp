@@ -45,6 +45,8 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
         return core::fail(core::ErrorCode::cancelled, "preview");
     PreviewResult result;
     result.condition = condition.id;
+    if (condition.stimulus.attribute == Attribute::apex)
+        return result; // nothing is compared: what to expect follows from its numbers alone
     result.plan = planCondition(condition, design.trial, observer, runs, design.seed);
     const double trials = result.plan.meanTrials;
     for (std::size_t i = 0; i < kShares.size() && endsByTrials(condition) && trials >= 4.0; ++i) {

@@ -26,6 +26,28 @@ void StudiesScreen::askNew() {
     dialog->open();
 }
 
+void StudiesScreen::askCopy() {
+    const database::StudySummary* study = selected();
+    if (!study)
+        return;
+    readStudies(
+        context(), this, [id = study->id](database::StudyReader& reader) { return openStudy(reader, id); },
+        [this](const core::Result<OpenStudy>& open) {
+            if (!open) {
+                context().messages().error(tr("The study could not be read."), open.error());
+                return;
+            }
+            if (open->masked) { // its conditions would be codes
+                context().messages().information(tr("The study is blind. Only its author and administrators can copy it before it is unblinded."));
+                return;
+            }
+            auto* dialog = new NewStudyDialog(context(), open->design, this);
+            connect(dialog, &NewStudyDialog::created, this,
+                    [this](qlonglong copy) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}}); });
+            dialog->open();
+        });
+}
+
 void StudiesScreen::askFile() {
     auto* dialog = new QFileDialog(this, tr("Import a study"), QString(), tr("Studies (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);

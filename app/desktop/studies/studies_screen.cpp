@@ -107,11 +107,13 @@ QWidget* StudiesScreen::actionRow() {
     m_open = add("studies.open", tr("Open"), "primary", "document-open");
     m_run = add("studies.run", tr("Run"), "", "media-playback-start");
     m_data = add("studies.data", tr("Data"), "", "office-chart-line");
+    m_copy = add("studies.copy", tr("Copy to new study …"), "", "edit-copy");
     m_close = add("studies.close", tr("Close …"), "", "dialog-ok-apply");
     m_archive = add("studies.archive", tr("Archive"), "", "archive-insert");
     connect(m_open, &QPushButton::clicked, this, [this] { open(QStringLiteral("study")); });
     connect(m_run, &QPushButton::clicked, this, [this] { open(QStringLiteral("study_run")); });
     connect(m_data, &QPushButton::clicked, this, [this] { open(QStringLiteral("study_data")); });
+    connect(m_copy, &QPushButton::clicked, this, &StudiesScreen::askCopy);
     connect(m_close, &QPushButton::clicked, this, &StudiesScreen::close);
     connect(m_archive, &QPushButton::clicked, this, [this] {
         if (const database::StudySummary* study = selected())
@@ -191,6 +193,7 @@ void StudiesScreen::showActions() {
     const QString none = study ? QString() : tr("Choose a study in the list first.");
     const QString draft = study && study->state == StudyState::draft ? tr("The design is still a draft: freeze it first.") : none;
     kit::allowUnless(*m_open, none);
+    kit::allowUnless(*m_copy, none);
     kit::allowUnless(*m_run, archived ? tr("The study is archived: bring it back first.") : draft);
     kit::allowUnless(*m_data, draft);
     const bool over = draft.isEmpty() && study->state != StudyState::frozen;

@@ -41,6 +41,7 @@ private:
     void fill();
     void showActions();
     void askNew();
+    void askCopy();
     void askFile();
     void create(const std::string& key, const std::string& title, const std::string& json);
     void open(const QString& screen);
@@ -55,6 +56,7 @@ private:
     QPushButton* m_open = nullptr;
     QPushButton* m_run = nullptr;
     QPushButton* m_data = nullptr;
+    QPushButton* m_copy = nullptr;
     QPushButton* m_close = nullptr;
     QPushButton* m_archive = nullptr;
     std::vector<database::StudySummary> m_studies;

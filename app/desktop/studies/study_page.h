@@ -3,6 +3,7 @@
 
 #include "database/repositories/study_types.h"
 #include "desktop/studies/study_draft.h"
+#include "desktop/widgets/kit.h"
 
 #include <QString>
 
@@ -24,5 +25,7 @@ struct DesignPage {
 /// Adds a field for a text in the page's language. `text` finds it in a design.
 void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
                   const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text);
+/// A card with a title.
+kit::Box titledBox(const Theme& theme, const QString& title);
 
 } // namespace chiron::desktop

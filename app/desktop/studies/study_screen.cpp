@@ -2,11 +2,16 @@
 #include "desktop/studies/study_screen.h"
 
 #include "desktop/accounts/notice_area.h"
+#include "desktop/plots/responsive_row.h"
+#include "desktop/studies/check_page.h"
 #include "desktop/studies/conditions_page.h"
+#include "desktop/studies/field_grid.h"
 #include "desktop/studies/general_page.h"
+#include "desktop/studies/participant_card.h"
 #include "desktop/studies/participants_page.h"
 #include "desktop/studies/preview_page.h"
 #include "desktop/studies/questionnaires_page.h"
+#include "desktop/studies/rules_page.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
@@ -15,11 +20,13 @@
 
 #include <QComboBox>
 #include <QTabBar>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr int kCheck_ms = 300;
+constexpr double kBeside_px = 800; // of page and card
 }
 
 StudyScreen::StudyScreen(AppContext& context, const Place& place)
@@ -45,11 +52,12 @@ QString StudyScreen::title() const {
 }
 
 QString StudyScreen::help() const {
-    return tr("One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and "
-              "errors are shown above the page.\n\nConditions defines what is compared, with which task and procedure. Preview runs the "
-              "study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people "
-              "under random codes and records their consent.\n\nFreeze fixes the design permanently under its SHA-256; participants can be "
-              "enrolled from then on.");
+    return tr("One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its "
+              "name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages "
+              "stands what a participant will meet.\n\nConditions defines what is compared, with which task and procedure. Preview runs the "
+              "study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is "
+              "missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled "
+              "from then on, under random codes, with their consent.");
 }
 
 void StudyScreen::enter() { load(); }
@@ -73,6 +81,7 @@ void StudyScreen::loaded(core::Result<OpenStudy> study) {
         m_draft.load(m_open.design);
     }
     m_good = m_saved = true;
+    m_wrong = readOnly() ? std::vector<DesignFault>() : nameFaults(m_draft.design());
     build();
     m_panel->showContent();
 }
@@ -84,6 +93,7 @@ bool StudyScreen::readOnly() const {
 
 void StudyScreen::build() {
     delete m_view; // of what was shown before
+    m_back = m_next = nullptr;
     auto* scroll = new ScrollPage(context().theme(), 1200);
     m_view = scroll;
     QVBoxLayout* column = scroll->column();
@@ -97,19 +107,31 @@ void StudyScreen::build() {
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
     m_bar->setUsesScrollButtons(true);
-    for (const QString& name : {tr("General"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), tr("Participants")})
-        m_bar->addTab(name);
+    const QLocale locale = context().locale();
+    for (const QString& name : {tr("Aim"), tr("Conditions"), tr("Trials"), tr("Questions"), tr("Preview"), m_open.editable() ? tr("Check and freeze") : tr("Participants")})
+        m_bar->addTab(m_open.editable() ? tr("%1. %2").arg(locale.toString(m_bar->count() + 1), name) : name);
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, &StudyScreen::showTab);
     column->addWidget(m_bar);
     m_faults = new NoticeArea(context().theme());
     m_faults->setObjectName(QStringLiteral("study.faults"));
     column->addWidget(m_faults);
+    m_toFault = kit::button(context().theme(), tr("Show the first"), "", QStringLiteral("go-next"));
+    m_toFault->setObjectName(QStringLiteral("study.to_fault"));
+    m_toFault->hide();
+    connect(m_toFault, &QPushButton::clicked, this, &StudyScreen::goToFirstFault);
+    column->addWidget(m_toFault, 0, Qt::AlignLeft);
     auto* holder = new QWidget;
     m_holder = new QVBoxLayout(holder);
     m_holder->setContentsMargins(0, 0, 0, 0);
     m_page = nullptr;
-    column->addWidget(holder, 1);
+    auto* row = new ResponsiveRow(context().theme().px(kBeside_px), context().theme().px(16));
+    row->add(holder, 5);
+    if (!m_open.masked)
+        row->add(new ParticipantCard(designPage()), 2);
+    column->addWidget(row, 1);
+    if (m_open.editable())
+        column->addWidget(stepRow());
     m_panel->setContent(scroll);
     showPage();
     showState();
@@ -140,8 +162,7 @@ QWidget* StudyScreen::toolRow() {
         row->addWidget(button);
         return button;
     };
-    m_freeze = nullptr;
-    m_undo = m_redo = nullptr;
+    m_freeze = m_undo = m_redo = nullptr;
     if (!readOnly()) {
         m_freeze = add("study.freeze", tr("Freeze …"), "primary", "object-locked", [this] { askFreeze(); });
         m_undo = add("study.undo", tr("Undo"), "", "edit-undo", [this] { m_draft.history().undo(); });
@@ -152,6 +173,8 @@ QWidget* StudyScreen::toolRow() {
         add("study.data", tr("Data"), "", "office-chart-line", [this] { context().navigator().go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
     }
     if (!m_open.masked) // else a file would hold a design that nobody froze
+        add("study.copy", tr("Copy to new study …"), "quiet", "edit-copy", [this] { askCopy(); });
+    if (!m_open.masked)
         add("study.export", tr("Save as JSON …"), "quiet", "document-save", [this] { askExport(); });
     auto* language = new QComboBox;
     language->setObjectName(QStringLiteral("study.language"));
@@ -166,6 +189,76 @@ QWidget* StudyScreen::toolRow() {
     });
     row->addWidget(language);
     return bar;
+}
+
+QWidget* StudyScreen::stepRow() {
+    const Theme& theme = context().theme();
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_back = kit::button(theme, tr("Back"), "", QStringLiteral("go-previous"));
+    m_back->setObjectName(QStringLiteral("study.back"));
+    connect(m_back, &QPushButton::clicked, this, [this] { step(-1); });
+    m_next = kit::button(theme, tr("Next"), "primary", QStringLiteral("go-next"));
+    m_next->setObjectName(QStringLiteral("study.next"));
+    connect(m_next, &QPushButton::clicked, this, [this] { step(1); });
+    row->addWidget(m_back);
+    row->addStretch();
+    row->addWidget(m_next);
+    return bar;
+}
+
+/// A page is left by Next only once it is right; its name above jumps all the same.
+void StudyScreen::step(int by) {
+    if (by > 0 && !readOnly()) {
+        checkNow();
+        for (const DesignFault& fault : m_wrong)
+            if (fault.tab == m_tab) {
+                goToField(fault.tab, fault.condition, fault.field);
+                return;
+            }
+    }
+    showTab(std::clamp(m_tab + by, 0, tabs - 1));
+}
+
+void StudyScreen::goToFirstFault() {
+    if (!m_wrong.empty())
+        goToField(m_wrong.front().tab, m_wrong.front().condition, m_wrong.front().field);
+}
+
+void StudyScreen::goToField(int tab, int condition, const QString& field) {
+    const bool otherCondition = condition >= 0 && condition != m_condition;
+    if (condition >= 0)
+        m_condition = condition;
+    if (tab != m_tab)
+        showTab(tab);
+    else if (otherCondition)
+        showPage();
+    auto* found = field.isEmpty() || !m_page ? nullptr : m_page->findChild<QWidget*>(field);
+    if (!found)
+        return;
+    found->setFocus(Qt::OtherFocusReason);
+    QMetaObject::invokeMethod(found, [this, found] { // once the page has its size
+        if (auto* scroll = qobject_cast<QScrollArea*>(m_view))
+            scroll->ensureWidgetVisible(found, 0, context().theme().px(kCheck_ms / 3));
+    }, Qt::QueuedConnection);
+}
+
+/// Under each field of the page, on the names of the pages, and above all of them.
+void StudyScreen::showFaults() {
+    if (!m_bar || readOnly())
+        return;
+    if (m_page) {
+        const QMap<QString, QString> words = faultsOfPage(m_wrong, m_tab, m_condition);
+        for (FieldGrid* grid : m_page->findChildren<FieldGrid*>())
+            grid->showFaults(words);
+    }
+    for (int tab = 0; tab < m_bar->count(); ++tab) {
+        const bool wrong = std::any_of(m_wrong.begin(), m_wrong.end(), [tab](const DesignFault& fault) { return fault.tab == tab; });
+        m_bar->setTabIcon(tab, wrong ? context().theme().icon(QStringLiteral("dialog-error"), Colour::bad) : QIcon());
+        m_bar->setTabToolTip(tab, wrong ? tr("Something here must be corrected.") : QString());
+    }
+    m_toFault->setVisible(!m_wrong.empty());
 }
 
 void StudyScreen::showTab(int tab) {
@@ -195,13 +288,20 @@ void StudyScreen::showPage() {
         before->deleteLater(); // a button in it may still be at work
     }
     m_holder->addWidget(m_page);
+    showFaults();
+    if (m_back) {
+        m_back->setEnabled(m_tab > 0);
+        m_next->setVisible(m_tab + 1 < tabs);
+    }
     if (!focused.isEmpty())
         if (auto* again = m_page->findChild<QWidget*>(focused))
             again->setFocus();
 }
 
+DesignPage StudyScreen::designPage() { return {context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked}; }
+
 QWidget* StudyScreen::makePage() {
-    const DesignPage page{context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked};
+    const DesignPage page = designPage();
     switch (m_tab) {
     case conditionsTab: {
         auto* conditions = new ConditionsPage(page, m_condition);
@@ -214,12 +314,14 @@ QWidget* StudyScreen::makePage() {
         return conditions;
     }
     case trialsTab:
-        return new TrialsPage(page);
+        return new RulesPage(page);
     case questionnairesTab:
         return new QuestionnairesPage(page);
     case previewTab:
         return new PreviewPage(page);
     case participantsTab: {
+        if (m_open.editable())
+            return makeCheckPage(page);
         auto* participants = new ParticipantsPage(context(), m_open, m_participant);
         connect(participants, &ParticipantsPage::selectedChanged, this, [this](const QString& code) {
             m_participant = code;
@@ -231,6 +333,14 @@ QWidget* StudyScreen::makePage() {
     default:
         return new GeneralPage(page);
     }
+}
+
+QWidget* StudyScreen::makeCheckPage(const DesignPage& page) {
+    auto* check = new CheckPage(page, m_open, m_wrong);
+    connect(check, &CheckPage::goAsked, this, [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); }, Qt::QueuedConnection);
+    connect(check, &CheckPage::pilotAsked, this, &StudyScreen::askPilot);
+    connect(check, &CheckPage::freezeAsked, this, &StudyScreen::askFreeze);
+    return check;
 }
 
 std::vector<ScreenCommand> StudyScreen::commands() {

@@ -3,7 +3,9 @@
 
 #include "core/result.h"
 #include "desktop/frame/screen.h"
+#include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/study_draft.h"
+#include "desktop/studies/study_page.h"
 #include "desktop/studies/study_store.h"
 
 #include <QTimer>
@@ -20,12 +22,14 @@ class NoticeArea;
 class ScrollPage;
 class StatePanel;
 
-/// One study: its design (while a draft it can be changed, each step undone, and what is right is kept at once), preview with simulated
-/// observers, freezing, participants. Place: {study, tab, condition}. GUI thread.
+/// One study: its design, a page at a time with a way to the next and the one before, and beside it what a participant will meet. While a draft it can be
+/// changed, each step undone, and what is right is kept at once; what is wrong is said at its field. The last page is the way to freezing it, later
+/// its participants. Place: {study, tab, condition}. GUI thread.
 class StudyScreen final : public Screen {
     Q_OBJECT
 public:
-    enum Tab { generalTab, conditionsTab, trialsTab, questionnairesTab, previewTab, participantsTab, tabs };
+    /// `checkTab` is the last page of a draft, where later the participants are.
+    enum Tab { generalTab, conditionsTab, trialsTab, questionnairesTab, previewTab, participantsTab, tabs, checkTab = participantsTab };
 
     StudyScreen(AppContext& context, const Place& place);
 
@@ -39,6 +43,7 @@ public:
     void importFile(const QString& file);
     void exportFile(const QString& file);
     void showTab(int tab);
+    const std::vector<DesignFault>& faults() const { return m_wrong; }
 
 private:
     // study_screen.cpp
@@ -47,18 +52,30 @@ private:
     void build();
     QWidget* headRow();
     QWidget* toolRow();
+    QWidget* stepRow();
     void showPage();
+    void showFaults();
+    void step(int by);
+    void goToField(int tab, int condition, const QString& field);
+    void goToFirstFault();
     QWidget* makePage();
+    QWidget* makeCheckPage(const DesignPage& page);
+    DesignPage designPage();
     bool readOnly() const;
     void note();
 
     // study_screen_actions.cpp: checked, kept, frozen, brought in and out
     void changed();
     void check();
+    void checkNow();
+    void take(const core::Result<psychophysics::StudyDesign>& read);
+    bool stored();
     void checked(int version, const core::Result<psychophysics::StudyDesign>& read);
     void save();
     void showState();
     void askFreeze();
+    void askPilot();
+    void askCopy();
     void askImport();
     void askExport();
     void reloadTo(int tab);
@@ -70,6 +87,7 @@ private:
     QString m_language;
     OpenStudy m_open;
     StudyDraft m_draft;
+    std::vector<DesignFault> m_wrong; ///< with the newest design that was checked
     bool m_good = true;      ///< the newest design reads
     bool m_saved = true;     ///< and is stored
     bool m_saving = false;
@@ -85,6 +103,9 @@ private:
     QPushButton* m_undo = nullptr;
     QPushButton* m_redo = nullptr;
     QPushButton* m_freeze = nullptr;
+    QPushButton* m_back = nullptr;
+    QPushButton* m_next = nullptr;
+    QPushButton* m_toFault = nullptr;
 };
 
 } // namespace chiron::desktop

@@ -4,6 +4,8 @@
 #include "catalogue/whole_file.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/studies/freeze_dialog.h"
+#include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/pilot_dialog.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
@@ -18,26 +20,6 @@
 #include <QTabBar>
 
 namespace chiron::desktop {
-
-namespace {
-
-constexpr int kMostFaults = 5;
-
-/// "file:3:4: $.conditions[0].id: found: expected" without the place in a file that nobody sees.
-QString faultsInWords(const core::Error& error) {
-    QStringList lines = QString::fromStdString(error.message).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    static const QRegularExpression kPlace(QStringLiteral("^.*?:\\d+:\\d+:\\s*\\$?\\.?"));
-    for (QString& line : lines)
-        line.remove(kPlace);
-    const qsizetype more = lines.size() - kMostFaults;
-    if (more > 0) {
-        lines = lines.mid(0, kMostFaults);
-        lines << StudyScreen::tr("… and %n more", nullptr, static_cast<int>(more));
-    }
-    return lines.join(QLatin1Char('\n'));
-}
-
-} // namespace
 
 void StudyScreen::changed() {
     ++m_version;
@@ -55,12 +37,26 @@ void StudyScreen::check() {
 void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDesign>& read) {
     if (version != m_version)
         return; // of a design that was changed since
-    m_good = read.has_value();
-    if (m_faults)
-        m_faults->say("bad", m_good ? QString() : tr("Not saved yet. Correct this first:\n%1").arg(faultsInWords(read.error())));
+    take(read);
     if (m_good)
         save();
     showState();
+    if (m_tab == checkTab && m_open.editable())
+        showPage(); // its lines are of the design before
+}
+
+void StudyScreen::take(const core::Result<psychophysics::StudyDesign>& read) {
+    m_good = read.has_value();
+    m_wrong = m_good ? nameFaults(m_draft.design()) : designFaults(m_draft.design(), read.error(), context().locale());
+    if (m_faults)
+        m_faults->say("bad", m_good ? QString() : tr("Not saved yet: %n entr(y/ies) must be corrected first. %1", nullptr, static_cast<int>(m_wrong.size())).arg(m_wrong.empty() ? QString() : m_wrong.front().words));
+    showFaults();
+}
+
+/// Without waiting for the worker: somebody wants to go on.
+void StudyScreen::checkNow() {
+    if (!m_saved && m_check.isActive())
+        take(catalogue::readStudy(catalogue::studyJson(m_draft.design()), m_open.summary.key));
 }
 
 void StudyScreen::save() {
@@ -127,8 +123,35 @@ bool StudyScreen::mayLeave() {
 }
 
 void StudyScreen::askFreeze() {
-    auto* dialog = new FreezeDialog(context(), m_open.summary, m_draft.design(), this);
+    if (!stored())
+        return;
+    auto* dialog = new FreezeDialog(context(), m_open.summary, m_draft.design(), {m_wrong, std::nullopt, pilotsTried(m_open)}, this);
     connect(dialog, &FreezeDialog::frozen, this, [this] { reloadTo(participantsTab); });
+    connect(dialog, &FreezeDialog::goAsked, this, [this](const FreezeCheck& line) { goToField(line.tab, line.condition, line.field); }, Qt::QueuedConnection);
+    dialog->open();
+}
+
+/// Whether the design on the screen is the stored one; else what is in the way is shown.
+bool StudyScreen::stored() {
+    checkNow();
+    if (!m_good)
+        goToFirstFault();
+    else if (!m_saved)
+        context().messages().information(tr("The last changes are still being saved. Try again in a moment."));
+    return m_good && m_saved;
+}
+
+void StudyScreen::askPilot() {
+    if (!stored())
+        return;
+    auto* dialog = new PilotDialog(context(), m_draft.design(), m_study, this);
+    dialog->open();
+}
+
+void StudyScreen::askCopy() {
+    auto* dialog = new NewStudyDialog(context(), m_draft.design(), this);
+    connect(dialog, &NewStudyDialog::created, this,
+            [this](qlonglong copy) { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), copy}}); });
     dialog->open();
 }
 

@@ -29,7 +29,50 @@ core::Result<std::vector<LeftRun>> leftRuns(database::StudyReader& reader, const
     return all;
 }
 
+core::Result<void> addTrials(database::StudyReader& reader, PilotRow& row) {
+    const auto participants = reader.participants(row.summary.id);
+    if (!participants)
+        return tl::unexpected(participants.error());
+    double seconds = 0.0;
+    for (const database::Participant& participant : *participants) {
+        const auto runs = reader.runs(participant.id);
+        if (!runs)
+            return tl::unexpected(runs.error());
+        for (const database::StudyRun& run : *runs) {
+            const auto trials = reader.studyTrials(run.id);
+            if (!trials)
+                return tl::unexpected(trials.error());
+            for (const database::StudyTrial& trial : *trials) {
+                row.spoiled += trial.spoiled.empty() ? 0 : 1;
+                row.scored += counts(trial) ? 1 : 0;
+                seconds += counts(trial) ? trial.exploration_s + std::max(0.0, trial.answer_s) : 0.0;
+            }
+        }
+    }
+    row.secondsPerTrial = row.scored > 0 ? seconds / row.scored : 0.0;
+    return {};
+}
+
+core::Result<std::vector<PilotRow>> pilotRows(database::StudyReader& reader, const std::string& key) {
+    auto summaries = reader.listPilots(key);
+    if (!summaries)
+        return tl::unexpected(summaries.error());
+    std::vector<PilotRow> rows;
+    for (database::StudySummary& summary : *summaries) {
+        PilotRow row;
+        row.summary = std::move(summary);
+        if (auto added = addTrials(reader, row); !added)
+            return tl::unexpected(added.error());
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
+
+int pilotsTried(const OpenStudy& study) {
+    return static_cast<int>(std::count_if(study.pilots.begin(), study.pilots.end(), [](const PilotRow& pilot) { return pilot.scored > 0; }));
+}
 
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study) {
     auto record = reader.study(study);
@@ -38,7 +81,7 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), record->summary.key);
     if (!design)
         return tl::unexpected(design.error());
-    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, record->blinding, record->masked};
+    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, record->blinding, record->masked, {}};
     auto sealed = reader.conditionCodes(study);
     if (!sealed)
         return tl::unexpected(sealed.error());
@@ -60,6 +103,10 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
         return tl::unexpected(answers.error());
     for (const database::QuestionnaireAnswer& answer : *answers)
         open.answered.emplace(answer.participant, answer.questionnaire);
+    auto pilots = pilotRows(reader, open.summary.key);
+    if (!pilots)
+        return tl::unexpected(pilots.error());
+    open.pilots = std::move(*pilots);
     return open;
 }
 

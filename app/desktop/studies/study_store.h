@@ -61,6 +61,14 @@ struct ParticipantRow {
     std::vector<LeftRun> left; ///< of the open ones
 };
 
+/// Somebody's trial of a draft.
+struct PilotRow {
+    database::StudySummary summary;
+    int scored = 0;  ///< trials
+    int spoiled = 0; ///< trials
+    double secondsPerTrial = 0.0; ///< of the scored ones, without practice
+};
+
 /// One study as its screens need it.
 struct OpenStudy {
     database::StudySummary summary;
@@ -70,6 +78,7 @@ struct OpenStudy {
     std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire
     database::Blinding blinding{};
     bool masked = false; ///< StudyRecord::masked
+    std::vector<PilotRow> pilots; ///< of its draft, in the order tried
 
     bool editable() const { return summary.state == database::StudyState::draft; }
     /// Whether conditions go by their sealed codes on experimenters' screens.
@@ -78,6 +87,9 @@ struct OpenStudy {
 
 /// Blocking. Failure: the reader's; badInput where the stored design does not read.
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study);
+
+/// How many pilots came to a trial that counts.
+int pilotsTried(const OpenStudy& study);
 
 /// What a condition is called on an experimenter's screen: its title, or its sealed code. `label`: session::labelOf.
 QString conditionName(const OpenStudy& study, const std::string& label, const QString& language);

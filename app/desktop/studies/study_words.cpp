@@ -181,7 +181,7 @@ QString procedureInWords(std::string_view kind) {
 }
 
 QString scale(psychophysics::ProcedureScale scale) {
-    return scale == psychophysics::ProcedureScale::difference ? Words::tr("Difference D") : Words::tr("Logarithm of D");
+    return scale == psychophysics::ProcedureScale::difference ? Words::tr("Differences") : Words::tr("Ratios of differences");
 }
 
 QString studyName(const database::StudySummary& study) {

@@ -2,6 +2,8 @@
 // Procedures as somebody would begin with who chooses their kind.
 #include "desktop/studies/procedure_form.h"
 
+#include "psychophysics/procedures/psychometric_functions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,17 +66,29 @@ std::vector<double> someOf(const std::vector<double>& values, std::size_t most) 
     return some;
 }
 
-/// A threshold in logarithms of D (Weibull), or where yes and no are alike likely on the scale of D itself (normal).
-QuestPlusSpec usualQuestPlus(const std::vector<double>& levels, double guess, ProcedureScale scale) {
-    const bool logarithm = scale == ProcedureScale::logDifference;
+/// What each parameter of a function may be, for a table of levels.
+ParameterGrid usualGrid(const std::string& parameter, const std::vector<double>& levels, double guess, bool logarithm) {
     const double range = std::max(levels.back() - levels.front(), kSmallest);
+    if (parameter == "threshold" || parameter == "mean")
+        return {parameter, grid(levels.front(), levels.back(), 41), {}, false};
+    if (parameter == "sd")
+        return {parameter, grid(0.05 * range, range, 9), {}, false};
+    if (parameter == "slope") { // of a change in x: a table of D is as wide as its range
+        std::vector<double> slopes{1.5, 2.0, 3.0, 4.5, 7.0};
+        for (double& slope : slopes)
+            slope /= logarithm ? 1.0 : range;
+        return {parameter, slopes, {}, false};
+    }
+    if (parameter == "lower_asymptote")
+        return {parameter, {guess}, {}, false};
+    return {parameter, {0.0, 0.02, 0.05}, {}, true};
+}
+
+/// A threshold in logarithms of D (Weibull), or where yes and no are alike likely on the scale of D itself (normal).
+QuestPlusSpec usualQuestPlus(const Condition& condition, const std::vector<double>& levels) {
     QuestPlusSpec spec;
-    spec.function = logarithm ? "weibull_log10" : "norm_cdf";
     spec.stimuli = {{"x", levels}};
-    spec.parameters = {{logarithm ? "threshold" : "mean", grid(levels.front(), levels.back(), 41), {}, false},
-                       {logarithm ? "slope" : "sd", logarithm ? std::vector<double>{1.5, 2.0, 3.0, 4.5, 7.0} : grid(0.05 * range, range, 9), {}, false},
-                       {"lower_asymptote", {guess}, {}, false},
-                       {"lapse_rate", {0.0, 0.02, 0.05}, {}, true}};
+    takeFunction(spec, functionsFor(condition.scale).front(), condition);
     return spec;
 }
 
@@ -153,7 +167,24 @@ ProcedureSpec usualProcedure(const std::string& kind, const Condition& condition
     }
     if (kind == "rank3_quest_plus")
         return usualRank3(levels, condition.task);
-    return usualQuestPlus(levels, guessOf(condition.task), condition.scale);
+    return usualQuestPlus(condition, levels);
+}
+
+std::vector<std::string> functionsFor(ProcedureScale scale) {
+    if (scale == ProcedureScale::logDifference)
+        return {"weibull_log10", "norm_cdf", "logistic", "reverse_gumbel", "hyperbolic_secant"};
+    return {"norm_cdf", "norm_cdf_2", "logistic", "hyperbolic_secant"};
+}
+
+void takeFunction(QuestPlusSpec& spec, const std::string& function, const Condition& condition) {
+    const PsychometricFunction* known = psychometricFunction(function);
+    if (!known)
+        return;
+    const std::vector<double> levels = levelsOf(condition);
+    spec.function = function;
+    spec.parameters.clear();
+    for (const std::string_view name : known->parameters())
+        spec.parameters.push_back(usualGrid(std::string(name), levels, guessOf(condition.task), condition.scale == ProcedureScale::logDifference));
 }
 
 } // namespace chiron::desktop

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who sees what of a sitting: the participant's page and the experimenter's desk, and the way from one to the other.
+#include "desktop/studies/study_screen.h"
 #include "desktop/study_run/trials_screen.h"
 
 #include "desktop/frame/app_context.h"
@@ -125,6 +126,10 @@ void TrialsScreen::leave() {
         context().messages().done(m_ended);
     else if (!m_ended.isEmpty())
         context().messages().information(m_ended);
+    if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) { // a pilot goes back to the design that was tried
+        context().navigator().replace({QStringLiteral("study"), {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
+        return;
+    }
     context().navigator().replace({QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_participant}}});
 }
 

@@ -63,7 +63,7 @@ QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox, QDate
     selection-color: @accentText; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @focus; }
 QLineEdit:disabled, QPlainTextEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
-QLineEdit[kind="bad"] { border: 2px solid @bad; }
+QLineEdit[kind="bad"], QPlainTextEdit[kind="bad"], QSpinBox[kind="bad"], QDoubleSpinBox[kind="bad"], QComboBox[kind="bad"] { border: 2px solid @bad; }
 QComboBox::drop-down { border: none; width: #24#; }
 QComboBox::down-arrow { image: url(:/theme/chevron_%INK%.svg); width: #14#; height: #14#; margin-right: #8#; }
 QComboBox QAbstractItemView { background: @surface; color: @text; border: 1px solid @borderStrong; selection-background-color: @accent;

@@ -20,15 +20,6 @@ constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
 constexpr double kSecondsAnApex = 25.0; ///< scripted trainees of the exercise take 20 to 33 s (modules/operators/sphere_apex)
 
-double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
-    double exploring = condition.stimulus.attribute == Attribute::apex ? kSecondsAnApex : kSecondsAnObject * placesOf(condition.task);
-    if (rules.exploreLimit_s > 0.0)
-        exploring = std::min(exploring, rules.exploreLimit_s);
-    const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;
-    const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) * rules.breakAtLeast_s : 0.0;
-    return ((trials + rules.practiceTrials) * one + breaks) / 60.0;
-}
-
 void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers, const std::vector<double>& trials, int covered) {
     const SampleMoments ofTrials = momentsOf(trials), ofOffs = momentsOf(offs);
     plan.meanTrials = ofTrials.mean;
@@ -104,6 +95,15 @@ double criticalT(double alpha, int freedom) {
 }
 
 } // namespace
+
+double minutesOf(const Condition& condition, const TrialRules& rules, double trials) {
+    double exploring = condition.stimulus.attribute == Attribute::apex ? kSecondsAnApex : kSecondsAnObject * placesOf(condition.task);
+    if (rules.exploreLimit_s > 0.0)
+        exploring = std::min(exploring, rules.exploreLimit_s);
+    const double one = exploring + kSecondsAnAnswer + rules.betweenTrials_s;
+    const double breaks = rules.breakEvery > 0 ? std::floor(std::max(trials - 1.0, 0.0) / rules.breakEvery) * rules.breakAtLeast_s : 0.0;
+    return ((trials + rules.practiceTrials) * one + breaks) / 60.0;
+}
 
 ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed) {
     ConditionPlan plan;

@@ -34,6 +34,9 @@ struct ConditionPlan {
     std::vector<Warning> warnings;
 };
 
+/// How long a run of so many scored trials takes, with practice and breaks: 4 s an object (25 s an apex), or as long as the rules allow, and 2 s an answer.
+double minutesOf(const Condition& condition, const TrialRules& rules, double trials);
+
 /// `runs`: 0 for the analytic part only. Each condition has random numbers of its own, by its id and the seed. Never fails: what cannot be simulated is told in `warnings`.
 ConditionPlan planCondition(const Condition& condition, const TrialRules& rules, const ObserverSpec& observer, int runs, std::uint64_t seed);
 

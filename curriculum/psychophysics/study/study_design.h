@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,9 @@ struct StudyDesign {
     std::string id; ///< snake_case
     StudyText title;
     StudyText objective;
-    StudyText instructions; ///< what participants read
+    StudyText instructions; ///< what participants read, all of it
+    /// The researcher's own sentences, where the others of `instructions` are made from the settings; nothing: all of them are the researcher's.
+    std::optional<StudyText> ownInstructions;
     StudyText consent;      ///< what they agree to
     std::vector<Condition> conditions;
     OrderDesign order = OrderDesign::williams;
@@ -105,6 +108,9 @@ struct StudyDesign {
     bool blindParticipant = true;   ///< no value, level or condition name on the participant's screen
     bool blindExperimenter = false; ///< conditions are shown by sealed codes until the study is unblinded
     std::uint64_t seed = 1;         ///< of orders, codes and every run's streams
+    std::string source;  ///< where the design was published, as it is cited; empty: nowhere
+    std::string ethics;  ///< who approved the study, or why that is not needed; empty: not stated
+    std::string pilotOf; ///< id of the study whose draft was tried with this copy; empty: no pilot, its data count
 };
 
 } // namespace chiron::psychophysics

@@ -62,6 +62,7 @@ void addWriting(Calls& map) {
 void addReading(Calls& map) {
     const auto add = [&](Action action, Touches touches, auto run) { map[action] = {touches, false, run}; };
     add(Action::listStudies, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).listStudies(true)); });
+    add(Action::listPilots, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).listPilots("simulated")); });
     add(Action::studyByKey, Touches::nothing, [](C& c, A a, N) { return drop(StudyReader(c, a).studyByKey("simulated")); });
     add(Action::study, Touches::frozen, [](C& c, A a, N n) { return drop(StudyReader(c, a).study(n)); });
     add(Action::conditionCodes, Touches::frozen,

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/design_faults.h"
+
+#include "catalogue/study_reader.h"
+#include "desktop/studies/study_screen.h"
+#include "desktop/studies/study_words.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+using psychophysics::Condition;
+using psychophysics::StudyDesign;
+
+namespace {
+
+struct FaultWords {
+    Q_DECLARE_TR_FUNCTIONS(DesignFaults)
+};
+
+/// A line of the reader's: "file:3:4: $.conditions[0].id: found: expected".
+struct ReaderFault {
+    QString path; ///< without "$."
+    QString found, expected;
+};
+
+std::vector<ReaderFault> readerFaults(const core::Error& error) {
+    static const QRegularExpression kLine(QStringLiteral("^.*?:\\d+:\\d+:\\s*\\$\\.?([^:]*): (.*?): (?:expected )?(.*)$"));
+    std::vector<ReaderFault> faults;
+    for (const QString& line : QString::fromStdString(error.message).split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        const QRegularExpressionMatch match = kLine.match(line);
+        if (match.hasMatch())
+            faults.push_back({match.captured(1), match.captured(2), match.captured(3)});
+        else
+            faults.push_back({{}, line, {}});
+    }
+    return faults;
+}
+
+/// Where texts, rules and limits of a study stand: the beginning of a path, the page, the field.
+struct Spot {
+    const char* path;
+    int tab;
+    const char* field;
+};
+constexpr Spot kSpots[] = {
+    {"title", StudyScreen::generalTab, "design.title"},
+    {"objective", StudyScreen::generalTab, "design.objective"},
+    {"source", StudyScreen::generalTab, "design.source"},
+    {"ethics", StudyScreen::generalTab, "design.ethics"},
+    {"consent", StudyScreen::generalTab, "design.consent"},
+    {"participants_planned", StudyScreen::generalTab, "design.planned"},
+    {"own_instructions", StudyScreen::trialsTab, "design.instructions"},
+    {"instructions", StudyScreen::trialsTab, "design.instructions"},
+    {"order", StudyScreen::trialsTab, "design.order"},
+    {"seed", StudyScreen::trialsTab, "design.seed"},
+    {"trial.explore_limit_s", StudyScreen::trialsTab, "trial.explore_limit"},
+    {"trial.answer_limit_s", StudyScreen::trialsTab, "trial.answer_limit"},
+    {"trial.between_trials_s", StudyScreen::trialsTab, "trial.between_trials"},
+    {"trial.break_at_least_s", StudyScreen::trialsTab, "trial.break_at_least"},
+    {"trial.practice_trials", StudyScreen::trialsTab, "trial.practice_trials"},
+    {"trial.break_every", StudyScreen::trialsTab, "trial.break_every"},
+    {"fidelity.force_error_rms_N", StudyScreen::trialsTab, "fidelity.force_error"},
+    {"fidelity.stiffness_error", StudyScreen::trialsTab, "fidelity.stiffness_error"},
+    {"fidelity.late_ticks", StudyScreen::trialsTab, "fidelity.late_ticks"},
+    {"fidelity.saturated", StudyScreen::trialsTab, "fidelity.saturated"},
+    {"fidelity.peak_force_N", StudyScreen::trialsTab, "fidelity.peak_force"},
+    {"fidelity.mean_speed_m_per_s", StudyScreen::trialsTab, "fidelity.mean_speed"},
+    {"fidelity.repeats_at_most", StudyScreen::trialsTab, "fidelity.repeats_at_most"},
+    {"questionnaires", StudyScreen::questionnairesTab, ""},
+};
+
+/// Fields of a condition by the end of its path.
+constexpr std::pair<const char*, const char*> kConditionSpots[] = {
+    {"title", "condition.title"},          {"id", "condition.id"},
+    {"stimulus.attribute", "condition.attribute"}, {"stimulus.reference", "condition.reference"},
+    {"stimulus.differences", "differences.levels"}, {"task", "condition.task"},
+    {"scale", "condition.scale"},          {"criterion", "condition.criterion"},
+};
+
+/// Fields of a procedure that are called otherwise than their keys.
+QString procedureField(const QString& procedure, const QString& key) {
+    QString end = key;
+    end.remove(QRegularExpression(QStringLiteral("^stop\\.?")));
+    if (end == QStringLiteral("lapse_rates"))
+        end = QStringLiteral("lapse");
+    static const QRegularExpression kGrid(QStringLiteral("^parameters\\[(\\d+)\\]"));
+    if (const auto match = kGrid.match(end); match.hasMatch())
+        end = QStringLiteral("grid") + match.captured(1);
+    end.remove(QRegularExpression(QStringLiteral("[.\\[].*$")));
+    return QStringLiteral("procedure.%1.%2").arg(procedure, end.isEmpty() ? QStringLiteral("kind") : end);
+}
+
+void place(DesignFault& fault, const QString& path) {
+    static const QRegularExpression kCondition(QStringLiteral("^conditions\\[(\\d+)\\]\\.?(.*)$"));
+    static const QRegularExpression kProcedure(QStringLiteral("^procedures\\[(\\d+)\\]\\.?(.*)$"));
+    if (const auto match = kCondition.match(path); match.hasMatch()) {
+        fault.tab = StudyScreen::conditionsTab;
+        fault.condition = match.captured(1).toInt();
+        const QString rest = match.captured(2);
+        if (const auto procedure = kProcedure.match(rest); procedure.hasMatch())
+            fault.field = procedureField(procedure.captured(1), procedure.captured(2));
+        for (const auto& [start, field] : kConditionSpots)
+            if (rest.startsWith(QLatin1String(start)))
+                fault.field = QLatin1String(field);
+        return;
+    }
+    fault.tab = path.startsWith(QStringLiteral("conditions")) ? StudyScreen::conditionsTab : StudyScreen::generalTab;
+    for (const Spot& spot : kSpots)
+        if (path == QLatin1String(spot.path) || path.startsWith(QLatin1String(spot.path) + QLatin1Char('.')) || path.startsWith(QLatin1String(spot.path) + QLatin1Char('['))) {
+            fault.tab = spot.tab;
+            fault.field = QLatin1String(spot.field);
+            return;
+        }
+}
+
+QString rangeWords(psychophysics::Attribute attribute, const QLocale& locale) {
+    const catalogue::ValueRange range = catalogue::valueRange(attribute);
+    return FaultWords::tr("%1 to %2").arg(study_words::value(range.lowest, attribute, locale), study_words::value(range.highest, attribute, locale));
+}
+
+/// Of a reference or a table: what can be rendered, in the attribute's unit.
+QString stimulusWords(const Condition& condition, const QString& field, const ReaderFault& fault, const QLocale& locale) {
+    const psychophysics::StimulusDesign& stimulus = condition.stimulus;
+    const QString allowed = rangeWords(stimulus.attribute, locale);
+    if (field == QStringLiteral("condition.reference"))
+        return FaultWords::tr("%1 cannot be rendered. Choose a reference of %2.").arg(study_words::value(stimulus.reference, stimulus.attribute, locale), allowed);
+    static const QRegularExpression kObject(QStringLiteral("an object of ([-+0-9.e]+)"));
+    if (const auto match = kObject.match(fault.found); match.hasMatch())
+        return FaultWords::tr("An object would have %1, but only %2 can be rendered. Choose smaller differences or another reference.")
+            .arg(study_words::value(match.captured(1).toDouble(), stimulus.attribute, locale), allowed);
+    if (fault.expected.startsWith(QStringLiteral("more than 0")))
+        return FaultWords::tr("This task compares with objects above the reference only: every difference must be above 0 %.");
+    if (fault.expected.startsWith(QStringLiteral("more than the one before")))
+        return FaultWords::tr("A difference is there twice. Leave one of them out.");
+    return {};
+}
+
+QString generalWords(const ReaderFault& fault, const QLocale& locale) {
+    static const QRegularExpression kBetween(QStringLiteral("(-?[0-9.]+(?:e[-+]?\\d+)?) to (-?[0-9.]+(?:e[-+]?\\d+)?)"));
+    if (fault.found == QStringLiteral("0 characters") || fault.found == QStringLiteral("missing"))
+        return FaultWords::tr("This is empty. Write something.");
+    if (fault.expected.startsWith(QStringLiteral("lower-case letters")))
+        return FaultWords::tr("Use lower-case letters, digits and _ only, a letter first.");
+    if (fault.expected.contains(QStringLiteral("not given twice")))
+        return FaultWords::tr("This is there twice. Choose another.");
+    if (fault.expected.contains(QStringLiteral("as the table of differences has")))
+        return FaultWords::tr("A level lies outside the table of differences. Choose one within it, or change the table.");
+    if (const auto match = kBetween.match(fault.expected); match.hasMatch())
+        return FaultWords::tr("Choose a value from %1 to %2.").arg(locale.toString(match.captured(1).toDouble(), 'g', 6), locale.toString(match.captured(2).toDouble(), 'g', 6));
+    return fault.expected.isEmpty() ? fault.found : FaultWords::tr("Found: %1. Expected: %2.").arg(fault.found, fault.expected);
+}
+
+QString wordsOf(const StudyDesign& design, const DesignFault& fault, const ReaderFault& said, const QLocale& locale) {
+    const bool ofCondition = fault.condition >= 0 && static_cast<std::size_t>(fault.condition) < design.conditions.size();
+    if (ofCondition && (fault.field == QStringLiteral("condition.reference") || fault.field == QStringLiteral("differences.levels")))
+        if (const QString words = stimulusWords(design.conditions[static_cast<std::size_t>(fault.condition)], fault.field, said, locale); !words.isEmpty())
+            return words;
+    if (fault.field == QStringLiteral("design.planned"))
+        return FaultWords::tr("At least one participant is needed.");
+    if (fault.field == QStringLiteral("trial.explore_limit") || fault.field == QStringLiteral("fidelity.stiffness_error") || !said.expected.isEmpty())
+        return generalWords(said, locale);
+    return said.found;
+}
+
+} // namespace
+
+std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Error& error, const QLocale& locale) {
+    std::vector<DesignFault> faults;
+    for (const ReaderFault& each : readerFaults(error)) {
+        DesignFault fault;
+        place(fault, each.path);
+        fault.words = wordsOf(design, fault, each, locale);
+        faults.push_back(std::move(fault));
+    }
+    std::stable_sort(faults.begin(), faults.end(), [](const DesignFault& a, const DesignFault& b) { return a.tab < b.tab; });
+    return faults;
+}
+
+std::vector<DesignFault> nameFaults(const StudyDesign& design) {
+    std::vector<DesignFault> faults;
+    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+        for (const auto& [language, title] : design.conditions[i].title) {
+            const bool twice = std::any_of(design.conditions.begin(), design.conditions.begin() + static_cast<std::ptrdiff_t>(i), [&, l = language, t = title](const Condition& other) {
+                const auto found = other.title.find(l);
+                return found != other.title.end() && QString::fromStdString(found->second).trimmed() == QString::fromStdString(t).trimmed();
+            });
+            if (!twice)
+                continue;
+            faults.push_back({StudyScreen::conditionsTab, static_cast<int>(i), QStringLiteral("condition.title"),
+                              FaultWords::tr("Another condition has the same name. Tables and figures could not tell them apart.")});
+            break;
+        }
+    return faults;
+}
+
+QMap<QString, QString> faultsOfPage(const std::vector<DesignFault>& faults, int tab, int condition) {
+    QMap<QString, QString> words;
+    for (const DesignFault& fault : faults)
+        if (fault.tab == tab && (fault.condition < 0 || fault.condition == condition) && !fault.field.isEmpty() && !words.contains(fault.field))
+            words[fault.field] = fault.words;
+    return words;
+}
+
+} // namespace chiron::desktop

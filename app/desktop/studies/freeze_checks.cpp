@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/freeze_checks.h"
+
+#include "desktop/studies/general_page.h"
+#include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/study_screen.h"
+#include "desktop/studies/study_words.h"
+#include "session/study/participant_view.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::desktop {
+
+using psychophysics::ConditionPlan;
+using psychophysics::OrderDesign;
+using psychophysics::StudyDesign;
+using State = FreezeCheck::State;
+
+namespace {
+
+constexpr double kLong_min = 60.0;      // concentration wanes
+constexpr double kPrecise_log10 = 0.1;  // a factor of 1.26 from run to run
+constexpr double kPower = 0.8;
+
+struct CheckWords {
+    Q_DECLARE_TR_FUNCTIONS(FreezeChecks)
+};
+
+FreezeCheck checkOf(const char* name, const QString& title, int tab, const char* field) {
+    FreezeCheck check;
+    check.name = QLatin1String(name);
+    check.title = title;
+    check.tab = tab;
+    check.field = QLatin1String(field);
+    return check;
+}
+
+FreezeCheck found(FreezeCheck check, State state, const QString& words) {
+    check.state = state;
+    check.words = words;
+    return check;
+}
+
+FreezeCheck designCheck(const FreezeFacts& facts) {
+    FreezeCheck check = checkOf("design", CheckWords::tr("Entries"), StudyScreen::generalTab, "");
+    if (facts.faults.empty())
+        return found(check, State::good, CheckWords::tr("All entries are complete and fit together."));
+    const DesignFault& first = facts.faults.front();
+    check.tab = first.tab;
+    check.condition = first.condition;
+    check.field = first.field;
+    return found(check, State::bad, CheckWords::tr("%n entr(y/ies) must be corrected. The first: %1", nullptr, static_cast<int>(facts.faults.size())).arg(first.words));
+}
+
+FreezeCheck aimCheck(const StudyDesign& design) {
+    const FreezeCheck check = checkOf("aim", CheckWords::tr("Aim"), StudyScreen::generalTab, "design.objective");
+    const bool written = !design.objective.empty() && std::all_of(design.objective.begin(), design.objective.end(), [](const auto& each) {
+        const QString words = QString::fromStdString(each.second);
+        return !words.trimmed().isEmpty() && !isPlaceholderAim(words);
+    });
+    return written ? found(check, State::good, CheckWords::tr("It is written."))
+                   : found(check, State::bad, CheckWords::tr("Write what is to be found out and what you expect. It cannot be added later."));
+}
+
+FreezeCheck ethicsCheck(const StudyDesign& design) {
+    const FreezeCheck check = checkOf("ethics", CheckWords::tr("Ethics"), StudyScreen::generalTab, "design.ethics");
+    return design.ethics.empty() ? found(check, State::bad, CheckWords::tr("Name the approval, or say why none is needed."))
+                                 : found(check, State::good, QString::fromStdString(design.ethics));
+}
+
+FreezeCheck consentCheck(const StudyDesign& design) {
+    const FreezeCheck check = checkOf("consent", CheckWords::tr("Consent"), StudyScreen::generalTab, "design.consent");
+    const QString words = study_words::text(design.consent, QStringLiteral("en")).trimmed();
+    if (words.isEmpty())
+        return found(check, State::bad, CheckWords::tr("Write what participants agree to."));
+    constexpr int kShort = 120;
+    return words.size() < kShort ? found(check, State::advice, CheckWords::tr("The text is very short. Check that it says what is recorded, for how long, and that stopping has no disadvantage."))
+                                 : found(check, State::good, CheckWords::tr("There is a text; participants read it before their first trial."));
+}
+
+FreezeCheck participantsCheck(const StudyDesign& design, const QLocale& locale) {
+    const FreezeCheck check = checkOf("participants", CheckWords::tr("Participants"), StudyScreen::generalTab, "design.planned");
+    const int planned = design.participantsPlanned;
+    const QString count = locale.toString(planned);
+    if (planned < 1)
+        return found(check, State::bad, CheckWords::tr("Plan at least one participant."));
+    if (planned == 1)
+        return found(check, State::advice, CheckWords::tr("One participant says nothing of others. Plan more, unless this is a case study."));
+    const int by = balancedBy(design);
+    if (planned % by != 0)
+        return found(check, State::advice, CheckWords::tr("%1 are planned. With a multiple of %2 every order of conditions comes equally often.").arg(count, locale.toString(by)));
+    return found(check, State::good, CheckWords::tr("%1 are planned.").arg(count));
+}
+
+FreezeCheck practiceCheck(const StudyDesign& design, const QLocale& locale) {
+    const FreezeCheck check = checkOf("practice", CheckWords::tr("Practice"), StudyScreen::trialsTab, "trial.practice_trials");
+    return design.trial.practiceTrials > 0
+               ? found(check, State::good, CheckWords::tr("%1 trials before each condition.").arg(locale.toString(design.trial.practiceTrials)))
+               : found(check, State::advice, CheckWords::tr("There are no practice trials. The first trials that count are then the participant's first ever."));
+}
+
+FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
+    const FreezeCheck check = checkOf("duration", CheckWords::tr("Duration"), StudyScreen::trialsTab, "trial.break_every");
+    double minutes = session::participantView(design).minutesAtMost();
+    QString words = CheckWords::tr("At most about %1 minutes for each participant.");
+    if (facts.plans) {
+        double expected = 0.0;
+        for (const ConditionPlan& plan : *facts.plans)
+            expected += plan.minutes;
+        if (expected > 0.0) {
+            minutes = expected;
+            words = CheckWords::tr("About %1 minutes for each participant, as simulated.");
+        }
+    } else if (minutes <= 0.0) {
+        return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
+    }
+    words = words.arg(locale.toString(static_cast<int>(std::ceil(minutes))));
+    return minutes > kLong_min ? found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("Attention wanes after an hour: plan fewer trials or several sittings."))
+                               : found(check, State::good, words);
+}
+
+/// The run-to-run spread of the worst condition, and of two conditions what can be told apart.
+FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
+    const FreezeCheck check = checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
+    if (!facts.plans)
+        return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
+    double worst = -1.0;
+    for (const ConditionPlan& plan : *facts.plans)
+        if (std::isfinite(plan.sdLog10))
+            worst = std::max(worst, plan.sdLog10);
+    if (worst < 0.0)
+        return found(check, State::good, CheckWords::tr("This kind of study estimates no threshold, so there is none to simulate. A pilot shows how much answers vary."));
+    QString words = CheckWords::tr("The threshold of one run varies by a factor of %1.").arg(study_words::number(std::pow(10.0, worst), locale));
+    if (design.conditions.size() > 1) {
+        psychophysics::PowerQuestion question;
+        question.participants = std::max(2, design.participantsPlanned);
+        question.runSdLog10 = worst;
+        const double ratio = psychophysics::detectableRatio(question, kPower);
+        words += QLatin1Char(' ') + (std::isfinite(ratio) ? CheckWords::tr("%1 participants find a ratio of %2 between two conditions with 80 % power.").arg(locale.toString(question.participants), study_words::number(ratio, locale))
+                                                          : CheckWords::tr("So few participants find no ratio up to 10 between two conditions."));
+    }
+    return worst <= kPrecise_log10 ? found(check, State::good, words)
+                                   : found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("More trials make it more precise; Preview shows how many."));
+}
+
+FreezeCheck pilotCheck(const FreezeFacts& facts) {
+    const FreezeCheck check = checkOf("pilot", CheckWords::tr("Pilot"), StudyScreen::checkTab, "check.pilot");
+    return facts.pilots > 0 ? found(check, State::good, CheckWords::tr("Tried %n time(s).", nullptr, facts.pilots))
+                            : found(check, State::advice, CheckWords::tr("Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear."));
+}
+
+} // namespace
+
+int balancedBy(const StudyDesign& design) {
+    const int conditions = static_cast<int>(design.conditions.size());
+    if (conditions < 2)
+        return 1;
+    switch (design.order) {
+    case OrderDesign::williams:
+        return conditions % 2 == 0 ? conditions : 2 * conditions; // an odd number takes two squares
+    case OrderDesign::latinSquare:
+        return conditions;
+    case OrderDesign::fixed:
+    case OrderDesign::random:
+        break;
+    }
+    return 1;
+}
+
+std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
+    return {designCheck(facts),
+            aimCheck(design),
+            ethicsCheck(design),
+            consentCheck(design),
+            participantsCheck(design, locale),
+            practiceCheck(design, locale),
+            durationCheck(design, facts, locale),
+            precisionCheck(design, facts, locale),
+            pilotCheck(facts)};
+}
+
+} // namespace chiron::desktop

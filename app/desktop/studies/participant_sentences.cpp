@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/participant_sentences.h"
+
+#include "session/study/participant_view.h"
+
+#include <QLocale>
+#include <QTranslator>
+#include <algorithm>
+#include <set>
+
+/// The catalogues are part of a static library, whose resources the linker leaves out unless they are asked for.
+static void initialiseParticipantCatalogues() {
+    Q_INIT_RESOURCE(i18n);
+}
+
+namespace chiron::desktop {
+
+using psychophysics::StudyDesign;
+using psychophysics::StudyText;
+using psychophysics::Task;
+using session::ParticipantView;
+using session::PartView;
+
+namespace {
+
+constexpr const char* kContext = "ParticipantSentences";
+
+/// Texts in a language that need not be the program's.
+class LanguageWords {
+public:
+    explicit LanguageWords(const QString& language) : m_locale(language) {
+        initialiseParticipantCatalogues();
+        (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language)); // without one the words stay English
+    }
+    QString operator()(const char* text, int n = -1) const {
+        QString words = m_translator.translate(kContext, text, nullptr, n);
+        if (words.isEmpty())
+            words = QString::fromUtf8(text);
+        return n < 0 ? words : words.replace(QStringLiteral("%n"), m_locale.toString(n));
+    }
+    QString number(double value) const { return m_locale.toString(value, 'g', 6); }
+
+private:
+    QTranslator m_translator;
+    QLocale m_locale;
+};
+
+const char* sentenceOf(const PartView& part) {
+    if (part.apex())
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you look for the highest point of an object by touch and mark it.");
+    switch (part.task) {
+    case Task::rank3:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and put them in order.");
+    case Task::rank3Ties:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.");
+    case Task::twoAfc:
+    case Task::sameDifferent:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore two objects and choose one of two answers.");
+    case Task::threeAfc:
+    case Task::oddity:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore three objects and choose one of three answers.");
+    case Task::yesNo:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore one object and choose one of two answers.");
+    case Task::adjustment:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you change one object until it feels like the other, and confirm.");
+    case Task::magnitude:
+        return QT_TRANSLATE_NOOP("ParticipantSentences", "In each trial you explore one object and give it a number.");
+    }
+    return "";
+}
+
+QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
+    QStringList said;
+    if (view.parts.size() > 1)
+        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "The study has %n part(s)."), static_cast<int>(view.parts.size()));
+    QStringList tasks;
+    for (const PartView& part : view.parts)
+        if (const QString sentence = words(sentenceOf(part)); !tasks.contains(sentence))
+            tasks << sentence;
+    if (tasks.size() > 1)
+        said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "What you do differs from part to part:"));
+    said << tasks;
+    const bool compares = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex() && part.objects > 1; });
+    if (view.mustTouchAll && compares)
+        said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
+    return said;
+}
+
+QString howMany(const ParticipantView& view, const LanguageWords& words) {
+    int most = 0;
+    bool fixed = true;
+    for (const PartView& part : view.parts) {
+        if (part.trialsAtMost == 0)
+            return words(QT_TRANSLATE_NOOP("ParticipantSentences", "How many trials there are depends on your answers."));
+        fixed = fixed && part.trialsFixed && (most == 0 || most == part.trialsAtMost);
+        most = std::max(most, part.trialsAtMost);
+    }
+    if (view.parts.size() > 1)
+        return fixed ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has %n trial(s)."), most)
+                     : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part has at most %n trial(s)."), most);
+    return fixed ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "There are %n trial(s)."), most)
+                 : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "There are at most %n trial(s)."), most);
+}
+
+QStringList time(const ParticipantView& view, const LanguageWords& words) {
+    if (view.explore_s <= 0.0)
+        return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You may take as long as you like over each trial."))};
+    const bool compares = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex(); });
+    if (!compares)
+        return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds for each trial.")).arg(words.number(view.explore_s))};
+    return {words(QT_TRANSLATE_NOOP("ParticipantSentences", "You have %1 seconds to explore in each trial.")).arg(words.number(view.explore_s)),
+            view.answer_s > 0.0
+                ? words(QT_TRANSLATE_NOOP("ParticipantSentences", "Then the objects go away, and you have another %1 seconds to answer.")).arg(words.number(view.answer_s))
+                : words(QT_TRANSLATE_NOOP("ParticipantSentences", "Then the objects go away, and you may take as long as you like to answer."))};
+}
+
+QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
+    const bool judged = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.rightOrWrong; });
+    const bool apex = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); });
+    const bool inPractice = !view.feedback && view.parts.front().practice > 0; // which always tells
+    QStringList said;
+    if (judged)
+        said << words(inPractice    ? QT_TRANSLATE_NOOP("ParticipantSentences", "Only in practice you are told whether your answer was right.")
+                      : view.feedback ? QT_TRANSLATE_NOOP("ParticipantSentences", "After each trial you are told whether your answer was right.")
+                                    : QT_TRANSLATE_NOOP("ParticipantSentences", "You are not told whether your answers are right."));
+    if (apex)
+        said << words(inPractice    ? QT_TRANSLATE_NOOP("ParticipantSentences", "Only in practice you are told how far your mark is from the highest point.")
+                      : view.feedback ? QT_TRANSLATE_NOOP("ParticipantSentences", "After each trial you are told how far your mark is from the highest point.")
+                                    : QT_TRANSLATE_NOOP("ParticipantSentences", "You are not told how far your marks are from the highest point."));
+    return said;
+}
+
+QString breaks(const ParticipantView& view, const LanguageWords& words) {
+    if (!view.anyBreak())
+        return words(QT_TRANSLATE_NOOP("ParticipantSentences", "No breaks are planned; you may pause whenever you want."));
+    const QString every = words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After every %n trial(s) there is a break"), view.breakEvery);
+    const QString atLeast = view.breakAtLeast_s > 0.0
+                                ? words(QT_TRANSLATE_NOOP("ParticipantSentences", "%1 of at least %2 seconds; you may also pause whenever you want."))
+                                : words(QT_TRANSLATE_NOOP("ParticipantSentences", "%1; you may also pause whenever you want."));
+    return view.breakAtLeast_s > 0.0 ? atLeast.arg(every, words.number(view.breakAtLeast_s)) : atLeast.arg(every);
+}
+
+QStringList questions(const ParticipantView& view, const LanguageWords& words) {
+    QStringList said;
+    if (view.questionsBefore > 0)
+        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Before the trials you answer %n question(s)."), view.questionsBefore);
+    if (view.questionsAfter > 0)
+        said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s)."), view.questionsAfter);
+    return said;
+}
+
+bool written(const StudyText& text) {
+    return std::any_of(text.begin(), text.end(), [](const auto& each) { return !each.second.empty(); });
+}
+
+} // namespace
+
+QStringList participantSentences(const StudyDesign& design, const QString& language) {
+    const LanguageWords words(language);
+    const ParticipantView view = session::participantView(design);
+    if (view.parts.empty())
+        return {};
+    QStringList said = whatToDo(view, words);
+    said << howMany(view, words);
+    if (const int practice = view.parts.front().practice; practice > 0)
+        said << (view.parts.size() > 1 ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Each part begins with %n practice trial(s), which do not count."), practice)
+                                       : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "It begins with %n practice trial(s), which do not count."), practice));
+    said << time(view, words) << feedback(view, words) << breaks(view, words);
+    if (view.maskingSound)
+        said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "During the trials you hear a steady noise."));
+    return said + questions(view, words);
+}
+
+const StudyText& ownSentences(const StudyDesign& design) { return design.ownInstructions ? *design.ownInstructions : design.instructions; }
+
+void renewInstructions(StudyDesign& design) {
+    const StudyText own = ownSentences(design);
+    std::set<std::string> languages{"en"};
+    for (const char* language : {"de", "el"})
+        if (!written(own) || (own.contains(language) && !own.at(language).empty()))
+            languages.insert(language);
+    StudyText all;
+    for (const std::string& language : languages) {
+        const auto found = own.find(language);
+        QStringList paragraphs;
+        if (found != own.end() && !found->second.empty())
+            paragraphs << QString::fromStdString(found->second);
+        paragraphs << participantSentences(design, QString::fromStdString(language)).join(QLatin1Char(' '));
+        all[language] = paragraphs.join(QStringLiteral("\n\n")).toStdString();
+    }
+    StudyText kept;
+    for (const auto& [language, words] : own)
+        if (!words.empty())
+            kept[language] = words;
+    design.ownInstructions = std::move(kept);
+    design.instructions = std::move(all);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/studies/study_page.h"
+
+#include <QWidget>
+
+namespace chiron::desktop {
+
+/// Rules of a trial, breaks, what participants read, order, blinding and the limits beyond which a trial is repeated. GUI thread.
+class RulesPage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit RulesPage(const DesignPage& page, QWidget* parent = nullptr);
+
+private:
+    QWidget* rulesBox(const DesignPage& page);
+    QWidget* instructionsBox(const DesignPage& page);
+    QWidget* orderBox(const DesignPage& page);
+    QWidget* fidelityBox(const DesignPage& page);
+};
+
+} // namespace chiron::desktop

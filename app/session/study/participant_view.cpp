@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/participant_view.h"
+
+#include "psychophysics/planning/study_plan.h"
+#include "session/study/presentation_order.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace chiron::session {
+
+namespace {
+
+PartView partView(const psychophysics::Condition& condition, const psychophysics::TrialRules& rules) {
+    PartView part;
+    part.condition = condition.id;
+    part.task = condition.task;
+    part.attribute = condition.stimulus.attribute;
+    part.objects = part.apex() ? 1 : psychophysics::placesOf(condition.task);
+    part.practice = rules.practiceTrials;
+    part.trialsAtMost = trialsAtMost(condition);
+    part.trialsFixed = part.trialsAtMost > 0 && std::all_of(condition.procedures.begin(), condition.procedures.end(), [](const auto& spec) {
+        return std::holds_alternative<psychophysics::ConstantSpec>(spec);
+    });
+    if (part.trialsAtMost > 0) {
+        part.breaksAtMost = rules.breakEvery > 0 ? (part.trialsAtMost - 1) / rules.breakEvery : 0;
+        part.minutesAtMost = psychophysics::minutesOf(condition, rules, part.trialsAtMost);
+    }
+    part.breaks = part.breaksAtMost > 0 || (part.trialsAtMost == 0 && rules.breakEvery > 0);
+    part.rightOrWrong = psychophysics::correctAnswer(condition.task, 0) >= 0;
+    return part;
+}
+
+int questions(const psychophysics::StudyDesign& design, psychophysics::Questionnaire::When when) {
+    int count = 0;
+    for (const psychophysics::Questionnaire& each : design.questionnaires)
+        count += each.when == when ? static_cast<int>(each.items.size()) : 0;
+    return count;
+}
+
+} // namespace
+
+double ParticipantView::minutesAtMost() const {
+    double minutes = 0.0;
+    for (const PartView& part : parts) {
+        if (part.trialsAtMost == 0)
+            return 0.0;
+        minutes += part.minutesAtMost;
+    }
+    return minutes;
+}
+
+bool ParticipantView::anyBreak() const {
+    return std::any_of(parts.begin(), parts.end(), [](const PartView& part) { return part.breaks; });
+}
+
+ParticipantView participantView(const psychophysics::StudyDesign& design) {
+    const psychophysics::TrialRules& rules = design.trial;
+    ParticipantView view;
+    for (const psychophysics::Condition& condition : design.conditions)
+        view.parts.push_back(partView(condition, rules));
+    view.explore_s = rules.exploreLimit_s;
+    view.answer_s = rules.exploreLimit_s > 0.0 ? rules.answerLimit_s : 0.0; // the clock for answering starts when the one for exploring is over
+    view.breakEvery = rules.breakEvery;
+    view.breakAtLeast_s = rules.breakAtLeast_s;
+    view.feedback = rules.feedback;
+    view.mustTouchAll = rules.mustTouchAll;
+    view.maskingSound = rules.maskingSound;
+    view.questionsBefore = questions(design, psychophysics::Questionnaire::When::before);
+    view.questionsAfter = questions(design, psychophysics::Questionnaire::When::after);
+    return view;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/study/pilot_run.h"
+
+#include "catalogue/study_reader.h"
+#include "database/repositories/study_reader.h"
+#include "database/repositories/study_repository.h"
+
+#include <map>
+
+namespace chiron::session {
+
+namespace {
+
+constexpr std::size_t kLongestKey = 64;
+
+const std::map<std::string, std::string>& pilotWords() {
+    static const std::map<std::string, std::string> words{{"en", "Pilot: "}, {"de", "Probelauf: "}, {"el", "Πιλοτική δοκιμή: "}};
+    return words;
+}
+
+/// "tubes_pilot_2": the first that is free.
+core::Result<std::string> freeKey(database::StudyReader& reader, const std::string& study) {
+    const auto pilots = reader.listPilots(study);
+    if (!pilots)
+        return tl::unexpected(pilots.error());
+    for (std::size_t n = pilots->size() + 1;; ++n) {
+        const std::string end = "_pilot_" + std::to_string(n);
+        const std::string key = study.substr(0, kLongestKey - end.size()) + end;
+        const auto taken = reader.studyByKey(key);
+        if (!taken && taken.error().code == core::ErrorCode::notFound)
+            return key;
+        if (!taken)
+            return tl::unexpected(taken.error());
+    }
+}
+
+const std::string& consentIn(const psychophysics::StudyDesign& design, const std::string& language) {
+    const auto found = design.consent.find(language);
+    return found != design.consent.end() ? found->second : design.consent.at("en");
+}
+
+core::Result<PilotRun> begin(database::Connection& connection, const database::Actor& actor, const psychophysics::StudyDesign& draft,
+                             const std::string& who, const std::string& language) {
+    database::StudyReader reader(connection, actor);
+    database::StudyRepository studies(connection, actor);
+    const auto key = freeKey(reader, draft.id);
+    if (!key)
+        return tl::unexpected(key.error());
+    const psychophysics::StudyDesign design = pilotDesign(draft, *key);
+    const auto study = studies.createStudy(*key, design.title.at("en"), catalogue::studyJson(design).toStdString());
+    if (!study)
+        return tl::unexpected(study.error());
+    if (auto frozen = studies.freezeStudy(*study); !frozen)
+        return tl::unexpected(frozen.error());
+    const auto participant = studies.enrolParticipant(*study, who, 0, {});
+    if (!participant)
+        return tl::unexpected(participant.error());
+    if (auto agreed = studies.recordConsent(participant->id, catalogue::studySha256(QByteArray::fromStdString(consentIn(design, language)))); !agreed)
+        return tl::unexpected(agreed.error());
+    return PilotRun{*study, participant->code};
+}
+
+} // namespace
+
+psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, const std::string& key) {
+    psychophysics::StudyDesign pilot = draft;
+    pilot.id = key;
+    pilot.pilotOf = draft.id;
+    pilot.blindExperimenter = false;
+    for (auto& [language, title] : pilot.title) {
+        const auto word = pilotWords().find(language);
+        title.insert(0, word == pilotWords().end() ? pilotWords().at("en") : word->second);
+    }
+    return pilot;
+}
+
+core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
+                                  const std::string& who, const std::string& language) {
+    // Whatever is wrong with the draft is said of the draft, not of its copy.
+    if (auto read = catalogue::readStudy(catalogue::studyJson(draft), draft.id); !read)
+        return tl::unexpected(read.error());
+    return database.write([&](database::WriteContext& writing) { return begin(writing.connection(), actor, draft, who, language); });
+}
+
+} // namespace chiron::session

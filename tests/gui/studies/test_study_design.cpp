@@ -1,0 +1,572 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study designed by somebody who does not know the program: from nothing to frozen, a page at a time, with what is true beside it; and by somebody in a
+// hurry, who leaves fields empty, types values that cannot be, and pastes numbers with commas.
+#include "catalogue/study_catalogue.h"
+#include "catalogue/study_reader.h"
+#include "desktop/studies/check_list.h"
+#include "desktop/studies/difference_table.h"
+#include "desktop/studies/field_grid.h"
+#include "desktop/studies/levels_table.h"
+#include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/number_list.h"
+#include "desktop/studies/participant_card.h"
+#include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/studies_screen.h"
+#include "desktop/studies/study_screen.h"
+#include "desktop/study_run/trials_screen.h"
+#include "support/every_place.h"
+
+#include <QAbstractSpinBox>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QTableWidget>
+
+using namespace chiron;
+using desktop::StudyScreen;
+using tests::DesktopFixture;
+
+namespace {
+constexpr int kPatience_ms = 20000;
+constexpr int kMostActions = 25;
+} // namespace
+
+class TestStudyDesign : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        m_site = std::make_unique<DesktopFixture>();
+        m_site->logIn("rhea");
+    }
+    void cleanupTestCase() { m_site.reset(); }
+    void templatesCiteTheirSource();
+    void fromNothingToFrozen();
+    void aCopyOfAFrozenStudy();
+    void namesThatAreTaken();
+    void theSummaryIsAlwaysTrue();
+    void instructionsFollowTheSettings();
+    void instructionsInThreeLanguages();
+    void everyFieldSaysWhatItMeans();
+    void onlyWhatAppliesIsThere();
+    void faultsStandAtTheirFields();
+    void aTableOfNumbersIsPasted();
+    void numbersAreReadAsTheyWereMeant();
+    void placeholdersAreNotFrozen();
+    void aPilotIsKeptApart();
+
+private:
+    void openDraft(const psychophysics::StudyDesign& design, int tab = StudyScreen::generalTab) {
+        m_study = tests::addDraft(*m_site, m_site->context.actor(), design);
+        m_site->go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
+        QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    }
+    StudyScreen* screen() { return m_site->screen<StudyScreen>(); }
+    const psychophysics::StudyDesign& design() { return screen()->draft().design(); }
+    template <class W> W* find(const char* name) { return m_site->window->screen()->findChild<W*>(QLatin1String(name)); }
+    QString text(const char* name) {
+        auto* label = m_site->find<QLabel>(QLatin1String(name));
+        return label ? label->text() : QStringLiteral("(none)");
+    }
+    bool saved() {
+        return QTest::qWaitFor([this] { return text("study.state").contains(QStringLiteral("all changes saved")); }, kPatience_ms);
+    }
+    /// What a person does: each call is one action.
+    void click(const char* name) {
+        ++m_actions;
+        auto* button = m_site->find<QAbstractButton>(QLatin1String(name));
+        QVERIFY2(button, name);
+        QVERIFY2(button->isVisible() && button->isEnabled(), name);
+        button->click();
+    }
+    void type(const char* name, const QString& words) {
+        ++m_actions;
+        auto* field = m_site->find<QWidget>(QLatin1String(name));
+        QVERIFY2(field && field->isVisible(), name);
+        field->setFocus();
+        if (auto* line = qobject_cast<QLineEdit*>(field))
+            line->selectAll();
+        else if (auto* spin = qobject_cast<QAbstractSpinBox*>(field))
+            spin->selectAll();
+        else if (auto* page = qobject_cast<QPlainTextEdit*>(field))
+            page->selectAll();
+        if (words.isEmpty())
+            QTest::keyClick(field, Qt::Key_Delete);
+        else
+            QTest::keyClicks(field, words);
+    }
+    QString faultAt(const char* field) {
+        auto* fault = find<QWidget>((QByteArray(field) + ".fault").constData());
+        if (!fault)
+            return {};
+        QString words;
+        for (const QLabel* label : fault->findChildren<QLabel*>())
+            words += label->text();
+        return words;
+    }
+    void step(const char* to) {
+        click("study.next");
+        QTRY_VERIFY2(find<QWidget>(to), to);
+    }
+
+    std::unique_ptr<DesktopFixture> m_site;
+    database::StudyNumber m_study = 0;
+    int m_actions = 0;
+};
+
+void TestStudyDesign::templatesCiteTheirSource() {
+    const auto templates = catalogue::StudyCatalogue::load();
+    QVERIFY(templates && templates->studies().size() >= 12);
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    click("studies.new");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    for (const psychophysics::StudyDesign& each : templates->studies()) {
+        QVERIFY2(!each.source.empty(), each.id.c_str());
+        const QString shown = text(qPrintable(QStringLiteral("new_study.template.%1.source").arg(QString::fromStdString(each.id))));
+        QVERIFY2(shown.contains(QString::fromStdString(each.source)), qPrintable(shown));
+        for (const auto& [language, words] : each.instructions) // of time and breaks the settings speak
+            for (const char* never : {"as you like", "no hurry", "breaks", "möchten", "Pausen", "όσες φορές", "διαλείμματα"})
+                QVERIFY2(words.find(never) == std::string::npos, (each.id + " " + language + ": " + never).c_str());
+    }
+    // The templates come before the study of no template.
+    const auto* first = m_site->find<QPushButton>(QStringLiteral("new_study.template.apex"));
+    const auto* plain = m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study"));
+    QVERIFY(first->mapToGlobal(QPoint()).y() < plain->mapToGlobal(QPoint()).y());
+    click("new_study.cancel");
+}
+
+/// Two alternatives, two tubes: every press and every typed field is one action.
+void TestStudyDesign::fromNothingToFrozen() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    m_actions = 0;
+    click("studies.new");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc")));
+    click("new_study.template.stiffness_2afc");
+    type("new_study.title", QStringLiteral("Soft and stiff tubes"));
+    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes")); // made of the title
+    click("new_study.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPlainTextEdit>(QStringLiteral("design.objective")), kPatience_ms);
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
+    type("design.objective", QStringLiteral("Whether the Weber fraction of stiffness depends on the reference. We expect the same for both."));
+    type("design.ethics", QStringLiteral("Ethics committee of the university, 17/2026"));
+    step("conditions.copy");
+    click("conditions.copy");
+    QTRY_COMPARE(design().conditions.size(), std::size_t{2});
+    QTRY_VERIFY(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")));
+    type("condition.title", QStringLiteral("Tube of 120 N/m"));
+    type("condition.reference", QStringLiteral("120"));
+    QCOMPARE(design().conditions.back().stimulus.reference, 120.0);
+    step("trial.explore_limit");
+    step("questionnaires.add");
+    step("preview.start");
+    step("check.freeze");
+    QVERIFY(saved());
+    click("check.freeze");
+    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    auto* list = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<desktop::CheckList*>();
+    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting), 120000); // simulated observers
+    QVERIFY(!list->has(desktop::FreezeCheck::State::bad));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled()); // nobody has tried it: worth a look
+    click("freeze.seen");
+    click("freeze.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.enrol")), kPatience_ms);
+    qInfo("actions: %d", m_actions);
+    QVERIFY2(m_actions <= kMostActions, qPrintable(QString::number(m_actions)));
+
+    auto connection = m_site->database().openReader();
+    const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
+    QVERIFY(stored);
+    const auto frozen = catalogue::readStudy(QByteArray::fromStdString(stored->designJson), "frozen");
+    QVERIFY(frozen && frozen->conditions.size() == 2 && frozen->conditions.front().task == psychophysics::Task::twoAfc);
+    QCOMPARE(stored->summary.sha256, catalogue::studySha256(QByteArray::fromStdString(stored->designJson)));
+    QVERIFY(frozen->instructions.at("en").find("at most 120 trials") != std::string::npos); // what participants read is frozen as they read it
+    QVERIFY(!frozen->source.empty() && frozen->ethics == "Ethics committee of the university, 17/2026");
+}
+
+void TestStudyDesign::aCopyOfAFrozenStudy() {
+    const psychophysics::StudyDesign original = design();
+    click("study.copy");
+    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes 2")); // not the same twice
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    click("new_study.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.ethics")), kPatience_ms);
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QVERIFY(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong() != m_study);
+    QCOMPARE(design().conditions.size(), original.conditions.size());
+    QCOMPARE(design().conditions.back().stimulus.reference, 120.0);
+    QCOMPARE(design().instructions, original.instructions);
+    QVERIFY(design().ethics.empty()); // an approval is of one study
+    QVERIFY(find<QLineEdit>("design.title") && !find<QLineEdit>("design.title")->isReadOnly());
+    // And from the list.
+    m_site->go(QStringLiteral("studies"), {{QStringLiteral("study"), qlonglong(m_study)}});
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("studies.copy")));
+    click("studies.copy");
+    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    click("new_study.cancel");
+}
+
+void TestStudyDesign::namesThatAreTaken() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    click("studies.new");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    type("new_study.key", QStringLiteral("soft_and_stiff_tubes"));
+    QTRY_VERIFY(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
+    QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->accessibleDescription().isEmpty());
+    type("new_study.key", QStringLiteral("Soft Tubes"));
+    QVERIFY(text("new_study.key.fault").contains(QStringLiteral("lower-case")));
+    type("new_study.key", QStringLiteral("soft_tubes"));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
+    click("new_study.cancel");
+    // Two conditions of one name cannot be told apart in any table.
+    openDraft(tests::smallStudy("twins"), StudyScreen::conditionsTab);
+    const QString first = find<QLineEdit>("condition.title")->text();
+    click("conditions.1");
+    QTRY_VERIFY(find<QLineEdit>("condition.title")->text() != first);
+    type("condition.title", first);
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("condition.title").contains(QStringLiteral("same name")), kPatience_ms);
+    click("study.next"); // not before it is put right
+    QVERIFY(find<QLineEdit>("condition.title")->hasFocus());
+}
+
+/// Beside every page, and after every change: also of what is changed on another page than the one that it was first shown with.
+void TestStudyDesign::theSummaryIsAlwaysTrue() {
+    openDraft(tests::smallStudy("summary"), StudyScreen::conditionsTab);
+    QVERIFY(text("study.card.conditions").contains(QStringLiteral("300 N/m")));
+    type("condition.reference", QStringLiteral("450"));
+    QVERIFY(text("study.card.conditions").contains(QStringLiteral("450 N/m")) && !text("study.card.conditions").contains(QStringLiteral("300 N/m")));
+    QVERIFY2(text("differences.summary").contains(QStringLiteral("458 N/m")), qPrintable(text("differences.summary"))); // of the table, too: 1.86 % more
+    QVERIFY(text("study.state").contains(QStringLiteral("saving")) || text("study.state").contains(QStringLiteral("saved")));
+    screen()->showTab(StudyScreen::trialsTab);
+    QCOMPARE(text("study.card.trials"), QStringLiteral("at most 80"));
+    QCOMPARE(text("study.card.feedback"), QStringLiteral("none"));
+    type("trial.practice_trials", QStringLiteral("3"));
+    QCOMPARE(text("study.card.trials"), QStringLiteral("at most 80, and 6 for practice"));
+    type("trial.explore_limit", QStringLiteral("45"));
+    QVERIFY(text("study.card.time").contains(QStringLiteral("45 s to explore")));
+    type("trial.break_every", QStringLiteral("10"));
+    QVERIFY(text("study.card.breaks").contains(QStringLiteral("every 10 trials")));
+    click("trial.feedback");
+    QCOMPARE(text("study.card.feedback"), QStringLiteral("after each trial"));
+    QCOMPARE(text("study.card.questions"), QStringLiteral("0 before, 4 after"));
+    click("study.undo");
+    QTRY_COMPARE(text("study.card.feedback"), QStringLiteral("in practice only"));
+    // What is wrong is not said to be kept.
+    screen()->showTab(StudyScreen::conditionsTab);
+    type("condition.reference", QStringLiteral("0"));
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), kPatience_ms);
+    QVERIFY(!text("study.state").contains(QStringLiteral("all changes saved")));
+}
+
+void TestStudyDesign::instructionsFollowTheSettings() {
+    psychophysics::StudyDesign study = tests::smallStudy("instructions");
+    study.ownInstructions = psychophysics::StudyText{{"en", "Hold the grasper lightly."}};
+    desktop::renewInstructions(study);
+    openDraft(study, StudyScreen::trialsTab);
+    const auto read = [&] { return QString::fromStdString(design().instructions.at("en")); };
+    QVERIFY(read().startsWith(QStringLiteral("Hold the grasper lightly.")));
+    QCOMPARE(text("design.instructions.shown"), read());
+    QVERIFY(read().contains(QStringLiteral("You have 30 seconds to explore")) && read().contains(QStringLiteral("another 20 seconds to answer")));
+    type("trial.explore_limit", QStringLiteral("0"));
+    QVERIFY(read().contains(QStringLiteral("as long as you like")) && !read().contains(QStringLiteral("seconds to")));
+    QVERIFY(!find<QWidget>("trial.answer_limit")->isVisible()); // without an end of exploring it never starts
+    type("trial.explore_limit", QStringLiteral("12"));
+    QVERIFY(read().contains(QStringLiteral("You have 12 seconds to explore")) && !read().contains(QStringLiteral("as long as you like over")));
+    QVERIFY(read().contains(QStringLiteral("You are not told whether your answers are right.")));
+    click("trial.feedback");
+    QVERIFY(read().contains(QStringLiteral("After each trial you are told whether your answer was right.")));
+    QVERIFY(read().contains(QStringLiteral("Each part has at most 40 trials.")));
+    QVERIFY(read().contains(QStringLiteral("No breaks are planned")));
+    type("trial.break_every", QStringLiteral("20"));
+    QVERIFY(read().contains(QStringLiteral("After every 20 trials there is a break of at least 30 seconds")));
+    type("trial.practice_trials", QStringLiteral("1"));
+    QVERIFY(read().contains(QStringLiteral("Each part begins with 1 practice trial, which does not count.")));
+    type("design.instructions", QStringLiteral("Rest your arm."));
+    QVERIFY(read().startsWith(QStringLiteral("Rest your arm.")) && !read().contains(QStringLiteral("Hold the grasper")));
+    QCOMPARE(text("design.instructions.shown"), read());
+    QVERIFY(saved());
+    // A study that was written before keeps every word, and says what to do.
+    psychophysics::StudyDesign older = tests::smallStudy("older");
+    older.ownInstructions.reset();
+    openDraft(older, StudyScreen::trialsTab);
+    QCOMPARE(find<QPlainTextEdit>("design.instructions")->toPlainText(), QString::fromStdString(older.instructions.at("en")));
+    QCOMPARE(design().instructions, older.instructions); // not changed by looking at it
+}
+
+/// The same numbers in every language; other tasks, other sentences.
+void TestStudyDesign::instructionsInThreeLanguages() {
+    psychophysics::StudyDesign study = tests::smallStudy("languages");
+    study.trial.practiceTrials = 7;
+    study.trial.breakEvery = 13;
+    study.trial.exploreLimit_s = 41;
+    for (const char* language : {"en", "de", "el"}) {
+        const QString words = desktop::participantSentences(study, QLatin1String(language)).join(QLatin1Char(' '));
+        for (const char* number : {"7", "13", "41", "40", "30", "20"})
+            QVERIFY2(words.contains(QLatin1String(number)), qPrintable(words));
+        QVERIFY2(!words.contains(QLatin1Char('%')), qPrintable(words));
+    }
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("de")) != desktop::participantSentences(study, QStringLiteral("en")));
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("el")) != desktop::participantSentences(study, QStringLiteral("en")));
+    for (psychophysics::Condition& condition : study.conditions)
+        condition.task = psychophysics::Task::twoAfc;
+    QVERIFY(desktop::participantSentences(study, QStringLiteral("en")).join(QLatin1Char(' ')).contains(QStringLiteral("one of two answers")));
+    const QString apex = desktop::participantSentences(tests::apexStudy("apex", 10), QStringLiteral("en")).join(QLatin1Char(' '));
+    QVERIFY2(apex.contains(QStringLiteral("There are 10 trials.")) && apex.contains(QStringLiteral("highest point")) && !apex.contains(QStringLiteral("to answer")), qPrintable(apex));
+    // In the languages that the researcher wrote in; in all where nothing was written.
+    study.ownInstructions = psychophysics::StudyText{{"en", "One."}, {"de", "Eins."}};
+    desktop::renewInstructions(study);
+    QVERIFY(study.instructions.contains("de") && !study.instructions.contains("el"));
+    study.ownInstructions = psychophysics::StudyText{};
+    desktop::renewInstructions(study);
+    QCOMPARE(study.instructions.size(), std::size_t{3});
+}
+
+void TestStudyDesign::everyFieldSaysWhatItMeans() {
+    for (int task = 0; task < psychophysics::kTasks; ++task) {
+        psychophysics::StudyDesign study = tests::smallStudy("meaning_" + std::to_string(task));
+        desktop::takeTask(study.conditions.front(), static_cast<psychophysics::Task>(task));
+        openDraft(study);
+        for (const int tab : {StudyScreen::generalTab, StudyScreen::conditionsTab, StudyScreen::trialsTab, StudyScreen::previewTab}) {
+            screen()->showTab(tab);
+            for (const desktop::FieldGrid* grid : screen()->findChildren<desktop::FieldGrid*>())
+                for (const QWidget* field : grid->findChildren<QWidget*>()) {
+                    if (!grid->hasField(field->objectName()) || field->objectName().startsWith(QStringLiteral("procedure.0.kind")))
+                        continue; // a procedure's kind has its sentence beside it
+                    QVERIFY2(!field->accessibleName().isEmpty() && !field->accessibleDescription().isEmpty(), qPrintable(field->objectName()));
+                    QVERIFY2(grid->findChild<QLabel*>(field->objectName() + QStringLiteral(".meaning")), qPrintable(field->objectName()));
+                    QVERIFY2(!field->accessibleName().contains(QStringLiteral("log10")), qPrintable(field->accessibleName()));
+                }
+        }
+    }
+}
+
+void TestStudyDesign::onlyWhatAppliesIsThere() {
+    psychophysics::StudyDesign apex = tests::apexStudy("apex_fields", 10);
+    openDraft(apex, StudyScreen::conditionsTab);
+    for (const char* name : {"condition.task", "condition.criterion", "condition.scale", "differences.levels", "procedure.0.kind", "conditions.more_procedures"})
+        QVERIFY2(!find<QWidget>(name), name);
+    QVERIFY(find<QWidget>("condition.reference") && find<QSpinBox>("procedure.0.repeats"));
+    type("procedure.0.repeats", QStringLiteral("24"));
+    QCOMPARE(text("study.card.trials"), QStringLiteral("24"));
+    screen()->showTab(StudyScreen::trialsTab);
+    QVERIFY(!find<QWidget>("trial.answer_limit") && !find<QWidget>("trial.must_touch_all") && !find<QWidget>("design.order"));
+    screen()->showTab(StudyScreen::previewTab);
+    QVERIFY(!find<QWidget>("preview.weber") && !find<QWidget>("preview.lapse")); // nobody's Weber fraction finds an apex
+    click("preview.start");
+    QTRY_VERIFY_WITH_TIMEOUT(find<QFrame>("preview.result"), kPatience_ms);
+    QString said;
+    for (const QLabel* label : find<QFrame>("preview.result")->findChildren<QLabel*>())
+        said += label->text() + QLatin1Char('\n');
+    QVERIFY2(said.contains(QStringLiteral("3.56 mm")) && said.contains(QStringLiteral("24")), qPrintable(said));
+    // Another attribute brings a task and a table back; of a function of QUEST+ there is a choice, of levels per cents.
+    screen()->showTab(StudyScreen::conditionsTab);
+    auto* attribute = find<QComboBox>("condition.attribute");
+    attribute->setCurrentIndex(static_cast<int>(psychophysics::Attribute::mass));
+    emit attribute->activated(attribute->currentIndex());
+    QTRY_VERIFY(find<QComboBox>("condition.task"));
+    auto* task = find<QComboBox>("condition.task");
+    task->setCurrentIndex(task->findData(static_cast<int>(psychophysics::Task::twoAfc)));
+    emit task->activated(task->currentIndex());
+    QTRY_VERIFY(find<QComboBox>("procedure.0.function"));
+    QVERIFY(find<QComboBox>("procedure.0.function")->count() >= 4);
+    QCOMPARE(find<QDoubleSpinBox>("procedure.0.grid0.low")->suffix(), QStringLiteral(" %"));
+    const auto& plus = std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front());
+    QVERIFY(std::abs(find<QDoubleSpinBox>("procedure.0.grid0.low")->value() - 2.0) < 0.01); // the table's smallest
+    type("procedure.0.grid0.low", QStringLiteral("3"));
+    QCOMPARE(plus.parameters.front().values.size(), std::size_t{41});
+    QVERIFY(std::abs(plus.parameters.front().values.front() - std::log10(std::log10(1.03))) < 1e-6);
+    auto* function = find<QComboBox>("procedure.0.function");
+    function->setCurrentIndex(function->findData(QStringLiteral("norm_cdf")));
+    emit function->activated(function->currentIndex());
+    QTRY_COMPARE(QString::fromStdString(std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front()).parameters.front().name), QStringLiteral("mean"));
+    QVERIFY2(saved(), qPrintable(text("study.faults"))); // with parameters that it has
+}
+
+void TestStudyDesign::faultsStandAtTheirFields() {
+    openDraft(tests::smallStudy("faults"));
+    const auto wrong = [&](const char* field, const QString& words, const char* expected) {
+        type(field, words);
+        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).contains(QLatin1String(expected)), qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(field), faultAt(field))), kPatience_ms);
+        auto* widget = find<QWidget>(field);
+        QVERIFY2(widget->accessibleDescription().contains(QLatin1String(expected)), field); // heard, too
+        QVERIFY(!find<QWidget>((QByteArray(field) + ".fault").constData())->findChildren<QLabel*>().front()->pixmap(Qt::ReturnByValue).isNull()); // a sign
+        find<QWidget>("study.next")->setFocus();
+        click("study.next");
+        QVERIFY2(widget->hasFocus(), field); // and not the next page
+    };
+    const auto right = [&](const char* field, const QString& words) {
+        type(field, words);
+        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).isEmpty(), field, kPatience_ms);
+    };
+    wrong("design.title", {}, "empty");
+    right("design.title", QStringLiteral("Tubes"));
+    wrong("design.objective", {}, "empty");
+    right("design.objective", QStringLiteral("To see."));
+    wrong("design.planned", QStringLiteral("0"), "At least one participant");
+    QTRY_VERIFY(text("study.state").contains(QStringLiteral("not saved")));
+    right("design.planned", QStringLiteral("8"));
+    screen()->showTab(StudyScreen::conditionsTab);
+    wrong("condition.reference", QStringLiteral("30000"), "1.00 N/m to 20000 N/m"); // above all that can be rendered
+    right("condition.reference", QStringLiteral("300"));
+    wrong("condition.id", QStringLiteral("Two Words"), "lower-case");
+    wrong("condition.id", QStringLiteral("mass"), "twice"); // the other condition's
+    right("condition.id", QStringLiteral("tube"));
+    // From another page the button above all of them leads to the first.
+    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.conditions[1].stimulus.reference = -1.0; });
+    screen()->showTab(StudyScreen::generalTab);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
+    QVERIFY(!find<QTabBar>("study.tabs")->tabIcon(StudyScreen::conditionsTab).isNull());
+    click("study.to_fault");
+    QTRY_VERIFY(find<QDoubleSpinBox>("condition.reference") && find<QDoubleSpinBox>("condition.reference")->hasFocus());
+    QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
+    click("study.undo");
+    QVERIFY(saved());
+}
+
+/// 41 numbers from a German table; one that is none; one that would be less than nothing.
+void TestStudyDesign::aTableOfNumbersIsPasted() {
+    psychophysics::StudyDesign study = tests::smallStudy("pasted");
+    openDraft(study, StudyScreen::conditionsTab);
+    QStringList lines;
+    for (int i = 0; i < 41; ++i)
+        lines << QString::number(2.0 + 0.25 * i, 'f', 2).replace(QLatin1Char('.'), QLatin1Char(','));
+    QGuiApplication::clipboard()->setText(lines.join(QStringLiteral("\r\n")));
+    click("differences.levels.paste");
+    QTRY_COMPARE(design().conditions.front().stimulus.differences.size(), std::size_t{41});
+    QVERIFY(std::abs(design().conditions.front().stimulus.differences.front() - std::log10(1.02)) < 1e-9);
+    QVERIFY(std::abs(design().conditions.front().stimulus.differences.back() - std::log10(1.12)) < 1e-9);
+    QTRY_COMPARE(m_site->find<QTableWidget>(QStringLiteral("differences.levels.table"))->rowCount(), 41);
+    QVERIFY(saved());
+    QGuiApplication::clipboard()->setText(QStringLiteral("2; 3; many; 5"));
+    click("differences.levels.paste");
+    QVERIFY(faultAt("differences.levels").contains(QStringLiteral("many")));
+    QCOMPARE(design().conditions.front().stimulus.differences.size(), std::size_t{41}); // nothing of it is taken
+    QGuiApplication::clipboard()->setText(QStringLiteral("-120\n5"));
+    click("differences.levels.paste");
+    QVERIFY(faultAt("differences.levels").contains(QStringLiteral("less than nothing")));
+    QGuiApplication::clipboard()->setText(QStringLiteral("-50; -20; -10")); // the reference above all of them: no ranking has a least one
+    click("differences.levels.paste");
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("above the reference")), kPatience_ms);
+    QGuiApplication::clipboard()->setText(QStringLiteral("5; 9000")); // beyond what can be rendered
+    click("differences.levels.paste");
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").contains(QStringLiteral("can be rendered")), kPatience_ms);
+    QGuiApplication::clipboard()->setText(QStringLiteral("5 10 20 40"));
+    click("differences.levels.paste");
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("differences.levels").isEmpty(), kPatience_ms);
+    QVERIFY(saved());
+    // A level of constant stimuli that the table has not.
+    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& changed) {
+        changed.conditions.front().procedures = {psychophysics::ConstantSpec{{0.05, 0.9}, 10, true}};
+    }, true);
+    QTRY_VERIFY_WITH_TIMEOUT(faultAt("procedure.0.levels").contains(QStringLiteral("outside the table")), kPatience_ms);
+}
+
+void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
+    const QLocale german(QLocale::German), english(QLocale::English, QLocale::UnitedKingdom);
+    using Values = std::vector<double>;
+    for (const QLocale& locale : {german, english}) { // a table copied from a colleague's program has the colleague's commas
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1; 2,25"), locale).values, (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5\t1\n2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5, 1, 2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0.5,1,2.25"), locale).values, (Values{0.5, 1.0, 2.25}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("5 % 10 %"), locale).values, (Values{5.0, 10.0}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("\u2212" "3; 4"), locale).values, (Values{-3.0, 4.0}));
+        QCOMPARE(desktop::readNumbers(QStringLiteral("0,5,1,5"), locale).unread, QStringLiteral("0,5,1,5")); // two numbers or four
+        QCOMPARE(desktop::readNumbers(QStringLiteral("1; x; 2"), locale).unread, QStringLiteral("x"));
+        QVERIFY(desktop::readNumbers(QString(), locale).values.empty());
+    }
+    QCOMPARE(desktop::readNumbers(QStringLiteral("0,5"), german).values, Values{0.5});
+    QCOMPARE(desktop::readNumbers(QStringLiteral("5,10"), english).values, (Values{5.0, 10.0}));
+}
+
+void TestStudyDesign::placeholdersAreNotFrozen() {
+    psychophysics::StudyDesign plain = desktop::plainStudy();
+    plain.id = "hasty";
+    openDraft(plain, StudyScreen::checkTab);
+    QTRY_VERIFY(find<QWidget>("check.aim.go"));
+    QVERIFY(find<QWidget>("check.ethics.go") && find<QWidget>("check.consent.go") && find<QWidget>("check.pilot.go"));
+    QVERIFY(!find<QWidget>("check.participants.go") && !find<QWidget>("check.practice.go") && !find<QWidget>("check.design.go"));
+    click("check.freeze");
+    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled() && m_site->find<QWidget>(QStringLiteral("freeze.cannot"))->isVisible());
+    QVERIFY(!m_site->find<QCheckBox>(QStringLiteral("freeze.seen"))->isVisible()); // no word makes up for what is missing
+    auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
+    QVERIFY(go);
+    go->click();
+    QTRY_VERIFY(find<QPlainTextEdit>("design.objective") && find<QPlainTextEdit>("design.objective")->hasFocus());
+    QVERIFY(find<QPlainTextEdit>("design.objective")->toPlainText().isEmpty()); // the placeholder is not shown as somebody's aim
+    type("design.objective", QStringLiteral("Whether it works."));
+    type("design.ethics", QStringLiteral("Not needed: the authors try it themselves."));
+    QVERIFY(saved());
+    screen()->showTab(StudyScreen::checkTab);
+    QTRY_VERIFY(find<QWidget>("check.aim") && !find<QWidget>("check.aim.go") && !find<QWidget>("check.ethics.go"));
+    QTRY_VERIFY_WITH_TIMEOUT(!find<desktop::CheckList>("check.list")->has(desktop::FreezeCheck::State::waiting), 120000);
+    QVERIFY2(text("check.precision.words").contains(QStringLiteral("factor of")), qPrintable(text("check.precision.words")));
+    QVERIFY2(text("check.duration.words").contains(QStringLiteral("as simulated")), qPrintable(text("check.duration.words")));
+    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.trial.practiceTrials = 0; }, true);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.practice.go"), kPatience_ms); // the lines follow the design
+}
+
+/// With the real screens, on this station; and nothing of it is the study's.
+void TestStudyDesign::aPilotIsKeptApart() {
+    psychophysics::StudyDesign study = tests::smallStudy("tried");
+    study.trial.mustTouchAll = false;
+    study.trial.betweenTrials_s = 0.1;
+    openDraft(study, StudyScreen::checkTab);
+    const database::StudyNumber draft = m_study;
+    click("check.pilot");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("pilot.accept")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("pilot.accept"))->isEnabled()); // not without agreement
+    QVERIFY(text("pilot.consent").contains(QStringLiteral("my own free will")));
+    click("pilot.agreed");
+    click("pilot.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
+    auto* trials = m_site->screen<desktop::TrialsScreen>();
+    trials->findChild<QPushButton*>(QStringLiteral("break.button"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->view().canAnswer, 30000);
+    for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+        trials->findChild<QPushButton*>(QLatin1String(button))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0, 30000);
+    const int scored = trials->live()->numbers().scored;
+    trials->live()->stop();
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), 30000); // back at the design
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong(), qlonglong(draft));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("check.pilot.row"), kPatience_ms);
+    QVERIFY2(text("check.pilot.row").contains(QStringLiteral("%1 trial").arg(scored)), qPrintable(text("check.pilot.row")));
+    QCOMPARE(find<QWidget>("check.pilot.go") == nullptr, scored > 0);
+    auto connection = m_site->database().openReader();
+    database::StudyReader reader(**connection, m_site->context.actor());
+    const auto pilots = reader.listPilots("tried");
+    QVERIFY(pilots && pilots->size() == 1);
+    const auto list = reader.listStudies(true);
+    QVERIFY(list && std::none_of(list->begin(), list->end(), [](const database::StudySummary& each) { return !each.pilotOf.empty(); }));
+    QVERIFY(reader.participants(draft)->empty());
+    for (const char* place : {"studies", "study_run", "study_data"}) { // and no screen offers it
+        m_site->go(QLatin1String(place));
+        QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+        for (const QComboBox* choice : m_site->window->screen()->findChildren<QComboBox*>())
+            for (int i = 0; i < choice->count(); ++i)
+                QVERIFY2(!choice->itemText(i).contains(QStringLiteral("Pilot: ")), place);
+        for (const QTableWidget* table : m_site->window->screen()->findChildren<QTableWidget*>())
+            for (int row = 0; row < table->rowCount(); ++row)
+                QVERIFY2(!table->item(row, 0) || !table->item(row, 0)->text().startsWith(QStringLiteral("Pilot: ")), place);
+    }
+}
+
+QTEST_MAIN(TestStudyDesign)
+#include "test_study_design.moc"
