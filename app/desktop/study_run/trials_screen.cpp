@@ -5,7 +5,6 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/help_dialogs.h"
 #include "desktop/station/device_delay.h"
-#include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
