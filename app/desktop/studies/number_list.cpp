@@ -70,6 +70,4 @@ QString listText(const std::vector<double>& values, const QLocale& locale) {
     return words.join(QStringLiteral("; "));
 }
 
-std::vector<double> listOf(const QString& text, const QLocale& locale) { return readNumbers(text, locale).values; }
-
 } // namespace chiron::desktop

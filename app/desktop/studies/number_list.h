@@ -19,8 +19,7 @@ NumberList readNumbers(const QString& text, const QLocale& locale);
 /// What is wrong with it and what to do; empty: nothing.
 QString unreadWords(const NumberList& list);
 
-/// "0.02; 0.05; 0.1" in the locale, and back: what is no number is left out.
+/// "0.02; 0.05; 0.1" in the locale.
 QString listText(const std::vector<double>& values, const QLocale& locale);
-std::vector<double> listOf(const QString& text, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -45,6 +45,14 @@ private slots:
         m_site = std::make_unique<DesktopFixture>();
         m_site->logIn("rhea");
     }
+    void cleanup() { // else the next test is asked whether to leave without what is wrong
+        if (!screen())
+            return;
+        screen()->draft().history().clear();
+        if (!screen()->faults().empty())
+            screen()->draft().change({}, {}, [this](psychophysics::StudyDesign& now) { now = m_opened; });
+        QTRY_VERIFY_WITH_TIMEOUT(screen()->faults().empty(), kPatience_ms);
+    }
     void cleanupTestCase() { m_site.reset(); }
     void templatesCiteTheirSource();
     void fromNothingToFrozen();
@@ -63,6 +71,7 @@ private slots:
 
 private:
     void openDraft(const psychophysics::StudyDesign& design, int tab = StudyScreen::generalTab) {
+        m_opened = design;
         m_study = tests::addDraft(*m_site, m_site->context.actor(), design);
         m_site->go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
@@ -78,18 +87,24 @@ private:
     bool saved() {
         return QTest::qWaitFor([this] { return text("study.state").contains(QStringLiteral("all changes saved")); }, kPatience_ms);
     }
+    /// The one that is seen: pages and screens that were left live until the event loop turns.
+    template <class W> W* shown(const char* name) {
+        for (QWidget* top : QApplication::topLevelWidgets())
+            for (W* found : top->findChildren<W*>(QLatin1String(name)))
+                if (found->isVisible())
+                    return found;
+        return nullptr;
+    }
     /// What a person does: each call is one action.
     void click(const char* name) {
         ++m_actions;
-        auto* button = m_site->find<QAbstractButton>(QLatin1String(name));
-        QVERIFY2(button, name);
-        QVERIFY2(button->isVisible() && button->isEnabled(), name);
-        button->click();
+        QTRY_VERIFY2(shown<QAbstractButton>(name) && shown<QAbstractButton>(name)->isEnabled(), name);
+        shown<QAbstractButton>(name)->click();
     }
     void type(const char* name, const QString& words) {
         ++m_actions;
-        auto* field = m_site->find<QWidget>(QLatin1String(name));
-        QVERIFY2(field && field->isVisible(), name);
+        QTRY_VERIFY2(shown<QWidget>(name), name);
+        auto* field = shown<QWidget>(name);
         field->setFocus();
         if (auto* line = qobject_cast<QLineEdit*>(field))
             line->selectAll();
@@ -102,6 +117,7 @@ private:
         else
             QTest::keyClicks(field, words);
     }
+    bool inFocus(const char* field) const { return m_site->window->focusWidget() && m_site->window->focusWidget()->objectName() == QLatin1String(field); }
     QString faultAt(const char* field) {
         auto* fault = find<QWidget>((QByteArray(field) + ".fault").constData());
         if (!fault)
@@ -118,6 +134,7 @@ private:
 
     std::unique_ptr<DesktopFixture> m_site;
     database::StudyNumber m_study = 0;
+    psychophysics::StudyDesign m_opened;
     int m_actions = 0;
 };
 
@@ -241,7 +258,7 @@ void TestStudyDesign::namesThatAreTaken() {
     type("condition.title", first);
     QTRY_VERIFY_WITH_TIMEOUT(faultAt("condition.title").contains(QStringLiteral("same name")), kPatience_ms);
     click("study.next"); // not before it is put right
-    QVERIFY(find<QLineEdit>("condition.title")->hasFocus());
+    QVERIFY(inFocus("condition.title"));
 }
 
 /// Beside every page, and after every change: also of what is changed on another page than the one that it was first shown with.
@@ -349,7 +366,7 @@ void TestStudyDesign::everyFieldSaysWhatItMeans() {
                         continue; // a procedure's kind has its sentence beside it
                     QVERIFY2(!field->accessibleName().isEmpty() && !field->accessibleDescription().isEmpty(), qPrintable(field->objectName()));
                     QVERIFY2(grid->findChild<QLabel*>(field->objectName() + QStringLiteral(".meaning")), qPrintable(field->objectName()));
-                    QVERIFY2(!field->accessibleName().contains(QStringLiteral("log10")), qPrintable(field->accessibleName()));
+                    QVERIFY2(tab == StudyScreen::previewTab || !field->accessibleName().contains(QStringLiteral("log10")), qPrintable(field->accessibleName()));
                 }
         }
     }
@@ -407,7 +424,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
         QVERIFY(!find<QWidget>((QByteArray(field) + ".fault").constData())->findChildren<QLabel*>().front()->pixmap(Qt::ReturnByValue).isNull()); // a sign
         find<QWidget>("study.next")->setFocus();
         click("study.next");
-        QVERIFY2(widget->hasFocus(), field); // and not the next page
+        QVERIFY2(inFocus(field), field); // and not the next page
     };
     const auto right = [&](const char* field, const QString& words) {
         type(field, words);
@@ -432,7 +449,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
     QVERIFY(!find<QTabBar>("study.tabs")->tabIcon(StudyScreen::conditionsTab).isNull());
     click("study.to_fault");
-    QTRY_VERIFY(find<QDoubleSpinBox>("condition.reference") && find<QDoubleSpinBox>("condition.reference")->hasFocus());
+    QTRY_VERIFY(find<QDoubleSpinBox>("condition.reference") && inFocus("condition.reference"));
     QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
     click("study.undo");
     QVERIFY(saved());
@@ -508,7 +525,7 @@ void TestStudyDesign::placeholdersAreNotFrozen() {
     auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
     QVERIFY(go);
     go->click();
-    QTRY_VERIFY(find<QPlainTextEdit>("design.objective") && find<QPlainTextEdit>("design.objective")->hasFocus());
+    QTRY_VERIFY(find<QPlainTextEdit>("design.objective") && inFocus("design.objective"));
     QVERIFY(find<QPlainTextEdit>("design.objective")->toPlainText().isEmpty()); // the placeholder is not shown as somebody's aim
     type("design.objective", QStringLiteral("Whether it works."));
     type("design.ethics", QStringLiteral("Not needed: the authors try it themselves."));

@@ -5,6 +5,7 @@
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/number_list.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_draft.h"
@@ -194,7 +195,7 @@ void TestStudyParts::draftsAreUndone() {
 
 void TestStudyParts::listsAreRead() {
     const QLocale german(QLocale::German);
-    QCOMPARE(desktop::listOf(QStringLiteral("0,5; 1 ;x; 2,25"), german), (std::vector<double>{0.5, 1.0, 2.25}));
+    QCOMPARE(desktop::readNumbers(QStringLiteral("0,5; 1 ; 2,25"), german).values, (std::vector<double>{0.5, 1.0, 2.25}));
     QCOMPARE(desktop::listText({0.5, 2.0}, german), QStringLiteral("0,5; 2"));
     const std::vector<double> both = desktop::differencesAround(0.2, 5);
     QCOMPARE(both[2], 0.0);
