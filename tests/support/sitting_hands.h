@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/trials_screen.h"
 #include "support/every_place.h"
 
