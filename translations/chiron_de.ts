@@ -3181,7 +3181,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation>Station</translation>
+        <translation>Arbeitsplatz</translation>
     </message>
     <message>
         <source>Device</source>
@@ -3316,7 +3316,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Station check: timing of the force loop</source>
-        <translation>Stationsprüfung: Zeitverhalten der Kraftschleife</translation>
+        <translation>Prüfung des Arbeitsplatzes: Zeitverhalten der Kraftschleife</translation>
     </message>
     <message>
         <source>Passed. %1</source>
@@ -10913,7 +10913,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>Station check.pdf</source>
-        <translation>Stationsprüfung.pdf</translation>
+        <translation>Arbeitsplatz.pdf</translation>
     </message>
     <message>
         <source>A researcher or an administrator can run it here.</source>

@@ -262,8 +262,11 @@ void TestLiveStudy::theTrialAtHandIsTold() {
     QVERIFY(live->numbers().practice == 0 && live->numbers().repeats == 0 && live->numbers().lastSpoiled.empty());
     QVERIFY(live->answer(2).has_value());
     QVERIFY(!live->answer(2)); // once
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().practice == 1), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().mayTakeBack), kPatience_ms); // told first, and stored once nobody takes it back
     const session::LiveStudyView told = live->view();
+    QCOMPARE(live->numbers().practice, 0);
+    live->goOn();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->numbers().practice == 1), kPatience_ms);
     const auto stored = [&](std::size_t trial) {
         auto connection = site.fixture.database->openReader();
         database::StudyReader reader(**connection, site.actor);
@@ -272,7 +275,7 @@ void TestLiveStudy::theTrialAtHandIsTold() {
     };
     const database::StudyTrial practised = stored(0);
     QVERIFY(practised.practice && practised.answer == 2 && practised.ordinal == 0);
-    QVERIFY(told.state == View::feedback && !told.practice && told.trial == 0 && told.ofAtMost == first.ofAtMost);
+    QVERIFY(told.state == View::feedback && told.practice && told.trial == 0 && told.ofAtMost == first.ofAtMost);
     QCOMPARE(told.right, std::optional(psychophysics::correctAnswer(psychophysics::Task::rank3, practised.arrangement) == 2));
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(!live->view().practice && !live->view().right);
