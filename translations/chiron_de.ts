@@ -657,7 +657,7 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-            <numerusform>Einmal ausprobiert.</numerusform>
+            <numerusform>%n-mal ausprobiert.</numerusform>
             <numerusform>%n-mal ausprobiert.</numerusform>
         </translation>
     </message>
@@ -2019,7 +2019,7 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
-    <name>ParticipantCard</name>
+    <name>ParticipantFacts</name>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
@@ -2256,7 +2256,7 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-            <numerusform>Nach jedem Durchgang gibt es eine Pause</numerusform>
+            <numerusform>Nach je %n Durchgang gibt es eine Pause</numerusform>
             <numerusform>Nach je %n Durchgängen gibt es eine Pause</numerusform>
         </translation>
     </message>
@@ -9800,7 +9800,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>Just noticeable difference</source>
-        <translation>Unterschiedsschwelle (JND)</translation>
+        <translation>Unterschiedsschwelle</translation>
     </message>
     <message>
         <source>Just noticeable differences between these are considered possible.</source>

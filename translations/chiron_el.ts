@@ -657,7 +657,7 @@ Details: %2</source>
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-            <numerusform>Δοκιμάστηκε μία φορά.</numerusform>
+            <numerusform>Δοκιμάστηκε %n φορά.</numerusform>
             <numerusform>Δοκιμάστηκε %n φορές.</numerusform>
         </translation>
     </message>
@@ -2019,7 +2019,7 @@ Details: %2</source>
     </message>
 </context>
 <context>
-    <name>ParticipantCard</name>
+    <name>ParticipantFacts</name>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
@@ -2256,7 +2256,7 @@ Details: %2</source>
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-            <numerusform>Μετά από κάθε δοκιμή υπάρχει διάλειμμα</numerusform>
+            <numerusform>Μετά από κάθε %n δοκιμή υπάρχει διάλειμμα</numerusform>
             <numerusform>Μετά από κάθε %n δοκιμές υπάρχει διάλειμμα</numerusform>
         </translation>
     </message>
@@ -9800,7 +9800,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>Just noticeable difference</source>
-        <translation>Ελάχιστη αντιληπτή διαφορά (JND)</translation>
+        <translation>Ελάχιστη αντιληπτή διαφορά</translation>
     </message>
     <message>
         <source>Just noticeable differences between these are considered possible.</source>

@@ -23,13 +23,13 @@
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-            <numerusform>Tried once.</numerusform>
+            <numerusform>Tried %n time.</numerusform>
             <numerusform>Tried %n times.</numerusform>
         </translation>
     </message>
 </context>
 <context>
-    <name>ParticipantCard</name>
+    <name>ParticipantFacts</name>
     <message numerus="yes">
         <source>%1, and %n for practice</source>
         <translation>
@@ -78,7 +78,7 @@
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-            <numerusform>After every trial there is a break</numerusform>
+            <numerusform>After every %n trial there is a break</numerusform>
             <numerusform>After every %n trials there is a break</numerusform>
         </translation>
     </message>
