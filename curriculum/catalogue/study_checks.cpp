@@ -73,31 +73,6 @@ bool takesBothSides(Task task) {
     return task == Task::twoAfc || task == Task::yesNo || task == Task::adjustment || task == Task::magnitude;
 }
 
-void checkTable(const Condition& condition, const QString& path, Problems& problems) {
-    const QString stimulus = memberPath(path, "stimulus");
-    const QString at = elementPath(memberPath(stimulus, "differences"), 0);
-    const auto& differences = condition.stimulus.differences;
-    const double first = differences.front();
-    if (condition.scale == ProcedureScale::logDifference && first <= 0.0)
-        problems.push_back({at, QString::number(first), QStringLiteral("more than 0: the scale takes its logarithm")});
-    else if (!takesBothSides(condition.task) && first <= 0.0)
-        problems.push_back({at, QString::number(first), QStringLiteral("more than 0 for the task %1").arg(word(psychophysics::token(condition.task)))});
-    const ValueRange range = valueRange(condition.stimulus.attribute);
-    const double reference = condition.stimulus.reference;
-    const QString expected = QStringLiteral("%1 to %2 %3").arg(range.lowest).arg(range.highest).arg(word(psychophysics::unitOf(condition.stimulus.attribute)));
-    if (!(reference >= range.lowest && reference <= range.highest)) {
-        problems.push_back({memberPath(stimulus, "reference"), QString::number(reference), expected});
-        return;
-    }
-    const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
-    for (const std::size_t i : {std::size_t{0}, differences.size() - 1}) {
-        const double value = reference * std::pow(10.0, multiple * differences[i]);
-        if (!(value >= range.lowest && value <= range.highest))
-            problems.push_back({elementPath(memberPath(stimulus, "differences"), static_cast<qsizetype>(i)),
-                                QStringLiteral("an object of %1").arg(value), expected});
-    }
-}
-
 // Levels that a procedure names must be there to be presented.
 void checkLevels(const Condition& condition, const QString& path, Problems& problems) {
     const auto& table = condition.stimulus.differences;
@@ -138,6 +113,31 @@ double middleReference(const Condition& condition) {
     const double below = differences.empty() ? 0.0 : std::min(0.0, multiple * differences.front());
     const double above = differences.empty() ? 0.0 : std::max(0.0, multiple * differences.back());
     return std::sqrt(range.lowest * std::pow(10.0, -below) * range.highest * std::pow(10.0, -above));
+}
+
+void checkTable(const Condition& condition, const QString& path, Problems& problems) {
+    const QString stimulus = memberPath(path, "stimulus");
+    const QString at = elementPath(memberPath(stimulus, "differences"), 0);
+    const auto& differences = condition.stimulus.differences;
+    const double first = differences.front();
+    if (condition.scale == ProcedureScale::logDifference && first <= 0.0)
+        problems.push_back({at, QString::number(first), QStringLiteral("more than 0: the scale takes its logarithm")});
+    else if (!takesBothSides(condition.task) && first <= 0.0)
+        problems.push_back({at, QString::number(first), QStringLiteral("more than 0 for the task %1").arg(word(psychophysics::token(condition.task)))});
+    const ValueRange range = valueRange(condition.stimulus.attribute);
+    const double reference = condition.stimulus.reference;
+    const QString expected = QStringLiteral("%1 to %2 %3").arg(range.lowest).arg(range.highest).arg(word(psychophysics::unitOf(condition.stimulus.attribute)));
+    if (!(reference >= range.lowest && reference <= range.highest)) {
+        problems.push_back({memberPath(stimulus, "reference"), QString::number(reference), expected});
+        return;
+    }
+    const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
+    for (const std::size_t i : {std::size_t{0}, differences.size() - 1}) {
+        const double value = reference * std::pow(10.0, multiple * differences[i]);
+        if (!(value >= range.lowest && value <= range.highest))
+            problems.push_back({elementPath(memberPath(stimulus, "differences"), static_cast<qsizetype>(i)),
+                                QStringLiteral("an object of %1").arg(value), expected});
+    }
 }
 
 void checkCondition(const Condition& condition, const QString& path, Problems& problems) {

@@ -89,5 +89,7 @@ void refuseTwice(const ObjectReader& json, const char* key, const std::string& i
 
 /// What no single value tells: whether task, table, scale and procedures of a condition go together.
 void checkCondition(const psychophysics::Condition& condition, const QString& path, Problems& problems);
+/// The part of it that no procedure has a say in: whether task, scale and table of differences go together, and every object can be.
+void checkTable(const psychophysics::Condition& condition, const QString& path, Problems& problems);
 
 } // namespace chiron::catalogue

@@ -95,6 +95,7 @@ Condition readCondition(const ObjectReader& json) {
     out.task = task.value_or(Task::rank3);
     out.scale = readWord(json, "scale", kScales, ProcedureScale::difference);
     out.criterion = readNumber(json, "criterion", 0.01, 0.99, out.criterion);
+    const bool tableReads = json.problems().size() == before;
     json.eachObject("procedures", [&](const ObjectReader& one) { out.procedures.push_back(readProcedure(one)); });
     if (out.procedures.empty() || out.procedures.size() > 8)
         addProblem(json, "procedures", QString::number(out.procedures.size()), QStringLiteral("1 to 8 procedures"));
@@ -102,6 +103,8 @@ Condition readCondition(const ObjectReader& json) {
                       QStringLiteral("a key of a condition"));
     if (json.problems().size() == before)
         checkCondition(out, json.path(), json.problems());
+    else if (tableReads) // procedures that do not read may do so because of the table
+        checkTable(out, json.path(), json.problems());
     return out;
 }
 

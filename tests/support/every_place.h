@@ -57,6 +57,7 @@ inline void addStudyPlaces(std::vector<VisitedPlace>& places, const VisitedStudi
     add("study_trials", "study", of(studies.draft, 2));
     add("study_questions", "study", of(studies.draft, 3));
     add("study_preview", "study", of(studies.draft, 4));
+    add("study_check", "study", of(studies.draft, 5));
     add("study_participants", "study", of(studies.data, 5));
     add("study_error", "study", of(9999, 0));
     add("run", "study_run", {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}});

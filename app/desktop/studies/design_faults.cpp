@@ -80,12 +80,16 @@ constexpr std::pair<const char*, const char*> kConditionSpots[] = {
     {"scale", "condition.scale"},          {"criterion", "condition.criterion"},
 };
 
+const QString kTableField = QStringLiteral("differences.levels");
+
 /// Fields of a procedure that are called otherwise than their keys.
 QString procedureField(const QString& procedure, const QString& key) {
     QString end = key;
     end.remove(QRegularExpression(QStringLiteral("^stop\\.?")));
     if (end == QStringLiteral("lapse_rates"))
         end = QStringLiteral("lapse");
+    if (end.startsWith(QStringLiteral("differences")) || end.startsWith(QStringLiteral("stimuli")))
+        return kTableField; // which they are taken from
     static const QRegularExpression kGrid(QStringLiteral("^parameters\\[(\\d+)\\]"));
     if (const auto match = kGrid.match(end); match.hasMatch())
         end = QStringLiteral("grid") + match.captured(1);
@@ -138,13 +142,15 @@ QString stimulusWords(const Condition& condition, const QString& field, const Re
     return {};
 }
 
+const QString kTwice = QStringLiteral("not given twice");
+
 QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     static const QRegularExpression kBetween(QStringLiteral("(-?[0-9.]+(?:e[-+]?\\d+)?) to (-?[0-9.]+(?:e[-+]?\\d+)?)"));
     if (fault.found == QStringLiteral("0 characters") || fault.found == QStringLiteral("missing"))
         return FaultWords::tr("This is empty. Write something.");
     if (fault.expected.startsWith(QStringLiteral("lower-case letters")))
         return FaultWords::tr("Use lower-case letters, digits and _ only, a letter first.");
-    if (fault.expected.contains(QStringLiteral("not given twice")))
+    if (fault.expected.contains(kTwice))
         return FaultWords::tr("This is there twice. Choose another.");
     if (fault.expected.contains(QStringLiteral("as the table of differences has")))
         return FaultWords::tr("A level lies outside the table of differences. Choose one within it, or change the table.");
@@ -165,6 +171,23 @@ QString wordsOf(const StudyDesign& design, const DesignFault& fault, const Reade
     return said.found;
 }
 
+/// Whichever of the two somebody has just changed.
+void addToBoth(std::vector<DesignFault>& faults, const StudyDesign& design, const DesignFault& fault) {
+    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+        if (design.conditions[i].id == design.conditions[static_cast<std::size_t>(fault.condition)].id) {
+            DesignFault one = fault;
+            one.condition = static_cast<int>(i);
+            faults.push_back(std::move(one));
+        }
+}
+
+bool sameTitle(const Condition& a, const Condition& b) {
+    return std::any_of(a.title.begin(), a.title.end(), [&](const auto& each) {
+        const auto found = b.title.find(each.first);
+        return found != b.title.end() && QString::fromStdString(found->second).trimmed() == QString::fromStdString(each.second).trimmed();
+    });
+}
+
 } // namespace
 
 std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Error& error, const QLocale& locale) {
@@ -173,7 +196,13 @@ std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Err
         DesignFault fault;
         place(fault, each.path);
         fault.words = wordsOf(design, fault, each, locale);
-        faults.push_back(std::move(fault));
+        const bool ofTable = fault.field == kTableField && each.path.contains(QStringLiteral(".stimulus."));
+        if (ofTable) // what the procedures made of it goes with it
+            std::erase_if(faults, [&](const DesignFault& other) { return other.condition == fault.condition && other.field == kTableField; });
+        if (fault.field == QStringLiteral("condition.id") && each.expected.contains(kTwice))
+            addToBoth(faults, design, fault);
+        else
+            faults.push_back(std::move(fault));
     }
     std::stable_sort(faults.begin(), faults.end(), [](const DesignFault& a, const DesignFault& b) { return a.tab < b.tab; });
     return faults;
@@ -181,18 +210,12 @@ std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Err
 
 std::vector<DesignFault> nameFaults(const StudyDesign& design) {
     std::vector<DesignFault> faults;
-    for (std::size_t i = 0; i < design.conditions.size(); ++i)
-        for (const auto& [language, title] : design.conditions[i].title) {
-            const bool twice = std::any_of(design.conditions.begin(), design.conditions.begin() + static_cast<std::ptrdiff_t>(i), [&, l = language, t = title](const Condition& other) {
-                const auto found = other.title.find(l);
-                return found != other.title.end() && QString::fromStdString(found->second).trimmed() == QString::fromStdString(t).trimmed();
-            });
-            if (!twice)
-                continue;
+    for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+        const auto twins = std::count_if(design.conditions.begin(), design.conditions.end(), [&](const Condition& other) { return sameTitle(design.conditions[i], other); });
+        if (twins > 1)
             faults.push_back({StudyScreen::conditionsTab, static_cast<int>(i), QStringLiteral("condition.title"),
                               FaultWords::tr("Another condition has the same name. Tables and figures could not tell them apart.")});
-            break;
-        }
+    }
     return faults;
 }
 

@@ -20,7 +20,7 @@ using session::PartView;
 namespace {
 
 struct CardWords {
-    Q_DECLARE_TR_FUNCTIONS(ParticipantCard)
+    Q_DECLARE_TR_FUNCTIONS(ParticipantFacts)
 };
 
 QString conditionLine(const Condition& condition, const QLocale& locale, const QString& language) {

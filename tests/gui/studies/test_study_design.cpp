@@ -236,12 +236,13 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
 }
 
 void TestStudyDesign::namesThatAreTaken() {
+    tests::addDraft(*m_site, m_site->context.actor(), tests::smallStudy("taken"));
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
     QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
     click("studies.new");
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
-    type("new_study.key", QStringLiteral("soft_and_stiff_tubes"));
+    type("new_study.key", QStringLiteral("taken"));
     QTRY_VERIFY(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
     QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->accessibleDescription().isEmpty());
@@ -428,7 +429,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     };
     const auto right = [&](const char* field, const QString& words) {
         type(field, words);
-        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).isEmpty(), field, kPatience_ms);
+        QTRY_VERIFY2_WITH_TIMEOUT(faultAt(field).isEmpty(), qPrintable(QStringLiteral("%1: %2, %3").arg(QLatin1String(field), faultAt(field), text("study.state"))), kPatience_ms);
     };
     wrong("design.title", {}, "empty");
     right("design.title", QStringLiteral("Tubes"));
@@ -438,7 +439,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QTRY_VERIFY(text("study.state").contains(QStringLiteral("not saved")));
     right("design.planned", QStringLiteral("8"));
     screen()->showTab(StudyScreen::conditionsTab);
-    wrong("condition.reference", QStringLiteral("30000"), "1.00 N/m to 20000 N/m"); // above all that can be rendered
+    wrong("condition.reference", QStringLiteral("30000"), "1.00 N/m to 20,000 N/m"); // above all that can be rendered
     right("condition.reference", QStringLiteral("300"));
     wrong("condition.id", QStringLiteral("Two Words"), "lower-case");
     wrong("condition.id", QStringLiteral("mass"), "twice"); // the other condition's

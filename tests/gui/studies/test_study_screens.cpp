@@ -116,6 +116,8 @@ void TestStudyScreens::faultsAreSaid() {
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
         design.questionnaires = tests::smallStudy("x").questionnaires;
         design.blindExperimenter = true;
+        design.objective["en"] = "Whether tubes can be told apart."; // else nobody freezes it
+        design.ethics = "Not needed: a test.";
     }, true);
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
     for (int tab = 0; tab < desktop::StudyScreen::tabs; ++tab) { // each page can be built
@@ -135,6 +137,10 @@ void TestStudyScreens::frozen() {
     click("study.freeze");
     const QString sha = text("freeze.sha256").remove(QLatin1Char(' '));
     QCOMPARE(sha.size(), 64);
+    auto* seen = m_site->find<QCheckBox>(QStringLiteral("freeze.seen"));
+    QVERIFY(seen && seen->isVisible()); // nobody has tried it
+    seen->click();
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled(), 60000); // once simulated observers have done it
     click("freeze.accept");
     QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(sha.left(12)), 10000);
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("participants.enrol")));
