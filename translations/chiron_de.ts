@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Chiron</source>
+        <translation>Über Chiron</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Training for the sense of touch in minimally invasive surgery. Named after the centaur who taught Asclepius medicine; his name comes from cheir, hand.</source>
+        <translation>Training für den Tastsinn in der minimalinvasiven Chirurgie. Benannt nach dem Kentauren, der Asklepios die Heilkunst lehrte; sein Name kommt von cheir, Hand.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. Not a medical device.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Programmstand: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>AccountForm</name>
     <message>
         <source>Language</source>
@@ -142,6 +169,10 @@
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>About Chiron</source>
+        <translation>Über Chiron</translation>
     </message>
 </context>
 <context>
@@ -309,6 +340,25 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>ExitBackup</name>
+    <message>
+        <source>Making today&apos;s backup</source>
+        <translation>Die heutige Sicherung wird erstellt</translation>
+    </message>
+    <message>
+        <source>Chiron closes by itself when the backup is made and checked.</source>
+        <translation>Chiron wird von selbst beendet, sobald die Sicherung erstellt und geprüft ist.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Close without a backup</source>
+        <translation>Ohne Sicherung beenden</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1699,21 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>PaletteSearch</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, Stufe %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Session %1: %2, level %3, %4, %5</source>
+        <translation>Sitzung %1: %2, Stufe %3, %4, %5</translation>
+    </message>
+</context>
+<context>
     <name>PalpationFindings</name>
     <message>
         <source>stated size %1, true size %2</source>
@@ -2814,6 +2879,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Trials</source>
         <translation>Durchgänge</translation>
     </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3226,6 +3295,28 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Kein Fehler gefunden: %1 Datensätze, jede Aufzeichnung, jede Wertung und das Prüfprotokoll wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Die automatische Sicherung (%1) wurde nicht erstellt. Es wird erneut versucht; erstellen Sie bis dahin selbst eine.
+Einzelheiten: %2</translation>
+    </message>
+    <message>
+        <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
+        <translation>Die erste automatische Sicherung wird erstellt, sobald einige Minuten lang niemand das Programm benutzt hat oder wenn es beendet wird.</translation>
+    </message>
+    <message>
+        <source>The latest automatic backup was made and checked on %1 (%2).</source>
+        <translation>Die letzte automatische Sicherung wurde am %1 erstellt und geprüft (%2).</translation>
+    </message>
+    <message>
+        <source>Automatic backups are off. Only backups that you make yourself protect what is recorded.</source>
+        <translation>Automatische Sicherungen sind ausgeschaltet. Nur Sicherungen, die Sie selbst erstellen, schützen das Aufgezeichnete.</translation>
+    </message>
+    <message>
+        <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
+        <translation>Die Sicherungen liegen auf derselben Festplatte wie der Standort: Fällt sie aus, ist beides verloren. Wählen Sie einen Ordner auf einer anderen Festplatte, einem USB-Laufwerk oder im Netzwerk.</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5263,42 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AutomaticCard</name>
+    <message>
+        <source>Automatic backups</source>
+        <translation>Automatische Sicherungen</translation>
+    </message>
+    <message>
+        <source>Once a day, when nobody has used the program for a few minutes, or when it closes. A session or a study is never disturbed. Each backup is checked after it is made.</source>
+        <translation>Einmal am Tag, wenn einige Minuten lang niemand das Programm benutzt hat oder wenn es beendet wird. Eine Sitzung oder Studie wird nie gestört. Jede Sicherung wird nach dem Erstellen geprüft.</translation>
+    </message>
+    <message>
+        <source>Make a backup every day</source>
+        <translation>Jeden Tag eine Sicherung erstellen</translation>
+    </message>
+    <message>
+        <source>Automatic backups to keep</source>
+        <translation>Aufzubewahrende automatische Sicherungen</translation>
+    </message>
+    <message>
+        <source>Older ones are removed. Backups that you made yourself are never removed.</source>
+        <translation>Ältere werden entfernt. Sicherungen, die Sie selbst erstellt haben, werden nie entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BackupKeeper</name>
+    <message>
+        <source>The automatic backup was not made; it is tried again.
+%1</source>
+        <translation>Die automatische Sicherung wurde nicht erstellt; es wird erneut versucht.
+%1</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Speicher öffnen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
         <source>Break time</source>
@@ -5196,20 +5323,28 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
-        <translation>Geben Sie ein, was Sie tun möchten</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
-        <source>No matching command. Try fewer letters or another word.</source>
-        <translation>Kein passender Befehl. Versuchen Sie es mit weniger Buchstaben oder einem anderen Wort.</translation>
-    </message>
-    <message>
         <source>%1   (%2)</source>
         <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>Type what you want to do, or a name</source>
+        <translation>Was möchten Sie tun, oder welchen Namen suchen Sie?</translation>
+    </message>
+    <message>
+        <source>Nothing matches. Try fewer letters or another word.</source>
+        <translation>Nichts gefunden. Versuchen Sie es mit weniger Buchstaben oder einem anderen Wort.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Further commands</source>
+        <translation>Weitere Befehle</translation>
     </message>
 </context>
 <context>
@@ -7452,6 +7587,48 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Searching people, sessions and studies …</source>
+        <translation>Personen, Sitzungen und Studien werden durchsucht …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>On other screens</source>
+        <translation>Auf anderen Seiten</translation>
+    </message>
+    <message>
+        <source>Not everything could be searched: %1</source>
+        <translation>Nicht alles konnte durchsucht werden: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+            <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+            <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PalpationBox</name>
     <message>
         <source>Trial</source>
@@ -8254,14 +8431,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Der Kommentar wurde nicht gespeichert. Sein Text ist noch da.</translation>
     </message>
     <message>
-        <source>The session was not declared void; nothing was changed.</source>
-        <translation>Die Sitzung wurde nicht für ungültig erklärt; es wurde nichts geändert.</translation>
-    </message>
-    <message>
-        <source>The session is void. Recording and scores are kept.</source>
-        <translation>Die Sitzung ist ungültig. Aufzeichnung und Wertungen bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>second session</source>
         <translation>zweite Sitzung</translation>
     </message>
@@ -8356,6 +8525,14 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
         <translation>Durchgang %1 · %2 · %3 · Kraft %4 · Tempo %5</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided; nothing was changed.</source>
+        <translation>Sitzung %1 wurde nicht für ungültig erklärt; es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Sitzung %1 ist für ungültig erklärt. Ihre Aufzeichnung bleibt erhalten; sie zählt nicht mehr.</translation>
     </message>
 </context>
 <context>
@@ -9376,6 +9553,195 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <source>Restore</source>
         <translation>Wiederherstellen</translation>
     </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+    </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password</source>
+        <translation>Die beschädigte Datei hat eine andere Administration oder ein anderes Passwort</translation>
+    </message>
+    <message>
+        <source>Administrator in the damaged file</source>
+        <translation>Administration in der beschädigten Datei</translation>
+    </message>
+    <message>
+        <source>Password in the damaged file</source>
+        <translation>Passwort in der beschädigten Datei</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RestoreScreen</name>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Sicherungen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is missing</source>
+        <translation>Die Datei des Standorts fehlt</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is damaged</source>
+        <translation>Die Datei des Standorts ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Everything of a site is in one file. If that is damaged or gone, a backup brings the site back as it was when the backup was made.
+
+The list shows the backups in the places that this computer knows, newest first, and whether each can be used. Use &quot;Choose a file&quot; for one on another disk: it is a folder with the files manifest.json and chiron.db in it.
+
+An administrator of the backup has to give the password. The damaged file is never deleted: it is kept beside the new one under another name.</source>
+        <translation>Ein Standort liegt ganz in einer Datei. Ist sie beschädigt oder verschwunden, bringt eine Sicherung den Standort so zurück, wie er beim Erstellen der Sicherung war.
+
+Die Liste zeigt die Sicherungen an den Orten, die dieser Computer kennt, die neueste zuerst, und ob jede verwendet werden kann. Mit „Datei wählen“ nehmen Sie eine von einer anderen Festplatte: Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.
+
+Eine Person aus der Administration der Sicherung muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
+    </message>
+    <message>
+        <source>Details: %1</source>
+        <translation>Einzelheiten: %1</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Gewählte Sicherung wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Wait until the restore has finished.</source>
+        <translation>Warten Sie, bis das Wiederherstellen beendet ist.</translation>
+    </message>
+    <message>
+        <source>No backup was found</source>
+        <translation>Keine Sicherung gefunden</translation>
+    </message>
+    <message>
+        <source>There is none in %1. If you have one elsewhere, on a USB drive or on the network, choose it below.</source>
+        <translation>In %1 gibt es keine. Wenn Sie anderswo eine haben, auf einem USB-Laufwerk oder im Netzwerk, wählen Sie sie unten.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Being checked …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Intact</source>
+        <translation>Unversehrt</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>No backup is selected.</source>
+        <translation>Es ist keine Sicherung gewählt.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.</source>
+        <translation>Diese Sicherung kann nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>A file of the backup</source>
+        <translation>Eine Datei der Sicherung</translation>
+    </message>
+    <message>
+        <source>Backups (manifest.json chiron.db)</source>
+        <translation>Sicherungen (manifest.json chiron.db)</translation>
+    </message>
+    <message>
+        <source>Restoring the backup and checking it …</source>
+        <translation>Die Sicherung wird wiederhergestellt und geprüft …</translation>
+    </message>
+    <message>
+        <source>Nothing was restored: the name or the password is not that of an administrator, or too many wrong ones were given.
+Details: %1</source>
+        <translation>Es wurde nichts wiederhergestellt: Name oder Passwort gehören nicht zur Administration, oder es wurde zu oft falsch eingegeben.
+Einzelheiten: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was restored.</source>
+        <translation>Es wurde nichts wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The damaged file is unchanged.</source>
+        <translation>Es wurde nichts wiederhergestellt. Die beschädigte Datei ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. Please log in.</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Bitte melden Sie sich an.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as %1. Please log in.</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Die beschädigte Datei bleibt als %1 erhalten. Bitte melden Sie sich an.</translation>
+    </message>
+    <message>
+        <source>%1 is still missing.</source>
+        <translation>%1 fehlt noch immer.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>
+        <translation>%1 ist nicht mehr da. Wurde die Datei verschoben oder liegt sie auf einer Festplatte, die nicht angeschlossen ist, stellen Sie sie zurück und versuchen Sie es erneut. Sonst stellen Sie eine Sicherung wieder her.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a site. Nothing was changed. Restore a backup to continue; the damaged file is kept as a copy.</source>
+        <translation>%1 kann nicht als Standort gelesen werden. Es wurde nichts geändert. Stellen Sie eine Sicherung wieder her, um fortzufahren; die beschädigte Datei bleibt als Kopie erhalten.</translation>
+    </message>
+    <message>
+        <source>Try to open it again</source>
+        <translation>Noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>Set up a new site</source>
+        <translation>Neuen Standort einrichten</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup. A backup is a folder with the files manifest.json and chiron.db in it.</source>
+        <translation>%1 ist keine Sicherung. Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -10383,22 +10749,6 @@ Mit Echtzeitpriorität hält die Regelung ihren Takt, was immer der Computer son
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>Shows where all recorded data is kept and whether it is safe.
-
-&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
-
-&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
-
-&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
-        <translation>Zeigt, wo alle aufgezeichneten Daten liegen und ob sie sicher sind.
-
-„Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
-
-„Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
-
-„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, bewahrt die jetzige Datenbank auf und meldet alle ab.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Freier Platz</translation>
     </message>
@@ -10604,6 +10954,42 @@ Mit Echtzeitpriorität hält die Regelung ihren Takt, was immer der Computer son
     <message>
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
         <translation>Die Sicherung wurde wiederhergestellt. Die bisherige Datenbank bleibt als %1 erhalten. Bitte melden Sie sich neu an.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>The plan for automatic backups was not saved.</source>
+        <translation>Der Plan für automatische Sicherungen wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Shows where all recorded data is kept and whether it is safe.
+
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Zeigt, wo alle aufgezeichneten Daten liegen und ob sie sicher sind.
+
+„Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
+
+„Automatische Sicherungen“ erstellt täglich eine und bewahrt so viele auf, wie Sie angeben; Sicherungen, die Sie selbst erstellt haben, werden nie entfernt.
+
+„Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
+
+„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, bewahrt die jetzige Datenbank auf und meldet alle ab.</translation>
     </message>
 </context>
 <context>
@@ -11917,33 +12303,6 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     </message>
 </context>
 <context>
-    <name>chiron::desktop::VoidDialog</name>
-    <message>
-        <source>Declare this session void</source>
-        <translation>Diese Sitzung für ungültig erklären</translation>
-    </message>
-    <message>
-        <source>Declare this session void?</source>
-        <translation>Diese Sitzung für ungültig erklären?</translation>
-    </message>
-    <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Reason (the trainee can read it)</source>
-        <translation>Begründung (für die lernende Person lesbar)</translation>
-    </message>
-    <message>
-        <source>Keep it as it is</source>
-        <translation>So lassen</translation>
-    </message>
-    <message>
-        <source>Declare void</source>
-        <translation>Für ungültig erklären</translation>
-    </message>
-</context>
-<context>
     <name>chiron::desktop::VoidSessionDialog</name>
     <message>
         <source>Void a session</source>
@@ -11952,14 +12311,6 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Void session %1 of %2?</source>
         <translation>Sitzung %1 von %2 für ungültig erklären?</translation>
-    </message>
-    <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
-        <translation>Sie bleibt mit Aufzeichnung und Wertungen in der Liste, zählt aber für nichts mehr. Wer sie warum für ungültig erklärt hat, wird festgehalten. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Begründung</translation>
     </message>
     <message>
         <source>For example: the device was not calibrated</source>
@@ -11972,6 +12323,14 @@ Die Leertaste macht Pause. Esc stoppt die Kraft sofort, R bringt sie langsam zur
     <message>
         <source>Void the session</source>
         <translation>Für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Begründung (für die lernende Person lesbar)</translation>
     </message>
 </context>
 <context>

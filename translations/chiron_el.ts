@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Chiron</source>
+        <translation>Σχετικά με το Chiron</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Έκδοση %1</translation>
+    </message>
+    <message>
+        <source>Training for the sense of touch in minimally invasive surgery. Named after the centaur who taught Asclepius medicine; his name comes from cheir, hand.</source>
+        <translation>Εκπαίδευση της αφής στην ελάχιστα επεμβατική χειρουργική. Πήρε το όνομά του από τον Κένταυρο Χείρωνα, που δίδαξε την ιατρική στον Ασκληπιό· το όνομα προέρχεται από τη λέξη χειρ, χέρι.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. Not a medical device.</source>
+        <translation>Ελεύθερο λογισμικό με την άδεια GNU General Public License, έκδοση 3 ή νεότερη. Δεν είναι ιατροτεχνολογικό προϊόν.</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Έκδοση κώδικα: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+</context>
+<context>
     <name>AccountForm</name>
     <message>
         <source>Language</source>
@@ -142,6 +169,10 @@
     <message>
         <source>Program</source>
         <translation>Πρόγραμμα</translation>
+    </message>
+    <message>
+        <source>About Chiron</source>
+        <translation>Σχετικά με το Chiron</translation>
     </message>
 </context>
 <context>
@@ -309,6 +340,25 @@ Details: %2</source>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>Φάνηκαν %1 από τα %2 οδηγά σημεία της κύστης.</translation>
+    </message>
+</context>
+<context>
+    <name>ExitBackup</name>
+    <message>
+        <source>Making today&apos;s backup</source>
+        <translation>Δημιουργείται το σημερινό αντίγραφο ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Chiron closes by itself when the backup is made and checked.</source>
+        <translation>Το Chiron κλείνει μόνο του μόλις το αντίγραφο ασφαλείας δημιουργηθεί και ελεγχθεί.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
+    </message>
+    <message>
+        <source>Close without a backup</source>
+        <translation>Κλείσιμο χωρίς αντίγραφο ασφαλείας</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1699,21 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>PaletteSearch</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, επίπεδο %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Session %1: %2, level %3, %4, %5</source>
+        <translation>Συνεδρία %1: %2, επίπεδο %3, %4, %5</translation>
+    </message>
+</context>
+<context>
     <name>PalpationFindings</name>
     <message>
         <source>stated size %1, true size %2</source>
@@ -2814,6 +2879,10 @@ Do you want to replace it?</source>
         <source>Trials</source>
         <translation>Δοκιμές</translation>
     </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Επαναφορά αντιγράφου ασφαλείας</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3226,6 +3295,28 @@ Do you want to replace it?</source>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Δεν βρέθηκε πρόβλημα: ελέγχθηκαν %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία και το ημερολόγιο ελέγχου.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Το αυτόματο αντίγραφο ασφαλείας (%1) δεν δημιουργήθηκε. Θα γίνει νέα προσπάθεια· ως τότε δημιουργήστε ένα εσείς.
+Λεπτομέρειες: %2</translation>
+    </message>
+    <message>
+        <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
+        <translation>Το πρώτο αυτόματο αντίγραφο ασφαλείας δημιουργείται όταν κανείς δεν έχει χρησιμοποιήσει το πρόγραμμα για λίγα λεπτά ή όταν το πρόγραμμα κλείνει.</translation>
+    </message>
+    <message>
+        <source>The latest automatic backup was made and checked on %1 (%2).</source>
+        <translation>Το τελευταίο αυτόματο αντίγραφο ασφαλείας δημιουργήθηκε και ελέγχθηκε στις %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Automatic backups are off. Only backups that you make yourself protect what is recorded.</source>
+        <translation>Τα αυτόματα αντίγραφα ασφαλείας είναι απενεργοποιημένα. Όσα καταγράφονται προστατεύονται μόνο από αντίγραφα που δημιουργείτε εσείς.</translation>
+    </message>
+    <message>
+        <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
+        <translation>Τα αντίγραφα ασφαλείας βρίσκονται στον ίδιο δίσκο με το κέντρο: αν χαλάσει ο δίσκος, χάνονται και τα δύο. Επιλέξτε φάκελο σε άλλον δίσκο, σε μονάδα USB ή στο δίκτυο.</translation>
     </message>
 </context>
 <context>
@@ -5172,6 +5263,42 @@ Recording and scores are kept but do not count.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AutomaticCard</name>
+    <message>
+        <source>Automatic backups</source>
+        <translation>Αυτόματα αντίγραφα ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Once a day, when nobody has used the program for a few minutes, or when it closes. A session or a study is never disturbed. Each backup is checked after it is made.</source>
+        <translation>Μία φορά την ημέρα, όταν κανείς δεν έχει χρησιμοποιήσει το πρόγραμμα για λίγα λεπτά ή όταν το πρόγραμμα κλείνει. Καμία συνεδρία ή μελέτη δεν διακόπτεται. Κάθε αντίγραφο ελέγχεται μετά τη δημιουργία του.</translation>
+    </message>
+    <message>
+        <source>Make a backup every day</source>
+        <translation>Δημιουργία αντιγράφου ασφαλείας κάθε μέρα</translation>
+    </message>
+    <message>
+        <source>Automatic backups to keep</source>
+        <translation>Αυτόματα αντίγραφα που διατηρούνται</translation>
+    </message>
+    <message>
+        <source>Older ones are removed. Backups that you made yourself are never removed.</source>
+        <translation>Τα παλαιότερα αφαιρούνται. Όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BackupKeeper</name>
+    <message>
+        <source>The automatic backup was not made; it is tried again.
+%1</source>
+        <translation>Το αυτόματο αντίγραφο ασφαλείας δεν δημιουργήθηκε· θα γίνει νέα προσπάθεια.
+%1</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Άνοιγμα φύλαξης δεδομένων</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
         <source>Break time</source>
@@ -5196,20 +5323,28 @@ Recording and scores are kept but do not count.</source>
         <translation>Εντολή</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
-        <translation>Πληκτρολογήστε τι θέλετε να κάνετε</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Εντολές που βρέθηκαν</translation>
     </message>
     <message>
-        <source>No matching command. Try fewer letters or another word.</source>
-        <translation>Δεν βρέθηκε εντολή. Δοκιμάστε λιγότερα γράμματα ή άλλη λέξη.</translation>
-    </message>
-    <message>
         <source>%1   (%2)</source>
         <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>Type what you want to do, or a name</source>
+        <translation>Γράψτε τι θέλετε να κάνετε ή ένα όνομα</translation>
+    </message>
+    <message>
+        <source>Nothing matches. Try fewer letters or another word.</source>
+        <translation>Δεν βρέθηκε τίποτα. Δοκιμάστε λιγότερα γράμματα ή άλλη λέξη.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Εντολές</translation>
+    </message>
+    <message>
+        <source>Further commands</source>
+        <translation>Άλλες εντολές</translation>
     </message>
 </context>
 <context>
@@ -7452,6 +7587,48 @@ Forgot your password? An administrator can give you a new one. The first adminis
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message>
+        <source>People</source>
+        <translation>Άτομα</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Ασκήσεις</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Συνεδρίες</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Μελέτες</translation>
+    </message>
+    <message>
+        <source>Searching people, sessions and studies …</source>
+        <translation>Αναζήτηση σε άτομα, συνεδρίες και μελέτες …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>On other screens</source>
+        <translation>Σε άλλες οθόνες</translation>
+    </message>
+    <message>
+        <source>Not everything could be searched: %1</source>
+        <translation>Δεν ήταν δυνατή η αναζήτηση παντού: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+            <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+            <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PalpationBox</name>
     <message>
         <source>Trial</source>
@@ -8254,14 +8431,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Το σχόλιο δεν αποθηκεύτηκε. Το κείμενο υπάρχει ακόμη.</translation>
     </message>
     <message>
-        <source>The session was not declared void; nothing was changed.</source>
-        <translation>Η συνεδρία δεν ακυρώθηκε· τίποτα δεν άλλαξε.</translation>
-    </message>
-    <message>
-        <source>The session is void. Recording and scores are kept.</source>
-        <translation>Η συνεδρία ακυρώθηκε. Καταγραφή και βαθμολογίες διατηρούνται.</translation>
-    </message>
-    <message>
         <source>second session</source>
         <translation>δεύτερη συνεδρία</translation>
     </message>
@@ -8356,6 +8525,14 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>Trial %1 · %2 · %3 · force %4 · speed %5</source>
         <translation>Δοκιμή %1 · %2 · %3 · δύναμη %4 · ταχύτητα %5</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided; nothing was changed.</source>
+        <translation>Η συνεδρία %1 δεν ακυρώθηκε· τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Η συνεδρία %1 ακυρώθηκε. Η καταγραφή της διατηρείται· δεν μετράει πλέον.</translation>
     </message>
 </context>
 <context>
@@ -9376,6 +9553,195 @@ Keep it as safe as your keys.</source>
         <source>Restore</source>
         <translation>Επαναφορά</translation>
     </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Το κέντρο γίνεται όπως ήταν όταν δημιουργήθηκε αυτό το αντίγραφο. Το κατεστραμμένο αρχείο φυλάσσεται ως αντίγραφο· τίποτα δεν διαγράφεται. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Πρέπει να συμφωνήσει ένας διαχειριστής του αντιγράφου.</translation>
+    </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Το κέντρο γίνεται όπως ήταν όταν δημιουργήθηκε αυτό το αντίγραφο. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Πρέπει να συμφωνήσει ένας διαχειριστής του αντιγράφου.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password</source>
+        <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή κωδικό πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Administrator in the damaged file</source>
+        <translation>Διαχειριστής στο κατεστραμμένο αρχείο</translation>
+    </message>
+    <message>
+        <source>Password in the damaged file</source>
+        <translation>Κωδικός πρόσβασης στο κατεστραμμένο αρχείο</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RestoreScreen</name>
+    <message>
+        <source>Backups</source>
+        <translation>Αντίγραφα ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Αναζήτηση αντιγράφων ασφαλείας …</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is missing</source>
+        <translation>Το αρχείο του κέντρου λείπει</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is damaged</source>
+        <translation>Το αρχείο του κέντρου είναι κατεστραμμένο</translation>
+    </message>
+    <message>
+        <source>Everything of a site is in one file. If that is damaged or gone, a backup brings the site back as it was when the backup was made.
+
+The list shows the backups in the places that this computer knows, newest first, and whether each can be used. Use &quot;Choose a file&quot; for one on another disk: it is a folder with the files manifest.json and chiron.db in it.
+
+An administrator of the backup has to give the password. The damaged file is never deleted: it is kept beside the new one under another name.</source>
+        <translation>Όλα όσα ανήκουν σε ένα κέντρο βρίσκονται σε ένα αρχείο. Αν αυτό καταστραφεί ή χαθεί, ένα αντίγραφο ασφαλείας επαναφέρει το κέντρο όπως ήταν όταν δημιουργήθηκε το αντίγραφο.
+
+Η λίστα δείχνει τα αντίγραφα στις θέσεις που γνωρίζει αυτός ο υπολογιστής, πρώτα το νεότερο, και αν μπορεί να χρησιμοποιηθεί το καθένα. Με το «Επιλογή αρχείου» παίρνετε ένα από άλλον δίσκο: είναι ένας φάκελος με τα αρχεία manifest.json και chiron.db.
+
+Ένας διαχειριστής του αντιγράφου πρέπει να δώσει τον κωδικό πρόσβασης. Το κατεστραμμένο αρχείο δεν διαγράφεται ποτέ: φυλάσσεται δίπλα στο νέο με άλλο όνομα.</translation>
+    </message>
+    <message>
+        <source>Details: %1</source>
+        <translation>Λεπτομέρειες: %1</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Δημιουργία</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Παλαιότητα</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Είδος</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Φάκελος</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Επαναφορά επιλεγμένου …</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Επιλογή αρχείου …</translation>
+    </message>
+    <message>
+        <source>Wait until the restore has finished.</source>
+        <translation>Περιμένετε να τελειώσει η επαναφορά.</translation>
+    </message>
+    <message>
+        <source>No backup was found</source>
+        <translation>Δεν βρέθηκε αντίγραφο ασφαλείας</translation>
+    </message>
+    <message>
+        <source>There is none in %1. If you have one elsewhere, on a USB drive or on the network, choose it below.</source>
+        <translation>Δεν υπάρχει κανένα στο %1. Αν έχετε ένα αλλού, σε μονάδα USB ή στο δίκτυο, επιλέξτε το παρακάτω.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Αυτόματο</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Χειροκίνητο</translation>
+    </message>
+    <message>
+        <source>Being checked …</source>
+        <translation>Ελέγχεται …</translation>
+    </message>
+    <message>
+        <source>Intact</source>
+        <translation>Ακέραιο</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Δεν μπορεί να χρησιμοποιηθεί</translation>
+    </message>
+    <message>
+        <source>No backup is selected.</source>
+        <translation>Δεν έχει επιλεγεί αντίγραφο ασφαλείας.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.</source>
+        <translation>Αυτό το αντίγραφο ασφαλείας δεν μπορεί να χρησιμοποιηθεί.</translation>
+    </message>
+    <message>
+        <source>A file of the backup</source>
+        <translation>Ένα αρχείο του αντιγράφου ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Backups (manifest.json chiron.db)</source>
+        <translation>Αντίγραφα ασφαλείας (manifest.json chiron.db)</translation>
+    </message>
+    <message>
+        <source>Restoring the backup and checking it …</source>
+        <translation>Επαναφορά και έλεγχος του αντιγράφου ασφαλείας …</translation>
+    </message>
+    <message>
+        <source>Nothing was restored: the name or the password is not that of an administrator, or too many wrong ones were given.
+Details: %1</source>
+        <translation>Δεν έγινε επαναφορά: το όνομα ή ο κωδικός πρόσβασης δεν ανήκει σε διαχειριστή, ή δόθηκαν πολλές φορές λανθασμένα.
+Λεπτομέρειες: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was restored.</source>
+        <translation>Δεν έγινε επαναφορά.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The damaged file is unchanged.</source>
+        <translation>Δεν έγινε επαναφορά. Το κατεστραμμένο αρχείο έμεινε όπως ήταν.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. Please log in.</source>
+        <translation>Το αντίγραφο ασφαλείας επαναφέρθηκε. Παρακαλούμε συνδεθείτε.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as %1. Please log in.</source>
+        <translation>Το αντίγραφο ασφαλείας επαναφέρθηκε. Το κατεστραμμένο αρχείο φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε.</translation>
+    </message>
+    <message>
+        <source>%1 is still missing.</source>
+        <translation>Το %1 εξακολουθεί να λείπει.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>
+        <translation>Το %1 δεν υπάρχει πια. Αν μετακινήθηκε ή βρίσκεται σε δίσκο που δεν είναι συνδεδεμένος, βάλτε το στη θέση του και δοκιμάστε ξανά. Αλλιώς επαναφέρετε ένα αντίγραφο ασφαλείας.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a site. Nothing was changed. Restore a backup to continue; the damaged file is kept as a copy.</source>
+        <translation>Το %1 δεν μπορεί να διαβαστεί ως κέντρο. Τίποτα δεν άλλαξε. Για να συνεχίσετε, επαναφέρετε ένα αντίγραφο ασφαλείας· το κατεστραμμένο αρχείο φυλάσσεται ως αντίγραφο.</translation>
+    </message>
+    <message>
+        <source>Try to open it again</source>
+        <translation>Νέα προσπάθεια ανοίγματος</translation>
+    </message>
+    <message>
+        <source>Set up a new site</source>
+        <translation>Δημιουργία νέου κέντρου</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup. A backup is a folder with the files manifest.json and chiron.db in it.</source>
+        <translation>Το %1 δεν είναι αντίγραφο ασφαλείας. Ένα αντίγραφο ασφαλείας είναι ένας φάκελος με τα αρχεία manifest.json και chiron.db.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -10383,22 +10749,6 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
-        <source>Shows where all recorded data is kept and whether it is safe.
-
-&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
-
-&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
-
-&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
-        <translation>Δείχνει πού φυλάσσονται όλα τα δεδομένα που καταγράφηκαν και αν είναι ασφαλή.
-
-Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
-
-Ο «Έλεγχος ακεραιότητας» ξαναδιαβάζει τα πάντα: κάθε εγγραφή, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα και μπορεί να σταματήσει.
-
-Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Ελεύθερος χώρος</translation>
     </message>
@@ -10604,6 +10954,42 @@ With real-time priority the loop stays on time whatever else the computer does. 
     <message>
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
         <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Είδος</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Αυτόματο</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Χειροκίνητο</translation>
+    </message>
+    <message>
+        <source>The plan for automatic backups was not saved.</source>
+        <translation>Το πρόγραμμα των αυτόματων αντιγράφων ασφαλείας δεν αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+        <source>Shows where all recorded data is kept and whether it is safe.
+
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Δείχνει πού φυλάσσονται όλα τα δεδομένα που καταγράφηκαν και αν είναι ασφαλή.
+
+Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
+
+Τα «Αυτόματα αντίγραφα ασφαλείας» δημιουργούν ένα την ημέρα και διατηρούν όσα ορίσετε· όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.
+
+Ο «Έλεγχος ακεραιότητας» ξαναδιαβάζει τα πάντα: κάθε εγγραφή, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα και μπορεί να σταματήσει.
+
+Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
     </message>
 </context>
 <context>
@@ -11917,33 +12303,6 @@ Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc 
     </message>
 </context>
 <context>
-    <name>chiron::desktop::VoidDialog</name>
-    <message>
-        <source>Declare this session void</source>
-        <translation>Ακύρωση αυτής της συνεδρίας</translation>
-    </message>
-    <message>
-        <source>Declare this session void?</source>
-        <translation>Ακύρωση αυτής της συνεδρίας;</translation>
-    </message>
-    <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
-    </message>
-    <message>
-        <source>Reason (the trainee can read it)</source>
-        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
-    </message>
-    <message>
-        <source>Keep it as it is</source>
-        <translation>Να μείνει ως έχει</translation>
-    </message>
-    <message>
-        <source>Declare void</source>
-        <translation>Ακύρωση συνεδρίας</translation>
-    </message>
-</context>
-<context>
     <name>chiron::desktop::VoidSessionDialog</name>
     <message>
         <source>Void a session</source>
@@ -11952,14 +12311,6 @@ Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc 
     <message>
         <source>Void session %1 of %2?</source>
         <translation>Ακύρωση της συνεδρίας %1 (%2);</translation>
-    </message>
-    <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
-        <translation>Μένει στη λίστα με την καταγραφή και τις βαθμολογίες της, αλλά δεν μετράει πλέον πουθενά. Καταγράφεται ποιος την ακύρωσε και γιατί. Η ακύρωση δεν αναιρείται.</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Αιτιολογία</translation>
     </message>
     <message>
         <source>For example: the device was not calibrated</source>
@@ -11972,6 +12323,14 @@ Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc 
     <message>
         <source>Void the session</source>
         <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
     </message>
 </context>
 <context>

@@ -362,6 +362,16 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+            <numerusform>%1 (%n more; type more letters)</numerusform>
+            <numerusform>%1 (%n more; type more letters)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PersonPage</name>
     <message numerus="yes">
         <source>Replayed from its log, the procedure makes the same %n choice(s).</source>

@@ -74,5 +74,8 @@
     X(StudyReader, participantKeys)                                                                          \
     X(PrivacyRepository, eraseParticipant)                                                                   \
     X(Upkeep, backup)                                                                                        \
+    X(Upkeep, backupStanding)                                                                                \
+    X(Upkeep, setBackupPlan)                                                                                 \
+    X(Upkeep, dailyBackup)                                                                                   \
     X(Upkeep, restore)                                                                                       \
     X(Upkeep, exportSite)

@@ -2,13 +2,16 @@
 #include "desktop/login/login_screen.h"
 
 #include "database/accounts/account_service.h"
+#include "database/integrity/file_health.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/login/login_form.h"
 #include "desktop/login/new_password_page.h"
 #include "desktop/login/recovery_page.h"
+#include "desktop/restore/restore_screen.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/logo.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 #include "session/demo_site.h"
@@ -54,6 +57,7 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_site->setObjectName(QStringLiteral("login.site"));
     m_room->addWidget(m_site);
     m_scroll->column()->addStretch(1);
+    m_scroll->column()->addWidget(logo(theme, 72));
     m_scroll->column()->addWidget(heading);
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
@@ -97,7 +101,26 @@ void LoginScreen::openAgain() {
 
 void LoginScreen::siteFailed(const core::Error& error) {
     context().navigator().note({{kFailed, true}});
-    m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); });
+    if (error.code == core::ErrorCode::locked) {
+        m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); });
+        return;
+    }
+    examine(tr("The site could not be opened."), error, [this] { openAgain(); });
+}
+
+// A file that is damaged or gone is brought back on a screen of its own; everything else is told here.
+void LoginScreen::examine(const QString& what, const core::Error& error, std::function<void()> again) {
+    context().background().run(
+        this,
+        [file = context().site().file().toStdString()](WorkToken& working) { return database::examineFile(file, &working.flag()); },
+        [this, what, error, again = std::move(again)](const database::FileState& file) {
+            if (file.health != database::FileHealth::damaged && file.health != database::FileHealth::missing) {
+                m_site->showError(what, error, again);
+                return;
+            }
+            context().site().close(); // nothing reads what cannot be read; a restore needs the lock
+            context().navigator().replace(RestoreScreen::placeFor(file));
+        });
 }
 
 void LoginScreen::loadNames() {
@@ -109,7 +132,7 @@ void LoginScreen::loadNames() {
 
 void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> names) {
     if (!names) {
-        m_site->showError(tr("The list of names could not be read."), names.error(), [this] {
+        examine(tr("The list of names could not be read."), names.error(), [this] {
             m_site->showLoading(tr("Opening the site …"));
             loadNames();
         });
