@@ -7404,6 +7404,10 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>Das Passwort wurde nicht geändert.
 %1</translation>
     </message>
+    <message>
+        <source>Checking the site&apos;s file …</source>
+        <translation>Die Datei des Standorts wird geprüft …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::MainWindow</name>

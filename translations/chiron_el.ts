@@ -7404,6 +7404,10 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Ο κωδικός πρόσβασης δεν άλλαξε.
 %1</translation>
     </message>
+    <message>
+        <source>Checking the site&apos;s file …</source>
+        <translation>Έλεγχος του αρχείου του κέντρου …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::MainWindow</name>

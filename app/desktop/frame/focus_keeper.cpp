@@ -21,7 +21,15 @@ void FocusKeeper::moved(QWidget* before, QWidget* now) {
     m_before = before;
     m_place = now;
     m_justMoved = true;
-    QMetaObject::invokeMethod(this, [this] { m_justMoved = false; }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_justMoved = false;
+            m_hidden = nullptr;
+        },
+        Qt::QueuedConnection);
+    if (before && before == m_hidden)
+        lost(before);
     if (!now || now->window() != &m_window)
         return;
     now->installEventFilter(this); // from now on: it goes with the control
@@ -40,6 +48,8 @@ bool FocusKeeper::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Show:
         if (canTake(control) && control == m_waiting)
             QMetaObject::invokeMethod(this, &FocusKeeper::giveBack, Qt::QueuedConnection); // once the others are what they will be
+        else if (!canTake(control) && control == QApplication::focusWidget())
+            m_hidden = control;
         else if (!canTake(control) && control == m_before && m_justMoved && (m_movedOn || !m_place))
             lost(control);
         break;

@@ -28,6 +28,7 @@ private:
     QPointer<QWidget> m_before;  ///< had the focus last
     QPointer<QWidget> m_place;   ///< took it from there
     QPointer<QWidget> m_list;    ///< the list that had it last
+    QPointer<QWidget> m_hidden;  ///< has been hidden and still has it: Qt moves it next
     QPointer<QWidget> m_waiting; ///< lost it, and is to have it again
     bool m_justMoved = false;    ///< in the present turn of the event loop
     bool m_movedOn = false;      ///< as Qt does for a control that is going, and as Tab does

@@ -47,8 +47,12 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_scroll);
-    auto* heading = kit::label(theme, QStringLiteral("Chiron"), TextStyle::display);
-    heading->setAlignment(Qt::AlignCenter);
+    auto* heading = new QHBoxLayout; // side by side: a window of 720 pixels has the whole form without scrolling
+    heading->setSpacing(theme.px(12));
+    heading->addStretch();
+    heading->addWidget(logo(theme, 44));
+    heading->addWidget(kit::line(theme, QStringLiteral("Chiron"), TextStyle::display));
+    heading->addStretch();
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
@@ -57,8 +61,7 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_site->setObjectName(QStringLiteral("login.site"));
     m_room->addWidget(m_site);
     m_scroll->column()->addStretch(1);
-    m_scroll->column()->addWidget(logo(theme, 72));
-    m_scroll->column()->addWidget(heading);
+    m_scroll->column()->addLayout(heading);
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
@@ -110,7 +113,7 @@ void LoginScreen::siteFailed(const core::Error& error) {
 
 // A file that is damaged or gone is brought back on a screen of its own; everything else is told here.
 void LoginScreen::examine(const QString& what, const core::Error& error, std::function<void()> again) {
-    context().background().run(
+    const auto token = context().background().run(
         this,
         [file = context().site().file().toStdString()](WorkToken& working) { return database::examineFile(file, &working.flag()); },
         [this, what, error, again = std::move(again)](const database::FileState& file) {
@@ -118,9 +121,11 @@ void LoginScreen::examine(const QString& what, const core::Error& error, std::fu
                 m_site->showError(what, error, again);
                 return;
             }
-            context().site().close(); // nothing reads what cannot be read; a restore needs the lock
+            context().background().cancelAndWait();
+            context().site().close(); // a restore needs its lock
             context().navigator().replace(RestoreScreen::placeFor(file));
         });
+    m_site->showLoading(tr("Checking the site's file …"), token); // a large one takes a while
 }
 
 void LoginScreen::loadNames() {

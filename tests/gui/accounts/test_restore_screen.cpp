@@ -83,6 +83,7 @@ public:
         field->setText(QLatin1String(name));
         secret->setText(QLatin1String(password));
         confirm->click();
+        window->activateWindow(); // as a window manager does when a dialog has closed
         settle();
     }
     template <class W> W* find(const char* name) const { return window->findChild<W*>(QLatin1String(name)); }

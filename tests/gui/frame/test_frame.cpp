@@ -11,6 +11,7 @@
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -287,12 +288,18 @@ private slots:
         QTest::keyClick(voids, Qt::Key_Return);
         QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")));
         QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")))); // ready to type
+        const auto comeBack = [&desktop] { // as a window manager does when a dialog has closed
+            desktop.window->activateWindow();
+            return QTest::qWaitForWindowActive(desktop.window.get());
+        };
         QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
+        QVERIFY(comeBack());
         QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(voids)); // nothing was done: where it was
         QTest::keyClick(voids, Qt::Key_Return);
         QTRY_VERIFY(QApplication::activeModalWidget());
-        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("wrong hand"));
+        QApplication::activeModalWidget()->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("wrong hand"));
         QApplication::activeModalWidget()->findChild<QPushButton*>(QStringLiteral("void.confirm"))->click();
+        QVERIFY(comeBack());
         QTRY_COMPARE(screen->model().at(2).summary.state, database::SessionState::voided);
         QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(table));
         QCOMPARE(table->currentIndex().row(), 2);
@@ -305,7 +312,7 @@ private slots:
         desktop.logIn("tina");
         desktop.go(QStringLiteral("settings"));
         auto* first = desktop.find<QRadioButton>(QStringLiteral("settings.theme.0"));
-        auto* other = desktop.find<QRadioButton>(QStringLiteral("settings.scale.100"));
+        auto* other = desktop.find<QCheckBox>(QStringLiteral("settings.sound")); // not the one that Qt would choose
         for (const bool hide : {false, true}) {
             first->setFocus();
             QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(first));

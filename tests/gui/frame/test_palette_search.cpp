@@ -28,6 +28,8 @@ constexpr int kPatience_ms = 20000;
 class Palette {
 public:
     explicit Palette(DesktopFixture& desktop) : m_desktop(desktop) {
+        desktop.window->activateWindow(); // as a window manager does when a dialog has closed
+        (void)QTest::qWaitForWindowActive(desktop.window.get());
         QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
         (void)QTest::qWaitFor([this] { return field() != nullptr; }, kPatience_ms);
     }
@@ -196,7 +198,7 @@ void TestPaletteSearch::otherScreensCommandsLeadThere() {
         QVERIFY(palette.choose(QStringLiteral("Storage: Back up now")));
     }
     QTRY_COMPARE(desktop.context.navigator().current().screen, QStringLiteral("storage"));
-    QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("storage.back_up"), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), 5000);
     QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
 }
 
