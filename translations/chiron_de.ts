@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Chiron</source>
+        <translation>Über Chiron</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>Training for the sense of touch in minimally invasive surgery. Named after the centaur who taught Asclepius medicine; his name comes from cheir, hand.</source>
+        <translation>Training für den Tastsinn in der minimalinvasiven Chirurgie. Benannt nach dem Kentauren, der Asklepios die Heilkunst lehrte; sein Name kommt von cheir, Hand.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. Not a medical device.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Programmstand: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>AccountForm</name>
     <message>
         <source>Language</source>
@@ -107,9 +134,9 @@
     <message numerus="yes">
         <source>%n false alarm(s)</source>
         <translation>
-                <numerusform>%n Fehlalarm</numerusform>
-                <numerusform>%n Fehlalarme</numerusform>
-            </translation>
+            <numerusform>%n Fehlalarm</numerusform>
+            <numerusform>%n Fehlalarme</numerusform>
+        </translation>
     </message>
     <message>
         <source>Too much: the tissue was damaged</source>
@@ -200,6 +227,10 @@
         <source>Program</source>
         <translation>Programm</translation>
     </message>
+    <message>
+        <source>About Chiron</source>
+        <translation>Über Chiron</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -266,6 +297,61 @@
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
         <translation>Klicken Sie oder drücken Sie die Eingabetaste, während Sie die Stelle berühren.</translation>
+    </message>
+</context>
+<context>
+    <name>DesignFaults</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be rendered. Choose a reference of %2.</source>
+        <translation>%1 kann nicht dargestellt werden. Wählen Sie eine Referenz von %2.</translation>
+    </message>
+    <message>
+        <source>An object would have %1, but only %2 can be rendered. Choose smaller differences or another reference.</source>
+        <translation>Ein Objekt hätte %1, dargestellt werden kann aber nur %2. Wählen Sie kleinere Unterschiede oder eine andere Referenz.</translation>
+    </message>
+    <message>
+        <source>This task compares with objects above the reference only: every difference must be above 0 %.</source>
+        <translation>Diese Aufgabe vergleicht nur mit Objekten über der Referenz: Jeder Unterschied muss über 0 % liegen.</translation>
+    </message>
+    <message>
+        <source>A difference is there twice. Leave one of them out.</source>
+        <translation>Ein Unterschied kommt zweimal vor. Lassen Sie einen davon weg.</translation>
+    </message>
+    <message>
+        <source>This is empty. Write something.</source>
+        <translation>Dieses Feld ist leer. Schreiben Sie etwas hinein.</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden, zuerst ein Buchstabe.</translation>
+    </message>
+    <message>
+        <source>This is there twice. Choose another.</source>
+        <translation>Das gibt es schon einmal. Wählen Sie etwas anderes.</translation>
+    </message>
+    <message>
+        <source>A level lies outside the table of differences. Choose one within it, or change the table.</source>
+        <translation>Eine Stufe liegt außerhalb der Tabelle der Unterschiede. Wählen Sie eine innerhalb, oder ändern Sie die Tabelle.</translation>
+    </message>
+    <message>
+        <source>Choose a value from %1 to %2.</source>
+        <translation>Wählen Sie einen Wert von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1. Expected: %2.</source>
+        <translation>Gefunden: %1. Erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>At least one participant is needed.</source>
+        <translation>Mindestens eine Person muss teilnehmen.</translation>
+    </message>
+    <message>
+        <source>Another condition has the same name. Tables and figures could not tell them apart.</source>
+        <translation>Eine andere Bedingung heißt ebenso. In Tabellen und Abbildungen wären sie nicht zu unterscheiden.</translation>
     </message>
 </context>
 <context>
@@ -366,6 +452,25 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>%1 von %2 Landmarken der Blase wurden gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>ExitBackup</name>
+    <message>
+        <source>Making today&apos;s backup</source>
+        <translation>Die heutige Sicherung wird erstellt</translation>
+    </message>
+    <message>
+        <source>Chiron closes by itself when the backup is made and checked.</source>
+        <translation>Chiron wird von selbst beendet, sobald die Sicherung erstellt und geprüft ist.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Close without a backup</source>
+        <translation>Ohne Sicherung beenden</translation>
     </message>
 </context>
 <context>
@@ -521,6 +626,151 @@ Einzelheiten: %2</translation>
     <message>
         <source>This device renders no force. An instrument moves more slowly the harder something pulls or presses.</source>
         <translation>Dieses Gerät gibt keine Kraft aus. Ein Instrument bewegt sich umso langsamer, je stärker etwas zieht oder drückt.</translation>
+    </message>
+</context>
+<context>
+    <name>FreezeChecks</name>
+    <message>
+        <source>Entries</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>All entries are complete and fit together.</source>
+        <translation>Alle Eingaben sind vollständig und passen zueinander.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entr(y/ies) must be corrected. The first: %1</source>
+        <translation>
+                <numerusform>%n Eingabe muss berichtigt werden. Sie lautet: %1</numerusform>
+                <numerusform>%n Eingaben müssen berichtigt werden. Die erste: %1</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>It is written.</source>
+        <translation>Es ist formuliert.</translation>
+    </message>
+    <message>
+        <source>Write what is to be found out and what you expect. It cannot be added later.</source>
+        <translation>Schreiben Sie, was herausgefunden werden soll und was Sie erwarten. Später lässt es sich nicht mehr ergänzen.</translation>
+    </message>
+    <message>
+        <source>Ethics</source>
+        <translation>Ethik</translation>
+    </message>
+    <message>
+        <source>Name the approval, or say why none is needed.</source>
+        <translation>Nennen Sie das Votum, oder sagen Sie, warum keines nötig ist.</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>Write what participants agree to.</source>
+        <translation>Schreiben Sie, worin die Teilnehmenden einwilligen.</translation>
+    </message>
+    <message>
+        <source>The text is very short. Check that it says what is recorded, for how long, and that stopping has no disadvantage.</source>
+        <translation>Der Text ist sehr kurz. Prüfen Sie, ob er sagt, was wie lange aufgezeichnet bleibt und dass ein Abbruch keine Nachteile hat.</translation>
+    </message>
+    <message>
+        <source>There is a text; participants read it before their first trial.</source>
+        <translation>Ein Text liegt vor; die Teilnehmenden lesen ihn vor dem ersten Durchgang.</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Plan at least one participant.</source>
+        <translation>Planen Sie mindestens eine Person ein.</translation>
+    </message>
+    <message>
+        <source>One participant says nothing of others. Plan more, unless this is a case study.</source>
+        <translation>Eine einzige Person sagt nichts über andere. Planen Sie mehr ein, es sei denn, dies ist eine Fallstudie.</translation>
+    </message>
+    <message>
+        <source>%1 are planned. With a multiple of %2 every order of conditions comes equally often.</source>
+        <translation>%1 sind geplant. Bei einem Vielfachen von %2 kommt jede Reihenfolge der Bedingungen gleich oft vor.</translation>
+    </message>
+    <message>
+        <source>%1 are planned.</source>
+        <translation>%1 sind geplant.</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>%1 trials before each condition.</source>
+        <translation>%1 Durchgänge vor jeder Bedingung.</translation>
+    </message>
+    <message>
+        <source>There are no practice trials. The first trials that count are then the participant&apos;s first ever.</source>
+        <translation>Es gibt keine Übungsdurchgänge. Die ersten gewerteten Durchgänge sind dann die allerersten der Person.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>At most about %1 minutes for each participant.</source>
+        <translation>Höchstens etwa %1 Minuten je Person.</translation>
+    </message>
+    <message>
+        <source>About %1 minutes for each participant, as simulated.</source>
+        <translation>Simuliert etwa %1 Minuten je Person.</translation>
+    </message>
+    <message>
+        <source>Simulated observers are finding out …</source>
+        <translation>Simulierte Beobachter ermitteln es …</translation>
+    </message>
+    <message>
+        <source>Attention wanes after an hour: plan fewer trials or several sittings.</source>
+        <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Termine.</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>This kind of study estimates no threshold, so there is none to simulate. A pilot shows how much answers vary.</source>
+        <translation>Diese Art von Studie schätzt keine Schwelle, daher wird keine simuliert. Ein Probelauf zeigt, wie stark die Antworten streuen.</translation>
+    </message>
+    <message>
+        <source>The threshold of one run varies by a factor of %1.</source>
+        <translation>Die Schwelle eines Laufs streut um den Faktor %1.</translation>
+    </message>
+    <message>
+        <source>%1 participants find a ratio of %2 between two conditions with 80 % power.</source>
+        <translation>%1 Teilnehmende entdecken zwischen zwei Bedingungen ein Verhältnis von %2 mit einer Teststärke von 80 %.</translation>
+    </message>
+    <message>
+        <source>So few participants find no ratio up to 10 between two conditions.</source>
+        <translation>So wenige Teilnehmende entdecken zwischen zwei Bedingungen kein Verhältnis bis 10.</translation>
+    </message>
+    <message>
+        <source>More trials make it more precise; Preview shows how many.</source>
+        <translation>Mehr Durchgänge machen sie genauer; die Vorschau zeigt, wie viele.</translation>
+    </message>
+    <message>
+        <source>Pilot</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried %n time(s).</source>
+        <translation>
+                <numerusform>%n-mal ausprobiert.</numerusform>
+                <numerusform>%n-mal ausprobiert.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
+        <translation>Noch niemand hat diesen Entwurf ausprobiert. Probieren Sie ihn zuerst selbst: Wenige Minuten zeigen, was unklar ist.</translation>
     </message>
 </context>
 <context>
@@ -1706,6 +1956,21 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>PaletteSearch</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, Stufe %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Session %1: %2, level %3, %4, %5</source>
+        <translation>Sitzung %1: %2, Stufe %3, %4, %5</translation>
+    </message>
+</context>
+<context>
     <name>PalpationFindings</name>
     <message>
         <source>stated size %1, true size %2</source>
@@ -1873,6 +2138,289 @@ Einzelheiten: %2</translation>
     <message>
         <source>Left index finger</source>
         <translation>Linker Zeigefinger</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantFacts</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, differences of %3 to %4</source>
+        <translation>%1: %2, Unterschiede von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Mark the highest point.</source>
+        <translation>Markieren Sie den höchsten Punkt.</translation>
+    </message>
+    <message>
+        <source>as many as the answers need</source>
+        <translation>so viele, wie die Antworten erfordern</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n for practice</source>
+        <translation>
+                <numerusform>%1 und %n zur Übung</numerusform>
+                <numerusform>%1 und %n zur Übung</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>at most about %1 min</source>
+        <translation>höchstens etwa %1 min</translation>
+    </message>
+    <message>
+        <source>as long as the answers take</source>
+        <translation>so lange, wie die Antworten dauern</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>after every %1 trials, at least %2 s</source>
+        <translation>nach je %1 Durchgängen, mindestens %2 s</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>%1 s a trial</source>
+        <translation>%1 s je Durchgang</translation>
+    </message>
+    <message>
+        <source>%1 s to explore, then %2 s to answer</source>
+        <translation>%1 s zum Erkunden, dann %2 s zum Antworten</translation>
+    </message>
+    <message>
+        <source>%1 s to explore, no limit to answer</source>
+        <translation>%1 s zum Erkunden, unbegrenzt zum Antworten</translation>
+    </message>
+    <message>
+        <source>after each trial</source>
+        <translation>nach jedem Durchgang</translation>
+    </message>
+    <message>
+        <source>in practice only</source>
+        <translation>nur in der Übung</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 after</source>
+        <translation>%1 vorher, %2 nachher</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Breaks</source>
+        <translation>Pausen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantSentences</name>
+    <message>
+        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
+        <translation>In jedem Durchgang suchen Sie tastend den höchsten Punkt eines Objekts und markieren ihn.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order.</source>
+        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
+        <translation>In jedem Durchgang erkunden Sie drei Objekte und bringen sie in eine Reihenfolge; was sich gleich anfühlt, dürfen Sie als gleich angeben.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore two objects and choose one of two answers.</source>
+        <translation>In jedem Durchgang erkunden Sie zwei Objekte und wählen eine von zwei Antworten.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and choose one of three answers.</source>
+        <translation>In jedem Durchgang erkunden Sie drei Objekte und wählen eine von drei Antworten.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and choose one of two answers.</source>
+        <translation>In jedem Durchgang erkunden Sie ein Objekt und wählen eine von zwei Antworten.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it feels like the other, and confirm.</source>
+        <translation>In jedem Durchgang verändern Sie ein Objekt, bis es sich wie das andere anfühlt, und bestätigen.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and give it a number.</source>
+        <translation>In jedem Durchgang erkunden Sie ein Objekt und geben ihm eine Zahl.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The study has %n part(s).</source>
+        <translation>
+                <numerusform>Die Studie hat %n Teil.</numerusform>
+                <numerusform>Die Studie hat %n Teile.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>What you do differs from part to part:</source>
+        <translation>Was Sie tun, ist von Teil zu Teil verschieden:</translation>
+    </message>
+    <message>
+        <source>Touch every object before you answer.</source>
+        <translation>Berühren Sie jedes Objekt, bevor Sie antworten.</translation>
+    </message>
+    <message>
+        <source>How many trials there are depends on your answers.</source>
+        <translation>Wie viele Durchgänge es gibt, hängt von Ihren Antworten ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has %n trial(s).</source>
+        <translation>
+                <numerusform>Jeder Teil hat %n Durchgang.</numerusform>
+                <numerusform>Jeder Teil hat %n Durchgänge.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has at most %n trial(s).</source>
+        <translation>
+                <numerusform>Jeder Teil hat höchstens %n Durchgang.</numerusform>
+                <numerusform>Jeder Teil hat höchstens %n Durchgänge.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %n trial(s).</source>
+        <translation>
+                <numerusform>Es gibt %n Durchgang.</numerusform>
+                <numerusform>Es gibt %n Durchgänge.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are at most %n trial(s).</source>
+        <translation>
+                <numerusform>Es gibt höchstens %n Durchgang.</numerusform>
+                <numerusform>Es gibt höchstens %n Durchgänge.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>You may take as long as you like over each trial.</source>
+        <translation>Für jeden Durchgang haben Sie so viel Zeit, wie Sie möchten.</translation>
+    </message>
+    <message>
+        <source>You have %1 seconds for each trial.</source>
+        <translation>Für jeden Durchgang haben Sie %1 Sekunden.</translation>
+    </message>
+    <message>
+        <source>You have %1 seconds to explore in each trial.</source>
+        <translation>In jedem Durchgang haben Sie %1 Sekunden zum Erkunden.</translation>
+    </message>
+    <message>
+        <source>Then the objects go away, and you have another %1 seconds to answer.</source>
+        <translation>Dann verschwinden die Objekte, und Sie haben weitere %1 Sekunden zum Antworten.</translation>
+    </message>
+    <message>
+        <source>Then the objects go away, and you may take as long as you like to answer.</source>
+        <translation>Dann verschwinden die Objekte, und Sie haben zum Antworten so viel Zeit, wie Sie möchten.</translation>
+    </message>
+    <message>
+        <source>Only in practice you are told whether your answer was right.</source>
+        <translation>Nur in der Übung erfahren Sie, ob Ihre Antwort richtig war.</translation>
+    </message>
+    <message>
+        <source>After each trial you are told whether your answer was right.</source>
+        <translation>Nach jedem Durchgang erfahren Sie, ob Ihre Antwort richtig war.</translation>
+    </message>
+    <message>
+        <source>You are not told whether your answers are right.</source>
+        <translation>Sie erfahren nicht, ob Ihre Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>Only in practice you are told how far your mark is from the highest point.</source>
+        <translation>Nur in der Übung erfahren Sie, wie weit Ihre Markierung vom höchsten Punkt entfernt ist.</translation>
+    </message>
+    <message>
+        <source>After each trial you are told how far your mark is from the highest point.</source>
+        <translation>Nach jedem Durchgang erfahren Sie, wie weit Ihre Markierung vom höchsten Punkt entfernt ist.</translation>
+    </message>
+    <message>
+        <source>You are not told how far your marks are from the highest point.</source>
+        <translation>Sie erfahren nicht, wie weit Ihre Markierungen vom höchsten Punkt entfernt sind.</translation>
+    </message>
+    <message>
+        <source>No breaks are planned; you may pause whenever you want.</source>
+        <translation>Pausen sind nicht geplant; Sie dürfen jederzeit unterbrechen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s) there is a break</source>
+        <translation>
+                <numerusform>Nach je %n Durchgang gibt es eine Pause</numerusform>
+                <numerusform>Nach je %n Durchgängen gibt es eine Pause</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 seconds; you may also pause whenever you want.</source>
+        <translation>%1 von mindestens %2 Sekunden; Sie dürfen auch sonst jederzeit unterbrechen.</translation>
+    </message>
+    <message>
+        <source>%1; you may also pause whenever you want.</source>
+        <translation>%1; Sie dürfen auch sonst jederzeit unterbrechen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>Vor den Durchgängen beantworten Sie %n Frage.</numerusform>
+                <numerusform>Vor den Durchgängen beantworten Sie %n Fragen.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>Nach den Durchgängen beantworten Sie %n Frage.</numerusform>
+                <numerusform>Nach den Durchgängen beantworten Sie %n Fragen.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Jeder Teil beginnt mit %n Übungsdurchgang, der nicht zählt.</numerusform>
+                <numerusform>Jeder Teil beginnt mit %n Übungsdurchgängen, die nicht zählen.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+                <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
     </message>
 </context>
 <context>
@@ -2871,6 +3419,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Trials</source>
         <translation>Durchgänge</translation>
     </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3485,6 +4037,28 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Kein Fehler gefunden: %1 Datensätze, jede Aufzeichnung, jede Wertung und das Prüfprotokoll wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>Automatic backups are off. Only backups that you make yourself protect what is recorded.</source>
+        <translation>Automatische Sicherungen sind ausgeschaltet. Nur Sicherungen, die Sie selbst erstellen, schützen das Aufgezeichnete.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Die automatische Sicherung (%1) wurde nicht erstellt. Es wird erneut versucht; erstellen Sie bis dahin selbst eine.
+Einzelheiten: %2</translation>
+    </message>
+    <message>
+        <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
+        <translation>Die erste automatische Sicherung wird erstellt, sobald einige Minuten lang niemand das Programm benutzt hat oder wenn es beendet wird.</translation>
+    </message>
+    <message>
+        <source>The latest automatic backup was made and checked on %1 (%2).</source>
+        <translation>Die letzte automatische Sicherung wurde am %1 erstellt und geprüft (%2).</translation>
+    </message>
+    <message>
+        <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
+        <translation>Die Sicherungen liegen auf derselben Festplatte wie der Standort: Fällt sie aus, ist beides verloren. Wählen Sie einen Ordner auf einer anderen Festplatte, einem USB-Laufwerk oder im Netzwerk.</translation>
     </message>
 </context>
 <context>
@@ -4849,14 +5423,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>QUEST+ mit einem Beobachtermodell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Voreinstellung.</translation>
     </message>
     <message>
-        <source>Difference D</source>
-        <translation>Unterschied D</translation>
-    </message>
-    <message>
-        <source>Logarithm of D</source>
-        <translation>Logarithmus von D</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Wie aufgeführt</translation>
     </message>
@@ -4971,6 +5537,46 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Taken back</source>
         <translation>Zurückgenommen</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Separate numbers by semicolons or line ends.</source>
+        <translation>„%1“ ist keine Zahl. Trennen Sie Zahlen durch Strichpunkte oder Zeilenenden.</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>Normal (probit)</source>
+        <translation>Normal (Probit)</translation>
+    </message>
+    <message>
+        <source>Normal, lapses on both sides</source>
+        <translation>Normal, Lapses auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Logistic (logit)</source>
+        <translation>Logistisch (Logit)</translation>
+    </message>
+    <message>
+        <source>Gumbel</source>
+        <translation>Gumbel</translation>
+    </message>
+    <message>
+        <source>Gumbel, mirrored</source>
+        <translation>Gumbel, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Hyperbolic secant</source>
+        <translation>Sekans hyperbolicus</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Ratios of differences</source>
+        <translation>Verhältnisse der Unterschiede</translation>
     </message>
 </context>
 <context>
@@ -5534,10 +6140,130 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AutomaticCard</name>
+    <message>
+        <source>Automatic backups</source>
+        <translation>Automatische Sicherungen</translation>
+    </message>
+    <message>
+        <source>Once a day, when nobody has used the program for a few minutes, or when it closes. A session or a study is never disturbed. Each backup is checked after it is made.</source>
+        <translation>Einmal am Tag, wenn einige Minuten lang niemand das Programm benutzt hat oder wenn es beendet wird. Eine Sitzung oder Studie wird nie gestört. Jede Sicherung wird nach dem Erstellen geprüft.</translation>
+    </message>
+    <message>
+        <source>Make a backup every day</source>
+        <translation>Jeden Tag eine Sicherung erstellen</translation>
+    </message>
+    <message>
+        <source>Automatic backups to keep</source>
+        <translation>Aufzubewahrende automatische Sicherungen</translation>
+    </message>
+    <message>
+        <source>Older ones are removed. Backups that you made yourself are never removed.</source>
+        <translation>Ältere werden entfernt. Sicherungen, die Sie selbst erstellt haben, werden nie entfernt.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BackupKeeper</name>
+    <message>
+        <source>The automatic backup was not made; it is tried again.
+%1</source>
+        <translation>Die automatische Sicherung wurde nicht erstellt; es wird erneut versucht.
+%1</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Speicher öffnen</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
         <source>Break time</source>
         <translation>Pausendauer</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CheckList</name>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>worth a look</source>
+        <translation>einen Blick wert</translation>
+    </message>
+    <message>
+        <source>must be corrected</source>
+        <translation>muss berichtigt werden</translation>
+    </message>
+    <message>
+        <source>being found out</source>
+        <translation>wird ermittelt</translation>
+    </message>
+    <message>
+        <source>What is looked at before freezing</source>
+        <translation>Was vor dem Einfrieren geprüft wird</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CheckPage</name>
+    <message>
+        <source>Before you freeze</source>
+        <translation>Vor dem Einfrieren</translation>
+    </message>
+    <message>
+        <source>Pilot runs</source>
+        <translation>Probeläufe</translation>
+    </message>
+    <message>
+        <source>Somebody tries the design as it is now, with the real trials on this station. A pilot is kept apart: it is never analysed or exported with the study&apos;s data.</source>
+        <translation>Jemand probiert den Entwurf, wie er jetzt ist, mit den echten Durchgängen an diesem Arbeitsplatz aus. Ein Probelauf bleibt getrennt: Er wird nie mit den Daten der Studie ausgewertet oder ausgegeben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) that count</source>
+        <translation>
+                <numerusform>%n gewerteter Durchgang</numerusform>
+                <numerusform>%n gewertete Durchgänge</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeated</source>
+        <translation>
+                <numerusform>%n wiederholt</numerusform>
+                <numerusform>%n wiederholt</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 s a trial</source>
+        <translation>%1 s je Durchgang</translation>
+    </message>
+    <message>
+        <source>Pilot run …</source>
+        <translation>Probelauf …</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Einfrieren</translation>
+    </message>
+    <message>
+        <source>Freezing is final: nobody can change the design afterwards, and every result can be traced to it. Participants can be enrolled from then on. To change something later, copy the study into a new one.</source>
+        <translation>Einfrieren ist endgültig: Danach kann niemand den Entwurf ändern, und jedes Ergebnis lässt sich auf ihn zurückführen. Von da an können Teilnehmende aufgenommen werden. Um später etwas zu ändern, kopieren Sie die Studie in eine neue.</translation>
+    </message>
+    <message>
+        <source>Freeze …</source>
+        <translation>Einfrieren …</translation>
     </message>
 </context>
 <context>
@@ -5558,20 +6284,28 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
-        <translation>Geben Sie ein, was Sie tun möchten</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
-        <source>No matching command. Try fewer letters or another word.</source>
-        <translation>Kein passender Befehl. Versuchen Sie es mit weniger Buchstaben oder einem anderen Wort.</translation>
-    </message>
-    <message>
         <source>%1   (%2)</source>
         <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>Type what you want to do, or a name</source>
+        <translation>Was möchten Sie tun, oder welchen Namen suchen Sie?</translation>
+    </message>
+    <message>
+        <source>Nothing matches. Try fewer letters or another word.</source>
+        <translation>Nichts gefunden. Versuchen Sie es mit weniger Buchstaben oder einem anderen Wort.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Further commands</source>
+        <translation>Weitere Befehle</translation>
     </message>
 </context>
 <context>
@@ -5620,10 +6354,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
 <context>
     <name>chiron::desktop::ConditionsPage</name>
     <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -5642,10 +6372,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>Title</source>
         <translation>Titel</translation>
-    </message>
-    <message>
-        <source>Id</source>
-        <translation>Kennung</translation>
     </message>
     <message>
         <source>Id of a condition</source>
@@ -5670,10 +6396,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>Another task</source>
         <translation>Andere Aufgabe</translation>
-    </message>
-    <message>
-        <source>Threshold at (proportion correct)</source>
-        <translation>Schwelle bei (Anteil richtig)</translation>
     </message>
     <message>
         <source>Criterion</source>
@@ -5738,6 +6460,58 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>The procedure works on</source>
         <translation>Das Verfahren arbeitet mit</translation>
+    </message>
+    <message>
+        <source>What is looked for</source>
+        <translation>Was gesucht wird</translation>
+    </message>
+    <message>
+        <source>What the objects differ in, and nothing else.</source>
+        <translation>Worin sich die Objekte unterscheiden, und in nichts sonst.</translation>
+    </message>
+    <message>
+        <source>What the condition is called in tables and figures. Participants never see it.</source>
+        <translation>Wie die Bedingung in Tabellen und Abbildungen heißt. Teilnehmende sehen es nie.</translation>
+    </message>
+    <message>
+        <source>Short name in exports</source>
+        <translation>Kurzname in Ausgaben</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _; jede Bedingung hat einen anderen.</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>How large the sphere is whose highest point is looked for.</source>
+        <translation>Wie groß die Kugel ist, deren höchster Punkt gesucht wird.</translation>
+    </message>
+    <message>
+        <source>The object that the others are compared with.</source>
+        <translation>Das Objekt, mit dem die anderen verglichen werden.</translation>
+    </message>
+    <message>
+        <source>Threshold at</source>
+        <translation>Schwelle bei</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which so many answers are right.</source>
+        <translation>Die Schwelle ist der Unterschied, bei dem so viele Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>The differences from the reference that a procedure may choose from.</source>
+        <translation>Die Unterschiede zur Referenz, aus denen ein Verfahren wählen kann.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference.</source>
+        <translation>Verhältnisse passen zu Schwellen: Von 2 % bis 4 % ist es so weit wie von 10 % bis 20 %. Unterschiede passen zu Tabellen auf beiden Seiten der Referenz.</translation>
     </message>
 </context>
 <context>
@@ -6110,20 +6884,40 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Auf beiden Seiten der Referenz</translation>
     </message>
     <message>
-        <source>Or type them, in per cent</source>
-        <translation>Oder eingeben, in Prozent</translation>
-    </message>
-    <message>
-        <source>Create the table</source>
-        <translation>Tabelle erstellen</translation>
-    </message>
-    <message>
         <source>No candidates yet.</source>
         <translation>Noch keine Kandidaten.</translation>
     </message>
     <message>
         <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
         <translation>%1 Kandidaten, von %2 bis %3 der Referenz: %4 bis %5.</translation>
+    </message>
+    <message>
+        <source>Too small for anybody to feel.</source>
+        <translation>Zu klein, als dass ihn jemand spürt.</translation>
+    </message>
+    <message>
+        <source>Large enough for everybody to feel.</source>
+        <translation>So groß, dass ihn jeder spürt.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from, in even steps.</source>
+        <translation>Wie viele Unterschiede zur Wahl stehen, in gleichmäßigen Schritten.</translation>
+    </message>
+    <message>
+        <source>Also objects with less of the attribute; not for rankings and thresholds.</source>
+        <translation>Auch Objekte mit weniger von der Eigenschaft; nicht für Rangfolgen und Schwellen.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Change them one by one, or paste them from a table; numbers may have decimal points or commas.</source>
+        <translation>Ändern Sie sie einzeln, oder fügen Sie sie aus einer Tabelle ein; Zahlen dürfen Dezimalpunkte oder -kommas haben.</translation>
+    </message>
+    <message>
+        <source>%1 % less than the reference is less than nothing.</source>
+        <translation>%1 % weniger als die Referenz ist weniger als nichts.</translation>
     </message>
 </context>
 <context>
@@ -6545,6 +7339,13 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     </message>
 </context>
 <context>
+    <name>chiron::desktop::FieldGrid</name>
+    <message>
+        <source>%1 to %2, usually %3.</source>
+        <translation>%1 bis %2, meist %3.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FindingsBox</name>
     <message>
         <source>Findings</source>
@@ -6744,6 +7545,14 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <source>Frozen. Participants can be enrolled now.</source>
         <translation>Eingefroren. Jetzt können Personen aufgenommen werden.</translation>
     </message>
+    <message>
+        <source>What is marked in red must be corrected first: after freezing nobody can.</source>
+        <translation>Was rot markiert ist, muss zuerst berichtigt werden: Nach dem Einfrieren kann es niemand mehr.</translation>
+    </message>
+    <message>
+        <source>I have seen what is worth a look and freeze it all the same</source>
+        <translation>Ich habe gesehen, was einen Blick wert ist, und friere trotzdem ein</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::GeneralPage</name>
@@ -6760,16 +7569,52 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Zahl der Teilnehmenden</translation>
     </message>
     <message>
-        <source>Objective</source>
+        <source>Consent text</source>
+        <translation>Text der Einwilligung</translation>
+    </message>
+    <message>
+        <source>Aim</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>Instructions shown to participants</source>
-        <translation>Anleitung für die Teilnehmenden</translation>
+        <source>What the study goes by in lists, reports and exports.</source>
+        <translation>Wie die Studie in Listen, Berichten und Ausgaben heißt.</translation>
     </message>
     <message>
-        <source>Consent text</source>
-        <translation>Text der Einwilligung</translation>
+        <source>How many people are to take part; Preview shows what so many can find out.</source>
+        <translation>Wie viele Personen teilnehmen sollen; die Vorschau zeigt, was sich mit so vielen herausfinden lässt.</translation>
+    </message>
+    <message>
+        <source>Source of the design</source>
+        <translation>Quelle des Entwurfs</translation>
+    </message>
+    <message>
+        <source>Where the design was published, with its DOI; empty for a design of your own.</source>
+        <translation>Wo der Entwurf veröffentlicht wurde, mit DOI; leer bei einem eigenen Entwurf.</translation>
+    </message>
+    <message>
+        <source>One or two sentences: what is to be found out, and what is expected. It is frozen with the study.</source>
+        <translation>Ein oder zwei Sätze: was herausgefunden werden soll und was erwartet wird. Sie werden mit der Studie eingefroren.</translation>
+    </message>
+    <message>
+        <source>For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference.</source>
+        <translation>Zum Beispiel: ob Schläuche mit 60 N/m und 120 N/m denselben Weber-Bruch haben. Wir erwarten keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>Ethics and consent</source>
+        <translation>Ethik und Einwilligung</translation>
+    </message>
+    <message>
+        <source>Ethics approval</source>
+        <translation>Ethikvotum</translation>
+    </message>
+    <message>
+        <source>The committee with the number and date of its approval, or why none is needed. It is frozen with the study.</source>
+        <translation>Die Kommission mit Nummer und Datum ihres Votums, oder warum keines nötig ist. Es wird mit der Studie eingefroren.</translation>
+    </message>
+    <message>
+        <source>What participants agree to before their first trial. The text that was shown is stored with each consent.</source>
+        <translation>Worin Teilnehmende vor dem ersten Durchgang einwilligen. Mit jeder Einwilligung wird der gezeigte Text gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +8388,37 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     </message>
 </context>
 <context>
+    <name>chiron::desktop::LevelsTable</name>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Unterschied zur Referenz (%)</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Differences from the reference in per cent</source>
+        <translation>Unterschiede zur Referenz in Prozent</translation>
+    </message>
+    <message>
+        <source>Paste numbers</source>
+        <translation>Zahlen einfügen</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Zeile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the row</source>
+        <translation>Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>There are no numbers to paste. Copy them first.</source>
+        <translation>Es gibt keine Zahlen zum Einfügen. Kopieren Sie sie zuerst.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LivePlot</name>
     <message>
         <source>The last %1 seconds</source>
@@ -7657,6 +8533,10 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
 %1</source>
         <translation>Das Passwort wurde nicht geändert.
 %1</translation>
+    </message>
+    <message>
+        <source>Checking the site&apos;s file …</source>
+        <translation>Die Datei des Standorts wird geprüft …</translation>
     </message>
 </context>
 <context>
@@ -7839,6 +8719,92 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>Die Studie wurde nicht angelegt. Vielleicht ist ihre Kennung schon vergeben.
 %1</translation>
     </message>
+    <message>
+        <source>Each is a complete design. Everything in it can be changed until the study is frozen.</source>
+        <translation>Jede Vorlage ist ein vollständiger Entwurf. Alles darin lässt sich ändern, bis die Studie eingefroren ist.</translation>
+    </message>
+    <message>
+        <source>Copy to a new study</source>
+        <translation>In eine neue Studie kopieren</translation>
+    </message>
+    <message>
+        <source>The copy is a draft with the whole design of “%1”, without its participants, data and ethics approval.</source>
+        <translation>Die Kopie ist ein Entwurf mit allem, was „%1“ festlegt, ohne Teilnehmende, Daten und Ethikvotum.</translation>
+    </message>
+    <message>
+        <source>Trials: %1</source>
+        <translation>Durchgänge: %1</translation>
+    </message>
+    <message>
+        <source>Duration: %1</source>
+        <translation>Dauer: %1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Nach: %1</translation>
+    </message>
+    <message>
+        <source>Give the study a title.</source>
+        <translation>Geben Sie der Studie einen Titel.</translation>
+    </message>
+    <message>
+        <source>Another study has this title. They would look alike in lists; a different one is easier to find.</source>
+        <translation>Eine andere Studie heißt ebenso. In Listen sähen beide gleich aus; mit einem anderen Titel ist sie leichter zu finden.</translation>
+    </message>
+    <message>
+        <source>Give the study a key.</source>
+        <translation>Geben Sie der Studie eine Kennung.</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <translation>Nur Kleinbuchstaben, Ziffern und _ verwenden, zuerst ein Buchstabe.</translation>
+    </message>
+    <message>
+        <source>Another study has this key. Choose another.</source>
+        <translation>Eine andere Studie hat diese Kennung. Wählen Sie eine andere.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Searching people, sessions and studies …</source>
+        <translation>Personen, Sitzungen und Studien werden durchsucht …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>On other screens</source>
+        <translation>Auf anderen Seiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+                <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+                <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Not everything could be searched: %1</source>
+        <translation>Nicht alles konnte durchsucht werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PalpationBox</name>
@@ -7912,6 +8878,13 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Searched: %1 %</source>
         <translation>Abgetastet: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ParticipantCard</name>
+    <message>
+        <source>What a participant will meet</source>
+        <translation>Was Teilnehmende erwartet</translation>
     </message>
 </context>
 <context>
@@ -8323,6 +9296,39 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PilotDialog</name>
+    <message>
+        <source>Pilot run</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>The design is tried exactly as it is now. The run is marked as a pilot and never analysed with the study&apos;s data. Stop whenever you have seen enough.</source>
+        <translation>Der Entwurf wird genau so ausprobiert, wie er jetzt ist. Der Lauf wird als Probelauf markiert und nie mit den Daten der Studie ausgewertet. Beenden Sie ihn, sobald Sie genug gesehen haben.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Who tries it (may be left empty)</source>
+        <translation>Wer es ausprobiert (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Whoever tries it has read this and agrees</source>
+        <translation>Wer es ausprobiert, hat dies gelesen und willigt ein</translation>
+    </message>
+    <message>
+        <source>Begin the pilot</source>
+        <translation>Probelauf beginnen</translation>
+    </message>
+    <message>
+        <source>The pilot could not begin.
+%1</source>
+        <translation>Der Probelauf konnte nicht beginnen.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PlacesView</name>
     <message>
         <source>Objects to explore</source>
@@ -8666,14 +9672,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <translation>Der Kommentar wurde nicht gespeichert. Sein Text ist noch da.</translation>
     </message>
     <message>
-        <source>The session was not declared void; nothing was changed.</source>
-        <translation>Die Sitzung wurde nicht für ungültig erklärt; es wurde nichts geändert.</translation>
-    </message>
-    <message>
-        <source>The session is void. Recording and scores are kept.</source>
-        <translation>Die Sitzung ist ungültig. Aufzeichnung und Wertungen bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>second session</source>
         <translation>zweite Sitzung</translation>
     </message>
@@ -8792,6 +9790,14 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The whole session in the plots</source>
         <translation>Die ganze Sitzung in den Diagrammen</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided; nothing was changed.</source>
+        <translation>Sitzung %1 wurde nicht für ungültig erklärt; es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Sitzung %1 ist für ungültig erklärt. Ihre Aufzeichnung bleibt erhalten; sie zählt nicht mehr.</translation>
     </message>
 </context>
 <context>
@@ -8927,6 +9933,65 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
         <translation>kleinstes Verhältnis, das sich mit %1 Teststärke bei zwei Gruppen von je %2 Personen nachweisen lässt</translation>
     </message>
+    <message>
+        <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
+        <translation>Wie gut ein Scheitel gefunden wird, wird mit der veröffentlichten Streuung der Markierungen geplant: %1 des Radius je Achse.</translation>
+    </message>
+    <message>
+        <source>How small a difference they feel, as a share of the reference.</source>
+        <translation>Wie kleine Unterschiede sie spüren, als Anteil der Referenz.</translation>
+    </message>
+    <message>
+        <source>Share of their answers that are careless.</source>
+        <translation>Anteil ihrer unachtsamen Antworten.</translation>
+    </message>
+    <message>
+        <source>Differences below it they call equal, in standard deviations of what they feel.</source>
+        <translation>Kleinere Unterschiede nennen sie gleich; in Standardabweichungen dessen, was sie spüren.</translation>
+    </message>
+    <message>
+        <source>More runs take longer, and their figures are surer.</source>
+        <translation>Mehr Läufe dauern länger, und ihre Zahlen sind sicherer.</translation>
+    </message>
+    <message>
+        <source>Else each person does one of them.</source>
+        <translation>Sonst macht jede Person eine von beiden.</translation>
+    </message>
+    <message>
+        <source>How many people are compared.</source>
+        <translation>Wie viele Personen verglichen werden.</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
+        <translation>Wie stark der Unterschied von Person zu Person streut: 0,05 entspricht dem Faktor 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 0.15 is a factor of 1.41.</source>
+        <translation>Wie stark Personen streuen: 0,15 entspricht dem Faktor 1,41.</translation>
+    </message>
+    <message>
+        <source>How often a difference may be found where there is none.</source>
+        <translation>Wie oft ein Unterschied gefunden werden darf, wo keiner ist.</translation>
+    </message>
+    <message>
+        <source>How often a difference that is there is to be found.</source>
+        <translation>Wie oft ein vorhandener Unterschied gefunden werden soll.</translation>
+    </message>
+    <message>
+        <source>spread of one mark along an axis, as published</source>
+        <translation>Streuung einer Markierung je Achse, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>standard error of one participant&apos;s bias</source>
+        <translation>Standardfehler der Abweichung einer Person</translation>
+    </message>
+    <message numerus="yes">
+        <source>standard error of the bias of %n participant(s), if they do not differ</source>
+        <translation>
+                <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
+                <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -8939,10 +10004,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Anderes Verfahren</translation>
     </message>
     <message>
-        <source>First x</source>
-        <translation>Erstes x</translation>
-    </message>
-    <message>
         <source>Right answers for a step down</source>
         <translation>Richtige Antworten bis zum Schritt nach unten</translation>
     </message>
@@ -8951,60 +10012,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Falsche Antworten bis zum Schritt nach oben</translation>
     </message>
     <message>
-        <source>Step down : step up (0: from the lists)</source>
-        <translation>Schritt ab : Schritt auf (0: laut Listen)</translation>
-    </message>
-    <message>
-        <source>Step type</source>
-        <translation>Schrittart</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linear</translation>
-    </message>
-    <message>
-        <source>in log10 units</source>
-        <translation>in log10-Einheiten</translation>
-    </message>
-    <message>
-        <source>in dB</source>
-        <translation>in dB</translation>
-    </message>
-    <message>
         <source>Reversals averaged</source>
         <translation>Gemittelte Umkehrungen</translation>
-    </message>
-    <message>
-        <source>Steps up, by number of reversals</source>
-        <translation>Schritte auf, nach Zahl der Umkehrungen</translation>
-    </message>
-    <message>
-        <source>Steps down (empty: as up)</source>
-        <translation>Schritte ab (leer: wie auf)</translation>
-    </message>
-    <message>
-        <source>1-up/1-down until the first reversal</source>
-        <translation>1-auf/1-ab bis zur ersten Umkehrung</translation>
-    </message>
-    <message>
-        <source>Reset counters at each step</source>
-        <translation>Zähler nach jedem Schritt zurücksetzen</translation>
-    </message>
-    <message>
-        <source>New step size at the reversal itself</source>
-        <translation>Neue Schrittweite schon bei der Umkehrung</translation>
-    </message>
-    <message>
-        <source>Stay within the range</source>
-        <translation>Im Bereich bleiben</translation>
-    </message>
-    <message>
-        <source>Target proportion</source>
-        <translation>Angestrebter Anteil</translation>
-    </message>
-    <message>
-        <source>Wald deviation</source>
-        <translation>Wald-Abweichung</translation>
     </message>
     <message>
         <source>First step</source>
@@ -9027,40 +10036,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>In zufälliger Reihenfolge</translation>
     </message>
     <message>
-        <source>Levels (x)</source>
-        <translation>Stufen (x)</translation>
-    </message>
-    <message>
         <source>Presentations per level</source>
         <translation>Darbietungen je Stufe</translation>
     </message>
     <message>
-        <source>Correct answers to go on</source>
-        <translation>Richtige Antworten zum Weitergehen</translation>
-    </message>
-    <message>
-        <source>Levels (x), descending</source>
-        <translation>Stufen (x), absteigend</translation>
-    </message>
-    <message>
-        <source>Prior: mean threshold</source>
-        <translation>Prior: mittlere Schwelle</translation>
-    </message>
-    <message>
-        <source>Prior: SD</source>
-        <translation>Prior: SD</translation>
-    </message>
-    <message>
         <source>Slope β</source>
         <translation>Steigung β</translation>
-    </message>
-    <message>
-        <source>Lapse rate δ</source>
-        <translation>Lapse-Rate δ</translation>
-    </message>
-    <message>
-        <source>Guess rate γ</source>
-        <translation>Ratewahrscheinlichkeit γ</translation>
     </message>
     <message>
         <source>Place trials at</source>
@@ -9083,26 +10064,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Psychometrische Funktion</translation>
     </message>
     <message>
-        <source>Same stimulus in a row, at most (0: no limit)</source>
-        <translation>Gleicher Reiz in Folge, höchstens (0: unbegrenzt)</translation>
-    </message>
-    <message>
-        <source>Share of catch trials</source>
-        <translation>Anteil der Kontrolldurchgänge</translation>
-    </message>
-    <message>
-        <source>Grid: %1</source>
-        <translation>Raster: %1</translation>
-    </message>
-    <message>
-        <source>Grid of lapse rates</source>
-        <translation>Raster der Lapse-Raten</translation>
-    </message>
-    <message>
-        <source>Grid of noise (log10 σ)</source>
-        <translation>Raster des Rauschens (log10 σ)</translation>
-    </message>
-    <message>
         <source>Change of the procedure</source>
         <translation>Änderung des Verfahrens</translation>
     </message>
@@ -9115,16 +10076,352 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Mindestzahl Durchgänge</translation>
     </message>
     <message>
-        <source>Reversals until stop (0: never)</source>
-        <translation>Umkehrungen bis zum Ende (0: nie)</translation>
+        <source>never</source>
+        <translation>nie</translation>
     </message>
     <message>
-        <source>Stop at SD of estimate (0: never)</source>
-        <translation>Ende bei SD der Schätzung (0: nie)</translation>
+        <source>The run ends after so many trials at the latest.</source>
+        <translation>Der Lauf endet spätestens nach so vielen Durchgängen.</translation>
     </message>
     <message>
-        <source>Grid of tie thresholds (in σ)</source>
-        <translation>Raster der Gleichstandsschwellen (in σ)</translation>
+        <source>Reversals until stop</source>
+        <translation>Umkehrungen bis zum Ende</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
+        <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Durchgänge beenden ihn.</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is.</source>
+        <translation>Früher endet der Lauf nicht, wie sicher die Schätzung auch ist.</translation>
+    </message>
+    <message>
+        <source>Stop when known within</source>
+        <translation>Ende, wenn bekannt auf</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Faktor bekannt ist (eine Standardabweichung). Meist × 1,15.</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied bekannt ist (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>Same difference in a row</source>
+        <translation>Gleicher Unterschied in Folge</translation>
+    </message>
+    <message>
+        <source>A difference is shown at most so often in succession; 0: no limit.</source>
+        <translation>Ein Unterschied kommt höchstens so oft nacheinander; 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Erster Unterschied</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
+        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt. Er muss in der Tabelle der Unterschiede liegen.</translation>
+    </message>
+    <message>
+        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
+        <translation>So viele richtige Antworten nacheinander machen den nächsten Durchgang schwerer; 3 führen zu etwa 80 % richtigen.</translation>
+    </message>
+    <message>
+        <source>So many wrong answers in succession make the next trial easier.</source>
+        <translation>So viele falsche Antworten nacheinander machen den nächsten Durchgang leichter.</translation>
+    </message>
+    <message>
+        <source>Step down as a share of a step up</source>
+        <translation>Schritt nach unten, Anteil des Schritts nach oben</translation>
+    </message>
+    <message>
+        <source>as listed</source>
+        <translation>wie aufgeführt</translation>
+    </message>
+    <message>
+        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
+        <translation>Schritte nach unten sind meist kleiner als Schritte nach oben, damit der Lauf konvergiert: 73,93 % bei drei richtigen Antworten (García-Pérez 1998).</translation>
+    </message>
+    <message>
+        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
+        <translation>Die eigene Schätzung der Treppe ist das Mittel so vieler letzter Umkehrungen; die Anpassung nutzt alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Steps up</source>
+        <translation>Schritte nach oben</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; the last one is kept.</source>
+        <translation>Einer für jede bisherige Umkehrung; der letzte bleibt.</translation>
+    </message>
+    <message>
+        <source>Steps down</source>
+        <translation>Schritte nach unten</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; none: the same as up.</source>
+        <translation>Einer für jede bisherige Umkehrung; keiner: wie nach oben.</translation>
+    </message>
+    <message>
+        <source>One up, one down at first</source>
+        <translation>Anfangs einer auf, einer ab</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
+        <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort es schwerer: Der Lauf kommt schneller in die Nähe der Schwelle.</translation>
+    </message>
+    <message>
+        <source>Count anew after each step</source>
+        <translation>Nach jedem Schritt neu zählen</translation>
+    </message>
+    <message>
+        <source>Right and wrong answers before a step do not count for the next one.</source>
+        <translation>Richtige und falsche Antworten vor einem Schritt zählen für den nächsten nicht.</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal</source>
+        <translation>Neue Schrittweite bei der Umkehrung</translation>
+    </message>
+    <message>
+        <source>The step that makes the reversal already has the new size.</source>
+        <translation>Schon der Schritt, der die Umkehrung bildet, hat die neue Weite.</translation>
+    </message>
+    <message>
+        <source>Stay within the table</source>
+        <translation>In der Tabelle bleiben</translation>
+    </message>
+    <message>
+        <source>The run never asks for differences beyond the smallest and largest.</source>
+        <translation>Der Lauf verlangt nie Unterschiede jenseits des kleinsten und des größten.</translation>
+    </message>
+    <message>
+        <source>Logarithmic steps of an imported design.</source>
+        <translation>Logarithmische Schritte eines eingelesenen Entwurfs.</translation>
+    </message>
+    <message>
+        <source>Factors of the difference, usually 1.26.</source>
+        <translation>Faktoren des Unterschieds, meist 1,26.</translation>
+    </message>
+    <message>
+        <source>In per cent of the reference.</source>
+        <translation>In Prozent der Referenz.</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody.</source>
+        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt.</translation>
+    </message>
+    <message>
+        <source>Right answers aimed at</source>
+        <translation>Angestrebte richtige Antworten</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which so many answers are right.</source>
+        <translation>Der Lauf sucht den Unterschied, bei dem so viele Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>Deviation tolerated</source>
+        <translation>Erlaubte Abweichung</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
+        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und sind sicherer.</translation>
+    </message>
+    <message>
+        <source>How far the difference changes at first.</source>
+        <translation>Wie stark sich der Unterschied anfangs ändert.</translation>
+    </message>
+    <message>
+        <source>The run ends when a step would be as small as this.</source>
+        <translation>Der Lauf endet, wenn ein Schritt so klein würde.</translation>
+    </message>
+    <message>
+        <source>Steps never grow beyond this.</source>
+        <translation>Größer werden die Schritte nie.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>How often a participant looks for the apex.</source>
+        <translation>Wie oft eine Person den Scheitel sucht.</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often.</source>
+        <translation>Jede Stufe wird so oft dargeboten.</translation>
+    </message>
+    <message>
+        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
+        <translation>Stufen kommen in zufälligen Blöcken mit je einer; sonst in der Reihenfolge der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>What is presented. Levels must lie within the table of differences.</source>
+        <translation>Was dargeboten wird. Stufen müssen in der Tabelle der Unterschiede liegen.</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often before it is decided.</source>
+        <translation>Jede Stufe wird so oft dargeboten, bevor entschieden wird.</translation>
+    </message>
+    <message>
+        <source>Right answers to go on</source>
+        <translation>Richtige Antworten zum Weitergehen</translation>
+    </message>
+    <message>
+        <source>With fewer right answers at a level the run ends there.</source>
+        <translation>Bei weniger richtigen Antworten auf einer Stufe endet der Lauf dort.</translation>
+    </message>
+    <message>
+        <source>What is presented, from the largest to the smallest difference.</source>
+        <translation>Was dargeboten wird, vom größten zum kleinsten Unterschied.</translation>
+    </message>
+    <message>
+        <source>Expected threshold</source>
+        <translation>Erwartete Schwelle</translation>
+    </message>
+    <message>
+        <source>Where the threshold is expected before the first answer.</source>
+        <translation>Wo die Schwelle vor der ersten Antwort erwartet wird.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of it</source>
+        <translation>Unsicherheit der Erwartung</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
+        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung). Meist × 3.</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation).</source>
+        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>The threshold is where so many answers are right.</source>
+        <translation>Die Schwelle liegt dort, wo so viele Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
+        <translation>Wie steil die richtigen Antworten mit dem Unterschied zunehmen; das wird angenommen, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Lapses</translation>
+    </message>
+    <message>
+        <source>Answers that are wrong although the difference is felt.</source>
+        <translation>Antworten, die falsch sind, obwohl der Unterschied gespürt wird.</translation>
+    </message>
+    <message>
+        <source>Right by guessing</source>
+        <translation>Durch Raten richtig</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
+        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
+        <translation>Welcher Punkt des Wissens als Nächstes gefragt wird; das Quantil ist am wirksamsten.</translation>
+    </message>
+    <message>
+        <source>Another function</source>
+        <translation>Andere Funktion</translation>
+    </message>
+    <message>
+        <source>The shape by which right answers are assumed to grow with the difference.</source>
+        <translation>Die Form, in der die richtigen Antworten mit dem Unterschied zunehmen sollen.</translation>
+    </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Kontrolldurchgänge</translation>
+    </message>
+    <message>
+        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
+        <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Thresholds between these are considered possible.</source>
+        <translation>Schwellen dazwischen gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Spreads of the answers between these are considered possible.</source>
+        <translation>Streuungen der Antworten dazwischen gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>Shares of wrong answers although the difference is felt that are considered possible.</source>
+        <translation>Anteile falscher Antworten trotz gespürten Unterschieds, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right by guessing: 50 % of two alternatives.</source>
+        <translation>Anteil der durch Raten richtigen Antworten: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
+        <translation>Steigungen, die als möglich gelten: wie steil die richtigen Antworten mit dem Unterschied zunehmen. Meist 1,5 bis 7.</translation>
+    </message>
+    <message>
+        <source>Values of this parameter that are considered possible.</source>
+        <translation>Werte dieses Parameters, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation>%1: von</translation>
+    </message>
+    <message>
+        <source>%1: to</source>
+        <translation>%1: bis</translation>
+    </message>
+    <message>
+        <source>The largest that is considered possible.</source>
+        <translation>Der größte Wert, der als möglich gilt.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
+        <translation>Der größte Wert. Ein eingelesener Entwurf hat diese Werte ungleichmäßig verteilt; eine Änderung macht sie gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>%1: steps</source>
+        <translation>%1: Schritte</translation>
+    </message>
+    <message>
+        <source>More steps are finer, and take longer to compute.</source>
+        <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>Shares of careless answers that are considered possible.</source>
+        <translation>Anteile unachtsamer Antworten, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>Ties (in σ)</source>
+        <translation>Gleichstände (in σ)</translation>
+    </message>
+    <message>
+        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
+        <translation>Unterschiede, unter denen Objekte gleich genannt werden, in Standardabweichungen des Gespürten, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference</source>
+        <translation>Unterschiedsschwelle</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these are considered possible.</source>
+        <translation>Unterschiedsschwellen dazwischen gelten als möglich.</translation>
     </message>
 </context>
 <context>
@@ -9865,6 +11162,195 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <source>Restore</source>
         <translation>Wiederherstellen</translation>
     </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Die beschädigte Datei bleibt als Kopie erhalten; es wird nichts gelöscht. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+    </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Der Standort wird wieder so, wie er beim Erstellen dieser Sicherung war. Gelöschte Personen bleiben gelöscht. Eine Person aus der Administration der Sicherung muss zustimmen.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password</source>
+        <translation>Die beschädigte Datei hat eine andere Administration oder ein anderes Passwort</translation>
+    </message>
+    <message>
+        <source>Administrator in the damaged file</source>
+        <translation>Administration in der beschädigten Datei</translation>
+    </message>
+    <message>
+        <source>Password in the damaged file</source>
+        <translation>Passwort in der beschädigten Datei</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RestoreScreen</name>
+    <message>
+        <source>Backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Sicherungen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is missing</source>
+        <translation>Die Datei des Standorts fehlt</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is damaged</source>
+        <translation>Die Datei des Standorts ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Everything of a site is in one file. If that is damaged or gone, a backup brings the site back as it was when the backup was made.
+
+The list shows the backups in the places that this computer knows, newest first, and whether each can be used. Use &quot;Choose a file&quot; for one on another disk: it is a folder with the files manifest.json and chiron.db in it.
+
+An administrator of the backup has to give the password. The damaged file is never deleted: it is kept beside the new one under another name.</source>
+        <translation>Ein Standort liegt ganz in einer Datei. Ist sie beschädigt oder verschwunden, bringt eine Sicherung den Standort so zurück, wie er beim Erstellen der Sicherung war.
+
+Die Liste zeigt die Sicherungen an den Orten, die dieser Computer kennt, die neueste zuerst, und ob jede verwendet werden kann. Mit „Datei wählen“ nehmen Sie eine von einer anderen Festplatte: Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.
+
+Eine Person aus der Administration der Sicherung muss das Passwort eingeben. Die beschädigte Datei wird nie gelöscht: Sie bleibt unter einem anderen Namen neben der neuen erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>
+        <translation>%1 ist nicht mehr da. Wurde die Datei verschoben oder liegt sie auf einer Festplatte, die nicht angeschlossen ist, stellen Sie sie zurück und versuchen Sie es erneut. Sonst stellen Sie eine Sicherung wieder her.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a site. Nothing was changed. Restore a backup to continue; the damaged file is kept as a copy.</source>
+        <translation>%1 kann nicht als Standort gelesen werden. Es wurde nichts geändert. Stellen Sie eine Sicherung wieder her, um fortzufahren; die beschädigte Datei bleibt als Kopie erhalten.</translation>
+    </message>
+    <message>
+        <source>Details: %1</source>
+        <translation>Einzelheiten: %1</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Gewählte Sicherung wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Try to open it again</source>
+        <translation>Noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>Set up a new site</source>
+        <translation>Neuen Standort einrichten</translation>
+    </message>
+    <message>
+        <source>Wait until the restore has finished.</source>
+        <translation>Warten Sie, bis das Wiederherstellen beendet ist.</translation>
+    </message>
+    <message>
+        <source>No backup was found</source>
+        <translation>Keine Sicherung gefunden</translation>
+    </message>
+    <message>
+        <source>There is none in %1. If you have one elsewhere, on a USB drive or on the network, choose it below.</source>
+        <translation>In %1 gibt es keine. Wenn Sie anderswo eine haben, auf einem USB-Laufwerk oder im Netzwerk, wählen Sie sie unten.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Being checked …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Intact</source>
+        <translation>Unversehrt</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>No backup is selected.</source>
+        <translation>Es ist keine Sicherung gewählt.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.</source>
+        <translation>Diese Sicherung kann nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>A file of the backup</source>
+        <translation>Eine Datei der Sicherung</translation>
+    </message>
+    <message>
+        <source>Backups (manifest.json chiron.db)</source>
+        <translation>Sicherungen (manifest.json chiron.db)</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup. A backup is a folder with the files manifest.json and chiron.db in it.</source>
+        <translation>%1 ist keine Sicherung. Eine Sicherung ist ein Ordner mit den Dateien manifest.json und chiron.db.</translation>
+    </message>
+    <message>
+        <source>Restoring the backup and checking it …</source>
+        <translation>Die Sicherung wird wiederhergestellt und geprüft …</translation>
+    </message>
+    <message>
+        <source>Nothing was restored: the name or the password is not that of an administrator, or too many wrong ones were given.
+Details: %1</source>
+        <translation>Es wurde nichts wiederhergestellt: Name oder Passwort gehören nicht zur Administration, oder es wurde zu oft falsch eingegeben.
+Einzelheiten: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was restored.</source>
+        <translation>Es wurde nichts wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The damaged file is unchanged.</source>
+        <translation>Es wurde nichts wiederhergestellt. Die beschädigte Datei ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. Please log in.</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Bitte melden Sie sich an.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as %1. Please log in.</source>
+        <translation>Die Sicherung wurde wiederhergestellt. Die beschädigte Datei bleibt als %1 erhalten. Bitte melden Sie sich an.</translation>
+    </message>
+    <message>
+        <source>%1 is still missing.</source>
+        <translation>%1 fehlt noch immer.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -10122,6 +11608,237 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
             <numerusform>%n Person wird hinzugefügt …</numerusform>
             <numerusform>%n Personen werden hinzugefügt …</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RulesPage</name>
+    <message>
+        <source>Trials and breaks</source>
+        <translation>Durchgänge und Pausen</translation>
+    </message>
+    <message>
+        <source>Rules of a trial</source>
+        <translation>Regeln eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>Time to explore</source>
+        <translation>Zeit zum Erkunden</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>A trial without a mark ends after this time; 0: never.</source>
+        <translation>Ein Durchgang ohne Markierung endet nach dieser Zeit; 0: nie.</translation>
+    </message>
+    <message>
+        <source>The objects go away after this time; 0: never.</source>
+        <translation>Nach dieser Zeit verschwinden die Objekte; 0: nie.</translation>
+    </message>
+    <message>
+        <source>Time to answer</source>
+        <translation>Zeit zum Antworten</translation>
+    </message>
+    <message>
+        <source>Once the objects are gone; without an answer the trial comes again. 0: no limit.</source>
+        <translation>Sobald die Objekte verschwunden sind; ohne Antwort kommt der Durchgang noch einmal. 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Between trials</source>
+        <translation>Zwischen Durchgängen</translation>
+    </message>
+    <message>
+        <source>Time until the next objects come.</source>
+        <translation>Zeit, bis die nächsten Objekte kommen.</translation>
+    </message>
+    <message>
+        <source>Practice trials</source>
+        <translation>Übungsdurchgänge</translation>
+    </message>
+    <message>
+        <source>At the largest difference, with feedback, before each condition; never scored.</source>
+        <translation>Mit dem größten Unterschied und Rückmeldung, vor jeder Bedingung; nie gewertet.</translation>
+    </message>
+    <message>
+        <source>Break after so many trials</source>
+        <translation>Pause nach so vielen Durchgängen</translation>
+    </message>
+    <message>
+        <source>Participants rest before they go on; 0: never.</source>
+        <translation>Teilnehmende ruhen sich aus, bevor es weitergeht; 0: nie.</translation>
+    </message>
+    <message>
+        <source>Shortest break</source>
+        <translation>Kürzeste Pause</translation>
+    </message>
+    <message>
+        <source>Participants go on after this time at the earliest.</source>
+        <translation>Frühestens nach dieser Zeit geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Participants are told after each trial how well they did. It changes what is measured.</source>
+        <translation>Teilnehmende erfahren nach jedem Durchgang, wie gut sie waren. Das verändert, was gemessen wird.</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Maskierungsgeräusch</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device.</source>
+        <translation>Ein gleichmäßiges Rauschen verdeckt die Geräusche des Geräts.</translation>
+    </message>
+    <message>
+        <source>Show the objects</source>
+        <translation>Objekte zeigen</translation>
+    </message>
+    <message>
+        <source>Objects are drawn, all alike, so that only touch tells them apart.</source>
+        <translation>Objekte werden gezeichnet, alle gleich, sodass nur der Tastsinn sie unterscheidet.</translation>
+    </message>
+    <message>
+        <source>Every object must be touched</source>
+        <translation>Jedes Objekt berühren</translation>
+    </message>
+    <message>
+        <source>An answer is taken only once each object was touched.</source>
+        <translation>Eine Antwort zählt erst, wenn jedes Objekt berührt wurde.</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Your own sentences</source>
+        <translation>Ihre eigenen Sätze</translation>
+    </message>
+    <message>
+        <source>What to do, and how to hold the instrument. Leave out time, trials, feedback and breaks: those sentences are made from the settings and always fit them.</source>
+        <translation>Was zu tun ist und wie das Instrument zu halten ist. Lassen Sie Zeit, Durchgänge, Rückmeldung und Pausen weg: Diese Sätze entstehen aus den Einstellungen und passen immer zu ihnen.</translation>
+    </message>
+    <message>
+        <source>These instructions were written before sentences were made from the settings. Remove what those say now.</source>
+        <translation>Diese Anleitung entstand, bevor Sätze aus den Einstellungen gebildet wurden. Entfernen Sie, was diese jetzt sagen.</translation>
+    </message>
+    <message>
+        <source>What participants read</source>
+        <translation>Was Teilnehmende lesen</translation>
+    </message>
+    <message>
+        <source>Order and blinding</source>
+        <translation>Reihenfolge und Verblindung</translation>
+    </message>
+    <message>
+        <source>Blinding</source>
+        <translation>Verblindung</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Reihenfolge der Bedingungen</translation>
+    </message>
+    <message>
+        <source>How conditions follow each other from participant to participant. A Williams design also balances what comes after what.</source>
+        <translation>Wie die Bedingungen von Person zu Person aufeinander folgen. Ein Williams-Plan gleicht auch aus, was auf was folgt.</translation>
+    </message>
+    <message>
+        <source>Blind participants</source>
+        <translation>Teilnehmende verblinden</translation>
+    </message>
+    <message>
+        <source>Participants see no values and no names of conditions.</source>
+        <translation>Teilnehmende sehen weder Werte noch Namen von Bedingungen.</translation>
+    </message>
+    <message>
+        <source>Blind experimenters</source>
+        <translation>Versuchsleitung verblinden</translation>
+    </message>
+    <message>
+        <source>Until the study is unblinded, conditions go by sealed codes.</source>
+        <translation>Bis zur Entblindung tragen die Bedingungen versiegelte Codes.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number.</source>
+        <translation>„%1“ ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
+        <translation>Eine ganze Zahl, aus der Reihenfolgen und Zufall gezogen werden: Dieselbe Zahl ergibt dieselbe Studie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Fidelity of a trial</source>
+        <translation>Wiedergabetreue eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>A trial outside these limits is not scored and is presented again.</source>
+        <translation>Ein Durchgang außerhalb dieser Grenzen zählt nicht und wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Limits of fidelity</source>
+        <translation>Grenzen der Wiedergabetreue</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Kraftfehler</translation>
+    </message>
+    <message>
+        <source>Measured against commanded force, root mean square.</source>
+        <translation>Gemessene gegen befohlene Kraft, quadratisches Mittel.</translation>
+    </message>
+    <message>
+        <source>Error of the felt value</source>
+        <translation>Fehler des gefühlten Werts</translation>
+    </message>
+    <message>
+        <source>How far what was rendered may be from what was asked for.</source>
+        <translation>Wie weit das Dargestellte vom Verlangten abweichen darf.</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Share of the force&apos;s updates that may come too late.</source>
+        <translation>Anteil der Kraftaktualisierungen, die zu spät kommen dürfen.</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Kraft an der Grenze</translation>
+    </message>
+    <message>
+        <source>Share of the contact during which the device may give all it has.</source>
+        <translation>Anteil der Berührung, in dem das Gerät alles geben darf, was es hat.</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>How hard a participant may press.</source>
+        <translation>Wie fest jemand drücken darf.</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Mittlere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast a participant may move, on average.</source>
+        <translation>Wie schnell sich jemand im Mittel bewegen darf.</translation>
+    </message>
+    <message>
+        <source>Repeats of one trial</source>
+        <translation>Wiederholungen eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>After so many the run pauses and asks the experimenter.</source>
+        <translation>Danach hält der Lauf an und fragt die Versuchsleitung.</translation>
     </message>
 </context>
 <context>
@@ -10692,9 +12409,9 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message numerus="yes">
         <source>%1: %n session(s) with new comments</source>
         <translation>
-                <numerusform>%1: %n Sitzung mit neuen Kommentaren</numerusform>
-                <numerusform>%1: %n Sitzungen mit neuen Kommentaren</numerusform>
-            </translation>
+            <numerusform>%1: %n Sitzung mit neuen Kommentaren</numerusform>
+            <numerusform>%1: %n Sitzungen mit neuen Kommentaren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10927,22 +12644,6 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>Shows where all recorded data is kept and whether it is safe.
-
-&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
-
-&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
-
-&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
-        <translation>Zeigt, wo alle aufgezeichneten Daten liegen und ob sie sicher sind.
-
-„Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
-
-„Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
-
-„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, bewahrt die jetzige Datenbank auf und meldet alle ab.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Freier Platz</translation>
     </message>
@@ -11149,6 +12850,42 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
         <translation>Die Sicherung wurde wiederhergestellt. Die bisherige Datenbank bleibt als %1 erhalten. Bitte melden Sie sich neu an.</translation>
     </message>
+    <message>
+        <source>Shows where all recorded data is kept and whether it is safe.
+
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Zeigt, wo alle aufgezeichneten Daten liegen und ob sie sicher sind.
+
+„Jetzt sichern“ erstellt eine Kopie, während das Programm läuft, und prüft sie, bevor sie gilt. Bewahren Sie Sicherungen auf einer anderen Festplatte auf: Wählen Sie hier den Ordner.
+
+„Automatische Sicherungen“ erstellt täglich eine und bewahrt so viele auf, wie Sie angeben; Sicherungen, die Sie selbst erstellt haben, werden nie entfernt.
+
+„Prüfen“ liest alles noch einmal: jeden Datensatz, jede Aufzeichnung, jede Wertung, das Prüfprotokoll. Es ändert nichts und lässt sich abbrechen.
+
+„Wiederherstellen“ kehrt zu einer Sicherung zurück. Es fragt die Administration nach dem Passwort, bewahrt die jetzige Datenbank auf und meldet alle ab.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>The plan for automatic backups was not saved.</source>
+        <translation>Der Plan für automatische Sicherungen wurde nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudiesScreen</name>
@@ -11343,6 +13080,18 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
         <source>The study is closed already.</source>
         <translation>Die Studie ist bereits geschlossen.</translation>
     </message>
+    <message>
+        <source>The study could not be read.</source>
+        <translation>Die Studie konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The study is blind. Only its author and administrators can copy it before it is unblinded.</source>
+        <translation>Die Studie ist verblindet. Vor der Entblindung können sie nur ihre Autorin oder ihr Autor und die Administration kopieren.</translation>
+    </message>
+    <message>
+        <source>Copy to new study …</source>
+        <translation>In neue Studie kopieren …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -11520,18 +13269,6 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Studie</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and errors are shown above the page.
-
-Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people under random codes and records their consent.
-
-Freeze fixes the design permanently under its SHA-256; participants can be enrolled from then on.</source>
-        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und Fehler werden über der Seite angezeigt.
-
-„Bedingungen“ legt fest, was verglichen wird, mit welcher Aufgabe und welchem Verfahren. „Vorschau“ führt die Studie mit simulierten Beobachtern durch und zeigt, welche Genauigkeit, wie viele Durchgänge und wie viel Zeit zu erwarten sind. „Teilnehmende“ nimmt Personen unter zufälligen Codes auf und hält ihre Einwilligung fest.
-
-„Einfrieren“ legt den Entwurf unter seinem SHA-256 endgültig fest; von da an können Personen aufgenommen werden.</translation>
-    </message>
-    <message>
         <source>Reading the study …</source>
         <translation>Studie wird gelesen …</translation>
     </message>
@@ -11542,10 +13279,6 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>Parts of the study</source>
         <translation>Teile der Studie</translation>
-    </message>
-    <message>
-        <source>General</source>
-        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Conditions</source>
@@ -11598,19 +13331,6 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>Language of the texts</source>
         <translation>Sprache der Texte</translation>
-    </message>
-    <message numerus="yes">
-        <source>… and %n more</source>
-        <translation>
-            <numerusform>… und %n weitere</numerusform>
-            <numerusform>… und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Not saved yet. Correct this first:
-%1</source>
-        <translation>Noch nicht gespeichert. Korrigieren Sie zuerst:
-%1</translation>
     </message>
     <message>
         <source>The draft could not be saved.
@@ -11707,6 +13427,57 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>The last changes are still being saved.</source>
         <translation>Die letzten Änderungen werden noch gespeichert.</translation>
+    </message>
+    <message>
+        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+
+Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Eine Studie. Solange sie ein Entwurf ist, können Sie alles ändern. Gehen Sie die Seiten mit Weiter und Zurück durch, oder springen Sie über ihren Namen zu einer. Vollständige Eingaben werden sofort gespeichert, Strg+Z macht einen Schritt rückgängig, und was nicht stimmt, steht unter dem Feld. Neben den Seiten steht, was Teilnehmende erwartet.
+
+Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen wird. Vorschau lässt simulierte Beobachter die Studie durchlaufen und zeigt die erwartete Genauigkeit, die Zahl der Durchgänge und die Zeit. Prüfen und einfrieren sagt, was fehlt, lässt jemanden den Entwurf als Probelauf ausprobieren und friert ihn endgültig unter seinem SHA-256 ein; von da an können Teilnehmende mit ihrer Einwilligung unter zufälligen Codes aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Check and freeze</source>
+        <translation>Prüfen und einfrieren</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Show the first</source>
+        <translation>Erste zeigen</translation>
+    </message>
+    <message>
+        <source>Copy to new study …</source>
+        <translation>In neue Studie kopieren …</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Something here must be corrected.</source>
+        <translation>Hier muss etwas berichtigt werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
+        <translation>
+                <numerusform>Noch nicht gespeichert: %n Eingabe muss zuerst berichtigt werden. %1</numerusform>
+                <numerusform>Noch nicht gespeichert: %n Eingaben müssen zuerst berichtigt werden. %1</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The last changes are still being saved. Try again in a moment.</source>
+        <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -11982,121 +13753,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Skip pauses</source>
         <translation>Pausen überspringen</translation>
-    </message>
-</context>
-<context>
-    <name>chiron::desktop::TrialsPage</name>
-    <message>
-        <source>Order and blinding</source>
-        <translation>Reihenfolge und Verblindung</translation>
-    </message>
-    <message>
-        <source>Order of conditions</source>
-        <translation>Reihenfolge der Bedingungen</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>Blinding</source>
-        <translation>Verblindung</translation>
-    </message>
-    <message>
-        <source>Participants see no values or names</source>
-        <translation>Teilnehmende: ohne Werte, Namen</translation>
-    </message>
-    <message>
-        <source>Experimenters see sealed codes</source>
-        <translation>Versuchsleitung: nur Codes</translation>
-    </message>
-    <message>
-        <source>Trials and breaks</source>
-        <translation>Durchgänge und Pausen</translation>
-    </message>
-    <message>
-        <source>Rules of a trial</source>
-        <translation>Regeln eines Durchgangs</translation>
-    </message>
-    <message>
-        <source>Time to explore (0: no limit)</source>
-        <translation>Zeit zum Erkunden (0: unbegrenzt)</translation>
-    </message>
-    <message>
-        <source>Time to answer (0: no limit)</source>
-        <translation>Zeit zum Antworten (0: unbegrenzt)</translation>
-    </message>
-    <message>
-        <source>Between trials</source>
-        <translation>Zwischen Durchgängen</translation>
-    </message>
-    <message>
-        <source>Practice trials</source>
-        <translation>Übungsdurchgänge</translation>
-    </message>
-    <message>
-        <source>Break after (trials; 0: never)</source>
-        <translation>Pause nach (Durchgänge; 0: nie)</translation>
-    </message>
-    <message>
-        <source>Minimum break</source>
-        <translation>Mindestdauer der Pause</translation>
-    </message>
-    <message>
-        <source>Feedback: right or wrong</source>
-        <translation>Rückmeldung richtig/falsch</translation>
-    </message>
-    <message>
-        <source>Masking sound</source>
-        <translation>Maskierungsgeräusch</translation>
-    </message>
-    <message>
-        <source>Show the objects, all alike</source>
-        <translation>Objekte zeigen, alle gleich</translation>
-    </message>
-    <message>
-        <source>Every object must be touched</source>
-        <translation>Jedes Objekt berühren</translation>
-    </message>
-    <message>
-        <source>Fidelity of a trial</source>
-        <translation>Wiedergabetreue eines Durchgangs</translation>
-    </message>
-    <message>
-        <source>A trial outside these limits is not scored and is presented again.</source>
-        <translation>Ein Durchgang außerhalb dieser Grenzen zählt nicht und wird wiederholt.</translation>
-    </message>
-    <message>
-        <source>Limits of fidelity</source>
-        <translation>Grenzen der Wiedergabetreue</translation>
-    </message>
-    <message>
-        <source>Force error, RMS</source>
-        <translation>Kraftfehler, RMS</translation>
-    </message>
-    <message>
-        <source>Error of the felt value (share)</source>
-        <translation>Fehler des gefühlten Werts (Anteil)</translation>
-    </message>
-    <message>
-        <source>Late ticks (share)</source>
-        <translation>Verspätete Takte (Anteil)</translation>
-    </message>
-    <message>
-        <source>Force at its limit (share)</source>
-        <translation>Kraft an der Grenze (Anteil)</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>Spitzenkraft</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>Mittlere Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Maximum repeats of one trial</source>
-        <translation>Höchstzahl der Wiederholungen</translation>
     </message>
 </context>
 <context>
@@ -12572,33 +14228,6 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
 </context>
 <context>
-    <name>chiron::desktop::VoidDialog</name>
-    <message>
-        <source>Declare this session void</source>
-        <translation>Diese Sitzung für ungültig erklären</translation>
-    </message>
-    <message>
-        <source>Declare this session void?</source>
-        <translation>Diese Sitzung für ungültig erklären?</translation>
-    </message>
-    <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Reason (the trainee can read it)</source>
-        <translation>Begründung (für die lernende Person lesbar)</translation>
-    </message>
-    <message>
-        <source>Keep it as it is</source>
-        <translation>So lassen</translation>
-    </message>
-    <message>
-        <source>Declare void</source>
-        <translation>Für ungültig erklären</translation>
-    </message>
-</context>
-<context>
     <name>chiron::desktop::VoidSessionDialog</name>
     <message>
         <source>Void a session</source>
@@ -12607,14 +14236,6 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Void session %1 of %2?</source>
         <translation>Sitzung %1 von %2 für ungültig erklären?</translation>
-    </message>
-    <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
-        <translation>Sie bleibt mit Aufzeichnung und Wertungen in der Liste, zählt aber für nichts mehr. Wer sie warum für ungültig erklärt hat, wird festgehalten. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Begründung</translation>
     </message>
     <message>
         <source>For example: the device was not calibrated</source>
@@ -12627,6 +14248,14 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Void the session</source>
         <translation>Für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Begründung (für die lernende Person lesbar)</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Chiron</source>
+        <translation>Σχετικά με το Chiron</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Έκδοση %1</translation>
+    </message>
+    <message>
+        <source>Training for the sense of touch in minimally invasive surgery. Named after the centaur who taught Asclepius medicine; his name comes from cheir, hand.</source>
+        <translation>Εκπαίδευση της αφής στην ελάχιστα επεμβατική χειρουργική. Πήρε το όνομά του από τον Κένταυρο Χείρωνα, που δίδαξε την ιατρική στον Ασκληπιό· το όνομα προέρχεται από τη λέξη χειρ, χέρι.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. Not a medical device.</source>
+        <translation>Ελεύθερο λογισμικό με την άδεια GNU General Public License, έκδοση 3 ή νεότερη. Δεν είναι ιατροτεχνολογικό προϊόν.</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Έκδοση κώδικα: %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+</context>
+<context>
     <name>AccountForm</name>
     <message>
         <source>Language</source>
@@ -107,9 +134,9 @@
     <message numerus="yes">
         <source>%n false alarm(s)</source>
         <translation>
-                <numerusform>%n ψευδής συναγερμός</numerusform>
-                <numerusform>%n ψευδείς συναγερμοί</numerusform>
-            </translation>
+            <numerusform>%n ψευδής συναγερμός</numerusform>
+            <numerusform>%n ψευδείς συναγερμοί</numerusform>
+        </translation>
     </message>
     <message>
         <source>Too much: the tissue was damaged</source>
@@ -200,6 +227,10 @@
         <source>Program</source>
         <translation>Πρόγραμμα</translation>
     </message>
+    <message>
+        <source>About Chiron</source>
+        <translation>Σχετικά με το Chiron</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -266,6 +297,61 @@
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
         <translation>Κάντε κλικ ή πατήστε Enter ενώ αγγίζετε το σημείο.</translation>
+    </message>
+</context>
+<context>
+    <name>DesignFaults</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 έως %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be rendered. Choose a reference of %2.</source>
+        <translation>Η τιμή %1 δεν μπορεί να αποδοθεί. Επιλέξτε αναφορά από %2.</translation>
+    </message>
+    <message>
+        <source>An object would have %1, but only %2 can be rendered. Choose smaller differences or another reference.</source>
+        <translation>Ένα αντικείμενο θα είχε %1, αλλά αποδίδονται μόνο τιμές %2. Επιλέξτε μικρότερες διαφορές ή άλλη αναφορά.</translation>
+    </message>
+    <message>
+        <source>This task compares with objects above the reference only: every difference must be above 0 %.</source>
+        <translation>Αυτό το έργο συγκρίνει μόνο με αντικείμενα πάνω από την αναφορά: κάθε διαφορά πρέπει να είναι πάνω από 0 %.</translation>
+    </message>
+    <message>
+        <source>A difference is there twice. Leave one of them out.</source>
+        <translation>Μία διαφορά υπάρχει δύο φορές. Αφαιρέστε τη μία.</translation>
+    </message>
+    <message>
+        <source>This is empty. Write something.</source>
+        <translation>Το πεδίο είναι κενό. Συμπληρώστε το.</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <translation>Χρησιμοποιήστε μόνο πεζά λατινικά γράμματα, ψηφία και _, με γράμμα στην αρχή.</translation>
+    </message>
+    <message>
+        <source>This is there twice. Choose another.</source>
+        <translation>Υπάρχει ήδη. Επιλέξτε άλλο.</translation>
+    </message>
+    <message>
+        <source>A level lies outside the table of differences. Choose one within it, or change the table.</source>
+        <translation>Ένα επίπεδο βρίσκεται εκτός του πίνακα διαφορών. Επιλέξτε ένα εντός του ή αλλάξτε τον πίνακα.</translation>
+    </message>
+    <message>
+        <source>Choose a value from %1 to %2.</source>
+        <translation>Επιλέξτε τιμή από %1 έως %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1. Expected: %2.</source>
+        <translation>Βρέθηκε: %1. Αναμενόταν: %2.</translation>
+    </message>
+    <message>
+        <source>At least one participant is needed.</source>
+        <translation>Χρειάζεται τουλάχιστον ένα άτομο.</translation>
+    </message>
+    <message>
+        <source>Another condition has the same name. Tables and figures could not tell them apart.</source>
+        <translation>Μια άλλη συνθήκη έχει το ίδιο όνομα. Σε πίνακες και γραφήματα δεν θα ξεχώριζαν.</translation>
     </message>
 </context>
 <context>
@@ -366,6 +452,25 @@ Details: %2</source>
     <message>
         <source>%1 of %2 landmarks of the bladder were seen.</source>
         <translation>Φάνηκαν %1 από τα %2 οδηγά σημεία της κύστης.</translation>
+    </message>
+</context>
+<context>
+    <name>ExitBackup</name>
+    <message>
+        <source>Making today&apos;s backup</source>
+        <translation>Δημιουργείται το σημερινό αντίγραφο ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Chiron closes by itself when the backup is made and checked.</source>
+        <translation>Το Chiron κλείνει μόνο του μόλις το αντίγραφο ασφαλείας δημιουργηθεί και ελεγχθεί.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
+    </message>
+    <message>
+        <source>Close without a backup</source>
+        <translation>Κλείσιμο χωρίς αντίγραφο ασφαλείας</translation>
     </message>
 </context>
 <context>
@@ -521,6 +626,151 @@ Details: %2</source>
     <message>
         <source>This device renders no force. An instrument moves more slowly the harder something pulls or presses.</source>
         <translation>Αυτή η συσκευή δεν αποδίδει δύναμη. Ένα εργαλείο κινείται τόσο πιο αργά, όσο πιο δυνατά τραβά ή πιέζει κάτι.</translation>
+    </message>
+</context>
+<context>
+    <name>FreezeChecks</name>
+    <message>
+        <source>Entries</source>
+        <translation>Καταχωρίσεις</translation>
+    </message>
+    <message>
+        <source>All entries are complete and fit together.</source>
+        <translation>Όλες οι καταχωρίσεις είναι πλήρεις και συμβατές μεταξύ τους.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entr(y/ies) must be corrected. The first: %1</source>
+        <translation>
+                <numerusform>%n καταχώριση πρέπει να διορθωθεί: %1</numerusform>
+                <numerusform>%n καταχωρίσεις πρέπει να διορθωθούν. Η πρώτη: %1</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Σκοπός</translation>
+    </message>
+    <message>
+        <source>It is written.</source>
+        <translation>Έχει διατυπωθεί.</translation>
+    </message>
+    <message>
+        <source>Write what is to be found out and what you expect. It cannot be added later.</source>
+        <translation>Γράψτε τι θέλετε να διαπιστώσετε και τι αναμένετε. Αργότερα δεν μπορεί να προστεθεί.</translation>
+    </message>
+    <message>
+        <source>Ethics</source>
+        <translation>Δεοντολογία</translation>
+    </message>
+    <message>
+        <source>Name the approval, or say why none is needed.</source>
+        <translation>Αναφέρετε την έγκριση ή εξηγήστε γιατί δεν χρειάζεται.</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Write what participants agree to.</source>
+        <translation>Γράψτε σε τι συγκατατίθενται οι συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>The text is very short. Check that it says what is recorded, for how long, and that stopping has no disadvantage.</source>
+        <translation>Το κείμενο είναι πολύ σύντομο. Ελέγξτε ότι αναφέρει τι καταγράφεται, για πόσο διάστημα, και ότι η διακοπή δεν έχει δυσμενείς συνέπειες.</translation>
+    </message>
+    <message>
+        <source>There is a text; participants read it before their first trial.</source>
+        <translation>Υπάρχει κείμενο· οι συμμετέχοντες το διαβάζουν πριν από την πρώτη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Plan at least one participant.</source>
+        <translation>Προγραμματίστε τουλάχιστον ένα άτομο.</translation>
+    </message>
+    <message>
+        <source>One participant says nothing of others. Plan more, unless this is a case study.</source>
+        <translation>Ένα μόνο άτομο δεν λέει τίποτα για τα υπόλοιπα. Προγραμματίστε περισσότερα, εκτός αν πρόκειται για μελέτη περίπτωσης.</translation>
+    </message>
+    <message>
+        <source>%1 are planned. With a multiple of %2 every order of conditions comes equally often.</source>
+        <translation>Προβλέπονται %1. Με πολλαπλάσιο του %2 κάθε σειρά των συνθηκών εμφανίζεται εξίσου συχνά.</translation>
+    </message>
+    <message>
+        <source>%1 are planned.</source>
+        <translation>Προβλέπονται %1.</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Εξάσκηση</translation>
+    </message>
+    <message>
+        <source>%1 trials before each condition.</source>
+        <translation>%1 δοκιμές πριν από κάθε συνθήκη.</translation>
+    </message>
+    <message>
+        <source>There are no practice trials. The first trials that count are then the participant&apos;s first ever.</source>
+        <translation>Δεν υπάρχουν δοκιμές εξάσκησης. Οι πρώτες δοκιμές που μετρούν είναι τότε και οι πρώτες του ατόμου.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Διάρκεια</translation>
+    </message>
+    <message>
+        <source>At most about %1 minutes for each participant.</source>
+        <translation>Το πολύ περίπου %1 λεπτά ανά άτομο.</translation>
+    </message>
+    <message>
+        <source>About %1 minutes for each participant, as simulated.</source>
+        <translation>Περίπου %1 λεπτά ανά άτομο, κατά την προσομοίωση.</translation>
+    </message>
+    <message>
+        <source>Simulated observers are finding out …</source>
+        <translation>Το υπολογίζουν προσομοιωμένοι παρατηρητές …</translation>
+    </message>
+    <message>
+        <source>Attention wanes after an hour: plan fewer trials or several sittings.</source>
+        <translation>Μετά από μία ώρα η προσοχή μειώνεται: προγραμματίστε λιγότερες δοκιμές ή περισσότερες συναντήσεις.</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Ακρίβεια</translation>
+    </message>
+    <message>
+        <source>This kind of study estimates no threshold, so there is none to simulate. A pilot shows how much answers vary.</source>
+        <translation>Αυτό το είδος μελέτης δεν εκτιμά κατώφλι, άρα δεν υπάρχει τι να προσομοιωθεί. Μια πιλοτική δοκιμή δείχνει πόσο διαφέρουν οι απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>The threshold of one run varies by a factor of %1.</source>
+        <translation>Το κατώφλι μιας εκτέλεσης μεταβάλλεται κατά συντελεστή %1.</translation>
+    </message>
+    <message>
+        <source>%1 participants find a ratio of %2 between two conditions with 80 % power.</source>
+        <translation>%1 συμμετέχοντες εντοπίζουν λόγο %2 μεταξύ δύο συνθηκών με ισχύ 80 %.</translation>
+    </message>
+    <message>
+        <source>So few participants find no ratio up to 10 between two conditions.</source>
+        <translation>Τόσο λίγοι συμμετέχοντες δεν εντοπίζουν λόγο έως 10 μεταξύ δύο συνθηκών.</translation>
+    </message>
+    <message>
+        <source>More trials make it more precise; Preview shows how many.</source>
+        <translation>Περισσότερες δοκιμές τη βελτιώνουν· η προεπισκόπηση δείχνει πόσες.</translation>
+    </message>
+    <message>
+        <source>Pilot</source>
+        <translation>Πιλοτική δοκιμή</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried %n time(s).</source>
+        <translation>
+                <numerusform>Δοκιμάστηκε %n φορά.</numerusform>
+                <numerusform>Δοκιμάστηκε %n φορές.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
+        <translation>Κανείς δεν έχει δοκιμάσει ακόμη αυτό το σχέδιο. Δοκιμάστε το πρώτα εσείς: λίγα λεπτά δείχνουν τι είναι ασαφές.</translation>
     </message>
 </context>
 <context>
@@ -1706,6 +1956,21 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>PaletteSearch</name>
+    <message>
+        <source>%1, level %2: %3</source>
+        <translation>%1, επίπεδο %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Session %1: %2, level %3, %4, %5</source>
+        <translation>Συνεδρία %1: %2, επίπεδο %3, %4, %5</translation>
+    </message>
+</context>
+<context>
     <name>PalpationFindings</name>
     <message>
         <source>stated size %1, true size %2</source>
@@ -1873,6 +2138,289 @@ Details: %2</source>
     <message>
         <source>Left index finger</source>
         <translation>Αριστερός δείκτης</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantFacts</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, differences of %3 to %4</source>
+        <translation>%1: %2, διαφορές από %3 έως %4</translation>
+    </message>
+    <message>
+        <source>Mark the highest point.</source>
+        <translation>Σημειώστε το ψηλότερο σημείο.</translation>
+    </message>
+    <message>
+        <source>as many as the answers need</source>
+        <translation>όσες απαιτούν οι απαντήσεις</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>το πολύ %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n for practice</source>
+        <translation>
+                <numerusform>%1 και %n για εξάσκηση</numerusform>
+                <numerusform>%1 και %n για εξάσκηση</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>at most about %1 min</source>
+        <translation>το πολύ περίπου %1 λεπτά</translation>
+    </message>
+    <message>
+        <source>as long as the answers take</source>
+        <translation>όσο διαρκούν οι απαντήσεις</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>όχι</translation>
+    </message>
+    <message>
+        <source>after every %1 trials, at least %2 s</source>
+        <translation>μετά από κάθε %1 δοκιμές, τουλάχιστον %2 s</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>χωρίς όριο</translation>
+    </message>
+    <message>
+        <source>%1 s a trial</source>
+        <translation>%1 s ανά δοκιμή</translation>
+    </message>
+    <message>
+        <source>%1 s to explore, then %2 s to answer</source>
+        <translation>%1 s για εξερεύνηση, έπειτα %2 s για απάντηση</translation>
+    </message>
+    <message>
+        <source>%1 s to explore, no limit to answer</source>
+        <translation>%1 s για εξερεύνηση, χωρίς όριο για απάντηση</translation>
+    </message>
+    <message>
+        <source>after each trial</source>
+        <translation>μετά από κάθε δοκιμή</translation>
+    </message>
+    <message>
+        <source>in practice only</source>
+        <translation>μόνο στην εξάσκηση</translation>
+    </message>
+    <message>
+        <source>%1 before, %2 after</source>
+        <translation>%1 πριν, %2 μετά</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Συνθήκες</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Ερώτηση</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Διάρκεια</translation>
+    </message>
+    <message>
+        <source>Breaks</source>
+        <translation>Διαλείμματα</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Χρόνος</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Ανατροφοδότηση</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Ερωτήσεις</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantSentences</name>
+    <message>
+        <source>In each trial you look for the highest point of an object by touch and mark it.</source>
+        <translation>Σε κάθε δοκιμή αναζητάτε με την αφή το ψηλότερο σημείο ενός αντικειμένου και το σημειώνετε.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and put them in order; you may mark those that feel the same as equal.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και τα βάζετε σε σειρά· όσα νιώθετε ίδια μπορείτε να τα δηλώσετε ως ίσα.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore two objects and choose one of two answers.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε δύο αντικείμενα και επιλέγετε μία από δύο απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore three objects and choose one of three answers.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε τρία αντικείμενα και επιλέγετε μία από τρεις απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and choose one of two answers.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και επιλέγετε μία από δύο απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>In each trial you change one object until it feels like the other, and confirm.</source>
+        <translation>Σε κάθε δοκιμή μεταβάλλετε ένα αντικείμενο ώσπου να το νιώθετε όπως το άλλο και επιβεβαιώνετε.</translation>
+    </message>
+    <message>
+        <source>In each trial you explore one object and give it a number.</source>
+        <translation>Σε κάθε δοκιμή εξερευνάτε ένα αντικείμενο και του δίνετε έναν αριθμό.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The study has %n part(s).</source>
+        <translation>
+                <numerusform>Η μελέτη έχει %n μέρος.</numerusform>
+                <numerusform>Η μελέτη έχει %n μέρη.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>What you do differs from part to part:</source>
+        <translation>Αυτό που κάνετε διαφέρει από μέρος σε μέρος:</translation>
+    </message>
+    <message>
+        <source>Touch every object before you answer.</source>
+        <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>How many trials there are depends on your answers.</source>
+        <translation>Το πλήθος των δοκιμών εξαρτάται από τις απαντήσεις σας.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has %n trial(s).</source>
+        <translation>
+                <numerusform>Κάθε μέρος έχει %n δοκιμή.</numerusform>
+                <numerusform>Κάθε μέρος έχει %n δοκιμές.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has at most %n trial(s).</source>
+        <translation>
+                <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμή.</numerusform>
+                <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμές.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %n trial(s).</source>
+        <translation>
+                <numerusform>Υπάρχει %n δοκιμή.</numerusform>
+                <numerusform>Υπάρχουν %n δοκιμές.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are at most %n trial(s).</source>
+        <translation>
+                <numerusform>Υπάρχει το πολύ %n δοκιμή.</numerusform>
+                <numerusform>Υπάρχουν το πολύ %n δοκιμές.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>You may take as long as you like over each trial.</source>
+        <translation>Για κάθε δοκιμή έχετε όσο χρόνο θέλετε.</translation>
+    </message>
+    <message>
+        <source>You have %1 seconds for each trial.</source>
+        <translation>Για κάθε δοκιμή έχετε %1 δευτερόλεπτα.</translation>
+    </message>
+    <message>
+        <source>You have %1 seconds to explore in each trial.</source>
+        <translation>Σε κάθε δοκιμή έχετε %1 δευτερόλεπτα για εξερεύνηση.</translation>
+    </message>
+    <message>
+        <source>Then the objects go away, and you have another %1 seconds to answer.</source>
+        <translation>Έπειτα τα αντικείμενα εξαφανίζονται και έχετε άλλα %1 δευτερόλεπτα για να απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>Then the objects go away, and you may take as long as you like to answer.</source>
+        <translation>Έπειτα τα αντικείμενα εξαφανίζονται και έχετε όσο χρόνο θέλετε για να απαντήσετε.</translation>
+    </message>
+    <message>
+        <source>Only in practice you are told whether your answer was right.</source>
+        <translation>Μόνο στην εξάσκηση μαθαίνετε αν η απάντησή σας ήταν σωστή.</translation>
+    </message>
+    <message>
+        <source>After each trial you are told whether your answer was right.</source>
+        <translation>Μετά από κάθε δοκιμή μαθαίνετε αν η απάντησή σας ήταν σωστή.</translation>
+    </message>
+    <message>
+        <source>You are not told whether your answers are right.</source>
+        <translation>Δεν μαθαίνετε αν οι απαντήσεις σας είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>Only in practice you are told how far your mark is from the highest point.</source>
+        <translation>Μόνο στην εξάσκηση μαθαίνετε πόσο απέχει το σημείο σας από το ψηλότερο.</translation>
+    </message>
+    <message>
+        <source>After each trial you are told how far your mark is from the highest point.</source>
+        <translation>Μετά από κάθε δοκιμή μαθαίνετε πόσο απέχει το σημείο σας από το ψηλότερο.</translation>
+    </message>
+    <message>
+        <source>You are not told how far your marks are from the highest point.</source>
+        <translation>Δεν μαθαίνετε πόσο απέχουν τα σημεία σας από το ψηλότερο.</translation>
+    </message>
+    <message>
+        <source>No breaks are planned; you may pause whenever you want.</source>
+        <translation>Δεν προβλέπονται διαλείμματα· μπορείτε να σταματάτε όποτε θέλετε.</translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s) there is a break</source>
+        <translation>
+                <numerusform>Μετά από κάθε %n δοκιμή υπάρχει διάλειμμα</numerusform>
+                <numerusform>Μετά από κάθε %n δοκιμές υπάρχει διάλειμμα</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 of at least %2 seconds; you may also pause whenever you want.</source>
+        <translation>%1 τουλάχιστον %2 δευτερολέπτων· μπορείτε επίσης να σταματάτε όποτε θέλετε.</translation>
+    </message>
+    <message>
+        <source>%1; you may also pause whenever you want.</source>
+        <translation>%1· μπορείτε επίσης να σταματάτε όποτε θέλετε.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
+                <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
+                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Κάθε μέρος αρχίζει με %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+                <numerusform>Κάθε μέρος αρχίζει με %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+                <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>During the trials you hear a steady noise.</source>
+        <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
     </message>
 </context>
 <context>
@@ -2871,6 +3419,10 @@ Do you want to replace it?</source>
         <source>Trials</source>
         <translation>Δοκιμές</translation>
     </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Επαναφορά αντιγράφου ασφαλείας</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3485,6 +4037,28 @@ Do you want to replace it?</source>
     <message>
         <source>No errors were found: %1 records, every recording, every score and the audit trail were checked.</source>
         <translation>Δεν βρέθηκε πρόβλημα: ελέγχθηκαν %1 εγγραφές, κάθε καταγραφή, κάθε βαθμολογία και το ημερολόγιο ελέγχου.</translation>
+    </message>
+    <message>
+        <source>Automatic backups are off. Only backups that you make yourself protect what is recorded.</source>
+        <translation>Τα αυτόματα αντίγραφα ασφαλείας είναι απενεργοποιημένα. Όσα καταγράφονται προστατεύονται μόνο από αντίγραφα που δημιουργείτε εσείς.</translation>
+    </message>
+    <message>
+        <source>The automatic backup %1 was not made. It is tried again; make one yourself until then.
+Details: %2</source>
+        <translation>Το αυτόματο αντίγραφο ασφαλείας (%1) δεν δημιουργήθηκε. Θα γίνει νέα προσπάθεια· ως τότε δημιουργήστε ένα εσείς.
+Λεπτομέρειες: %2</translation>
+    </message>
+    <message>
+        <source>The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.</source>
+        <translation>Το πρώτο αυτόματο αντίγραφο ασφαλείας δημιουργείται όταν κανείς δεν έχει χρησιμοποιήσει το πρόγραμμα για λίγα λεπτά ή όταν το πρόγραμμα κλείνει.</translation>
+    </message>
+    <message>
+        <source>The latest automatic backup was made and checked on %1 (%2).</source>
+        <translation>Το τελευταίο αυτόματο αντίγραφο ασφαλείας δημιουργήθηκε και ελέγχθηκε στις %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a USB drive or on the network.</source>
+        <translation>Τα αντίγραφα ασφαλείας βρίσκονται στον ίδιο δίσκο με το κέντρο: αν χαλάσει ο δίσκος, χάνονται και τα δύο. Επιλέξτε φάκελο σε άλλον δίσκο, σε μονάδα USB ή στο δίκτυο.</translation>
     </message>
 </context>
 <context>
@@ -4849,14 +5423,6 @@ Do you want to replace it?</source>
         <translation>QUEST+ με μοντέλο παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
     </message>
     <message>
-        <source>Difference D</source>
-        <translation>Διαφορά D</translation>
-    </message>
-    <message>
-        <source>Logarithm of D</source>
-        <translation>Λογάριθμος του D</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Όπως αναγράφεται</translation>
     </message>
@@ -4971,6 +5537,46 @@ Do you want to replace it?</source>
     <message>
         <source>Taken back</source>
         <translation>Αναιρέθηκε</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Separate numbers by semicolons or line ends.</source>
+        <translation>Το «%1» δεν είναι αριθμός. Χωρίστε τους αριθμούς με «;» ή αλλαγές γραμμής.</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>Normal (probit)</source>
+        <translation>Κανονική (probit)</translation>
+    </message>
+    <message>
+        <source>Normal, lapses on both sides</source>
+        <translation>Κανονική, αβλεψίες και στις δύο πλευρές</translation>
+    </message>
+    <message>
+        <source>Logistic (logit)</source>
+        <translation>Λογιστική (logit)</translation>
+    </message>
+    <message>
+        <source>Gumbel</source>
+        <translation>Gumbel</translation>
+    </message>
+    <message>
+        <source>Gumbel, mirrored</source>
+        <translation>Gumbel, κατοπτρική</translation>
+    </message>
+    <message>
+        <source>Hyperbolic secant</source>
+        <translation>Υπερβολική τέμνουσα</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Διαφορές</translation>
+    </message>
+    <message>
+        <source>Ratios of differences</source>
+        <translation>Λόγοι διαφορών</translation>
     </message>
 </context>
 <context>
@@ -5534,10 +6140,130 @@ Recording and scores are kept but do not count.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AutomaticCard</name>
+    <message>
+        <source>Automatic backups</source>
+        <translation>Αυτόματα αντίγραφα ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Once a day, when nobody has used the program for a few minutes, or when it closes. A session or a study is never disturbed. Each backup is checked after it is made.</source>
+        <translation>Μία φορά την ημέρα, όταν κανείς δεν έχει χρησιμοποιήσει το πρόγραμμα για λίγα λεπτά ή όταν το πρόγραμμα κλείνει. Καμία συνεδρία ή μελέτη δεν διακόπτεται. Κάθε αντίγραφο ελέγχεται μετά τη δημιουργία του.</translation>
+    </message>
+    <message>
+        <source>Make a backup every day</source>
+        <translation>Δημιουργία αντιγράφου ασφαλείας κάθε μέρα</translation>
+    </message>
+    <message>
+        <source>Automatic backups to keep</source>
+        <translation>Αυτόματα αντίγραφα που διατηρούνται</translation>
+    </message>
+    <message>
+        <source>Older ones are removed. Backups that you made yourself are never removed.</source>
+        <translation>Τα παλαιότερα αφαιρούνται. Όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::BackupKeeper</name>
+    <message>
+        <source>The automatic backup was not made; it is tried again.
+%1</source>
+        <translation>Το αυτόματο αντίγραφο ασφαλείας δεν δημιουργήθηκε· θα γίνει νέα προσπάθεια.
+%1</translation>
+    </message>
+    <message>
+        <source>Open storage</source>
+        <translation>Άνοιγμα φύλαξης δεδομένων</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::BreakPanel</name>
     <message>
         <source>Break time</source>
         <translation>Χρόνος διαλείμματος</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CheckList</name>
+    <message>
+        <source>good</source>
+        <translation>εντάξει</translation>
+    </message>
+    <message>
+        <source>worth a look</source>
+        <translation>χρειάζεται προσοχή</translation>
+    </message>
+    <message>
+        <source>must be corrected</source>
+        <translation>πρέπει να διορθωθεί</translation>
+    </message>
+    <message>
+        <source>being found out</source>
+        <translation>υπολογίζεται</translation>
+    </message>
+    <message>
+        <source>What is looked at before freezing</source>
+        <translation>Τι ελέγχεται πριν από την οριστικοποίηση</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Εμφάνιση</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Εμφάνιση: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CheckPage</name>
+    <message>
+        <source>Before you freeze</source>
+        <translation>Πριν από την οριστικοποίηση</translation>
+    </message>
+    <message>
+        <source>Pilot runs</source>
+        <translation>Πιλοτικές δοκιμές</translation>
+    </message>
+    <message>
+        <source>Somebody tries the design as it is now, with the real trials on this station. A pilot is kept apart: it is never analysed or exported with the study&apos;s data.</source>
+        <translation>Κάποιος δοκιμάζει το σχέδιο όπως είναι τώρα, με τις πραγματικές δοκιμές σε αυτόν τον σταθμό. Η πιλοτική δοκιμή φυλάσσεται χωριστά: ποτέ δεν αναλύεται ή εξάγεται μαζί με τα δεδομένα της μελέτης.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) that count</source>
+        <translation>
+                <numerusform>%n δοκιμή που μετρά</numerusform>
+                <numerusform>%n δοκιμές που μετρούν</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeated</source>
+        <translation>
+                <numerusform>%n επανάληψη</numerusform>
+                <numerusform>%n επαναλήψεις</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 s a trial</source>
+        <translation>%1 s ανά δοκιμή</translation>
+    </message>
+    <message>
+        <source>Pilot run …</source>
+        <translation>Πιλοτική δοκιμή …</translation>
+    </message>
+    <message>
+        <source>Freeze</source>
+        <translation>Οριστικοποίηση</translation>
+    </message>
+    <message>
+        <source>Freezing is final: nobody can change the design afterwards, and every result can be traced to it. Participants can be enrolled from then on. To change something later, copy the study into a new one.</source>
+        <translation>Η οριστικοποίηση είναι τελική: κατόπιν κανείς δεν μπορεί να αλλάξει το σχέδιο και κάθε αποτέλεσμα ανάγεται σε αυτό. Από τότε μπορούν να εγγραφούν συμμετέχοντες. Για να αλλάξετε κάτι αργότερα, αντιγράψτε τη μελέτη σε νέα.</translation>
+    </message>
+    <message>
+        <source>Freeze …</source>
+        <translation>Οριστικοποίηση …</translation>
     </message>
 </context>
 <context>
@@ -5558,20 +6284,28 @@ Recording and scores are kept but do not count.</source>
         <translation>Εντολή</translation>
     </message>
     <message>
-        <source>Type what you want to do</source>
-        <translation>Πληκτρολογήστε τι θέλετε να κάνετε</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Εντολές που βρέθηκαν</translation>
     </message>
     <message>
-        <source>No matching command. Try fewer letters or another word.</source>
-        <translation>Δεν βρέθηκε εντολή. Δοκιμάστε λιγότερα γράμματα ή άλλη λέξη.</translation>
-    </message>
-    <message>
         <source>%1   (%2)</source>
         <translation>%1   (%2)</translation>
+    </message>
+    <message>
+        <source>Type what you want to do, or a name</source>
+        <translation>Γράψτε τι θέλετε να κάνετε ή ένα όνομα</translation>
+    </message>
+    <message>
+        <source>Nothing matches. Try fewer letters or another word.</source>
+        <translation>Δεν βρέθηκε τίποτα. Δοκιμάστε λιγότερα γράμματα ή άλλη λέξη.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Εντολές</translation>
+    </message>
+    <message>
+        <source>Further commands</source>
+        <translation>Άλλες εντολές</translation>
     </message>
 </context>
 <context>
@@ -5620,10 +6354,6 @@ Recording and scores are kept but do not count.</source>
 <context>
     <name>chiron::desktop::ConditionsPage</name>
     <message>
-        <source>Copy</source>
-        <translation>Αντιγραφή</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Αφαίρεση</translation>
     </message>
@@ -5642,10 +6372,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>Title</source>
         <translation>Τίτλος</translation>
-    </message>
-    <message>
-        <source>Id</source>
-        <translation>Αναγνωριστικό</translation>
     </message>
     <message>
         <source>Id of a condition</source>
@@ -5670,10 +6396,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>Another task</source>
         <translation>Άλλο έργο</translation>
-    </message>
-    <message>
-        <source>Threshold at (proportion correct)</source>
-        <translation>Κατώφλι στο (ποσοστό σωστών)</translation>
     </message>
     <message>
         <source>Criterion</source>
@@ -5738,6 +6460,58 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>The procedure works on</source>
         <translation>Η διαδικασία δουλεύει με</translation>
+    </message>
+    <message>
+        <source>What is looked for</source>
+        <translation>Τι αναζητείται</translation>
+    </message>
+    <message>
+        <source>What the objects differ in, and nothing else.</source>
+        <translation>Σε τι διαφέρουν τα αντικείμενα, και σε τίποτε άλλο.</translation>
+    </message>
+    <message>
+        <source>What the condition is called in tables and figures. Participants never see it.</source>
+        <translation>Πώς ονομάζεται η συνθήκη σε πίνακες και γραφήματα. Οι συμμετέχοντες δεν το βλέπουν ποτέ.</translation>
+    </message>
+    <message>
+        <source>Short name in exports</source>
+        <translation>Σύντομο όνομα στις εξαγωγές</translation>
+    </message>
+    <message>
+        <source>Lower-case letters, digits and _ only; each condition has another.</source>
+        <translation>Μόνο πεζά λατινικά γράμματα, ψηφία και _· κάθε συνθήκη έχει διαφορετικό.</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere</source>
+        <translation>Ακτίνα της σφαίρας</translation>
+    </message>
+    <message>
+        <source>How large the sphere is whose highest point is looked for.</source>
+        <translation>Πόσο μεγάλη είναι η σφαίρα της οποίας αναζητείται το ψηλότερο σημείο.</translation>
+    </message>
+    <message>
+        <source>The object that the others are compared with.</source>
+        <translation>Το αντικείμενο με το οποίο συγκρίνονται τα άλλα.</translation>
+    </message>
+    <message>
+        <source>Threshold at</source>
+        <translation>Κατώφλι στο</translation>
+    </message>
+    <message>
+        <source>The threshold is the difference at which so many answers are right.</source>
+        <translation>Το κατώφλι είναι η διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>The differences from the reference that a procedure may choose from.</source>
+        <translation>Οι διαφορές από την αναφορά από τις οποίες μπορεί να επιλέξει μια διαδικασία.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference.</source>
+        <translation>Οι λόγοι ταιριάζουν σε κατώφλια: από 2 % έως 4 % η απόσταση είναι όση από 10 % έως 20 %. Οι διαφορές ταιριάζουν σε πίνακες και στις δύο πλευρές της αναφοράς.</translation>
     </message>
 </context>
 <context>
@@ -6110,20 +6884,40 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Και από τις δύο πλευρές της αναφοράς</translation>
     </message>
     <message>
-        <source>Or type them, in per cent</source>
-        <translation>Ή δικές σας, σε ποσοστά</translation>
-    </message>
-    <message>
-        <source>Create the table</source>
-        <translation>Δημιουργία πίνακα</translation>
-    </message>
-    <message>
         <source>No candidates yet.</source>
         <translation>Καμία υποψήφια διαφορά ακόμη.</translation>
     </message>
     <message>
         <source>%1 candidates, from %2 to %3 of the reference: %4 to %5.</source>
         <translation>%1 υποψήφιες, από %2 έως %3 της αναφοράς: %4 έως %5.</translation>
+    </message>
+    <message>
+        <source>Too small for anybody to feel.</source>
+        <translation>Τόσο μικρή που δεν την αισθάνεται κανείς.</translation>
+    </message>
+    <message>
+        <source>Large enough for everybody to feel.</source>
+        <translation>Τόσο μεγάλη που την αισθάνονται όλοι.</translation>
+    </message>
+    <message>
+        <source>How many differences there are to choose from, in even steps.</source>
+        <translation>Πόσες διαφορές υπάρχουν προς επιλογή, σε ίσα βήματα.</translation>
+    </message>
+    <message>
+        <source>Also objects with less of the attribute; not for rankings and thresholds.</source>
+        <translation>Και αντικείμενα με λιγότερο από την ιδιότητα· όχι για κατατάξεις και κατώφλια.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Διαφορές</translation>
+    </message>
+    <message>
+        <source>Change them one by one, or paste them from a table; numbers may have decimal points or commas.</source>
+        <translation>Αλλάξτε τις μία μία ή επικολλήστε τις από πίνακα· οι αριθμοί μπορούν να έχουν τελεία ή υποδιαστολή με κόμμα.</translation>
+    </message>
+    <message>
+        <source>%1 % less than the reference is less than nothing.</source>
+        <translation>%1 % λιγότερο από την αναφορά είναι λιγότερο από το τίποτα.</translation>
     </message>
 </context>
 <context>
@@ -6545,6 +7339,13 @@ Each level says whether you have passed it. Choose one to see what is measured a
     </message>
 </context>
 <context>
+    <name>chiron::desktop::FieldGrid</name>
+    <message>
+        <source>%1 to %2, usually %3.</source>
+        <translation>%1 έως %2, συνήθως %3.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::FindingsBox</name>
     <message>
         <source>Findings</source>
@@ -6744,6 +7545,14 @@ Press again to end the trial without it.</source>
         <source>Frozen. Participants can be enrolled now.</source>
         <translation>Οριστικοποιήθηκε. Τώρα μπορούν να εγγραφούν συμμετέχοντες.</translation>
     </message>
+    <message>
+        <source>What is marked in red must be corrected first: after freezing nobody can.</source>
+        <translation>Όσα σημειώνονται με κόκκινο πρέπει πρώτα να διορθωθούν: μετά την οριστικοποίηση δεν μπορεί κανείς.</translation>
+    </message>
+    <message>
+        <source>I have seen what is worth a look and freeze it all the same</source>
+        <translation>Είδα όσα χρειάζονται προσοχή και οριστικοποιώ παρ’ όλα αυτά</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::GeneralPage</name>
@@ -6760,16 +7569,52 @@ Press again to end the trial without it.</source>
         <translation>Αριθμός συμμετεχόντων</translation>
     </message>
     <message>
-        <source>Objective</source>
+        <source>Consent text</source>
+        <translation>Κείμενο συγκατάθεσης</translation>
+    </message>
+    <message>
+        <source>Aim</source>
         <translation>Σκοπός</translation>
     </message>
     <message>
-        <source>Instructions shown to participants</source>
-        <translation>Οδηγίες προς τους συμμετέχοντες</translation>
+        <source>What the study goes by in lists, reports and exports.</source>
+        <translation>Πώς ονομάζεται η μελέτη σε λίστες, αναφορές και εξαγωγές.</translation>
     </message>
     <message>
-        <source>Consent text</source>
-        <translation>Κείμενο συγκατάθεσης</translation>
+        <source>How many people are to take part; Preview shows what so many can find out.</source>
+        <translation>Πόσα άτομα θα συμμετάσχουν· η προεπισκόπηση δείχνει τι μπορούν να δείξουν τόσα.</translation>
+    </message>
+    <message>
+        <source>Source of the design</source>
+        <translation>Πηγή του σχεδίου</translation>
+    </message>
+    <message>
+        <source>Where the design was published, with its DOI; empty for a design of your own.</source>
+        <translation>Πού δημοσιεύτηκε το σχέδιο, με το DOI του· κενό για δικό σας σχέδιο.</translation>
+    </message>
+    <message>
+        <source>One or two sentences: what is to be found out, and what is expected. It is frozen with the study.</source>
+        <translation>Μία ή δύο προτάσεις: τι θέλετε να διαπιστώσετε και τι αναμένεται. Οριστικοποιείται μαζί με τη μελέτη.</translation>
+    </message>
+    <message>
+        <source>For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference.</source>
+        <translation>Για παράδειγμα: αν σωλήνες 60 N/m και 120 N/m έχουν το ίδιο κλάσμα Weber. Δεν αναμένουμε διαφορά.</translation>
+    </message>
+    <message>
+        <source>Ethics and consent</source>
+        <translation>Δεοντολογία και συγκατάθεση</translation>
+    </message>
+    <message>
+        <source>Ethics approval</source>
+        <translation>Έγκριση δεοντολογίας</translation>
+    </message>
+    <message>
+        <source>The committee with the number and date of its approval, or why none is needed. It is frozen with the study.</source>
+        <translation>Η επιτροπή με τον αριθμό και την ημερομηνία της έγκρισης, ή γιατί δεν χρειάζεται. Οριστικοποιείται μαζί με τη μελέτη.</translation>
+    </message>
+    <message>
+        <source>What participants agree to before their first trial. The text that was shown is stored with each consent.</source>
+        <translation>Σε τι συγκατατίθενται οι συμμετέχοντες πριν από την πρώτη δοκιμή. Με κάθε συγκατάθεση φυλάσσεται το κείμενο που παρουσιάστηκε.</translation>
     </message>
 </context>
 <context>
@@ -7543,6 +8388,37 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     </message>
 </context>
 <context>
+    <name>chiron::desktop::LevelsTable</name>
+    <message>
+        <source>Difference from the reference (%)</source>
+        <translation>Διαφορά από την αναφορά (%)</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Αντικείμενο</translation>
+    </message>
+    <message>
+        <source>Differences from the reference in per cent</source>
+        <translation>Διαφορές από την αναφορά επί τοις εκατό</translation>
+    </message>
+    <message>
+        <source>Paste numbers</source>
+        <translation>Επικόλληση αριθμών</translation>
+    </message>
+    <message>
+        <source>Add a row</source>
+        <translation>Προσθήκη γραμμής</translation>
+    </message>
+    <message>
+        <source>Remove the row</source>
+        <translation>Αφαίρεση γραμμής</translation>
+    </message>
+    <message>
+        <source>There are no numbers to paste. Copy them first.</source>
+        <translation>Δεν υπάρχουν αριθμοί για επικόλληση. Αντιγράψτε τους πρώτα.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LivePlot</name>
     <message>
         <source>The last %1 seconds</source>
@@ -7657,6 +8533,10 @@ Forgot your password? An administrator can give you a new one. The first adminis
 %1</source>
         <translation>Ο κωδικός πρόσβασης δεν άλλαξε.
 %1</translation>
+    </message>
+    <message>
+        <source>Checking the site&apos;s file …</source>
+        <translation>Έλεγχος του αρχείου του κέντρου …</translation>
     </message>
 </context>
 <context>
@@ -7839,6 +8719,92 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Η μελέτη δεν δημιουργήθηκε. Ίσως το κλειδί χρησιμοποιείται ήδη.
 %1</translation>
     </message>
+    <message>
+        <source>Each is a complete design. Everything in it can be changed until the study is frozen.</source>
+        <translation>Κάθε πρότυπο είναι ένα πλήρες σχέδιο. Όλα αλλάζουν μέχρι να οριστικοποιηθεί η μελέτη.</translation>
+    </message>
+    <message>
+        <source>Copy to a new study</source>
+        <translation>Αντιγραφή σε νέα μελέτη</translation>
+    </message>
+    <message>
+        <source>The copy is a draft with the whole design of “%1”, without its participants, data and ethics approval.</source>
+        <translation>Το αντίγραφο είναι πρόχειρο με όλο το σχέδιο της μελέτης «%1», χωρίς συμμετέχοντες, δεδομένα και έγκριση δεοντολογίας.</translation>
+    </message>
+    <message>
+        <source>Trials: %1</source>
+        <translation>Δοκιμές: %1</translation>
+    </message>
+    <message>
+        <source>Duration: %1</source>
+        <translation>Διάρκεια: %1</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Κατά: %1</translation>
+    </message>
+    <message>
+        <source>Give the study a title.</source>
+        <translation>Δώστε στη μελέτη τίτλο.</translation>
+    </message>
+    <message>
+        <source>Another study has this title. They would look alike in lists; a different one is easier to find.</source>
+        <translation>Μια άλλη μελέτη έχει αυτόν τον τίτλο. Στις λίστες θα έμοιαζαν· με διαφορετικό τίτλο βρίσκεται ευκολότερα.</translation>
+    </message>
+    <message>
+        <source>Give the study a key.</source>
+        <translation>Δώστε στη μελέτη κλειδί.</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and _ only, a letter first.</source>
+        <translation>Χρησιμοποιήστε μόνο πεζά λατινικά γράμματα, ψηφία και _, με γράμμα στην αρχή.</translation>
+    </message>
+    <message>
+        <source>Another study has this key. Choose another.</source>
+        <translation>Μια άλλη μελέτη έχει αυτό το κλειδί. Επιλέξτε άλλο.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message>
+        <source>People</source>
+        <translation>Άτομα</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Ασκήσεις</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Συνεδρίες</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Μελέτες</translation>
+    </message>
+    <message>
+        <source>Searching people, sessions and studies …</source>
+        <translation>Αναζήτηση σε άτομα, συνεδρίες και μελέτες …</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>On other screens</source>
+        <translation>Σε άλλες οθόνες</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+                <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+                <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Not everything could be searched: %1</source>
+        <translation>Δεν ήταν δυνατή η αναζήτηση παντού: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PalpationBox</name>
@@ -7912,6 +8878,13 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Searched: %1 %</source>
         <translation>Ερευνήθηκε: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ParticipantCard</name>
+    <message>
+        <source>What a participant will meet</source>
+        <translation>Τι θα συναντήσει κάθε συμμετέχων</translation>
     </message>
 </context>
 <context>
@@ -8323,6 +9296,39 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PilotDialog</name>
+    <message>
+        <source>Pilot run</source>
+        <translation>Πιλοτική δοκιμή</translation>
+    </message>
+    <message>
+        <source>The design is tried exactly as it is now. The run is marked as a pilot and never analysed with the study&apos;s data. Stop whenever you have seen enough.</source>
+        <translation>Το σχέδιο δοκιμάζεται ακριβώς όπως είναι τώρα. Η εκτέλεση σημειώνεται ως πιλοτική και ποτέ δεν αναλύεται με τα δεδομένα της μελέτης. Σταματήστε όταν έχετε δει αρκετά.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Συνθήκη</translation>
+    </message>
+    <message>
+        <source>Who tries it (may be left empty)</source>
+        <translation>Ποιος το δοκιμάζει (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Whoever tries it has read this and agrees</source>
+        <translation>Όποιος το δοκιμάζει διάβασε το κείμενο και συμφωνεί</translation>
+    </message>
+    <message>
+        <source>Begin the pilot</source>
+        <translation>Έναρξη πιλοτικής δοκιμής</translation>
+    </message>
+    <message>
+        <source>The pilot could not begin.
+%1</source>
+        <translation>Η πιλοτική δοκιμή δεν μπόρεσε να αρχίσει.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PlacesView</name>
     <message>
         <source>Objects to explore</source>
@@ -8666,14 +9672,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <translation>Το σχόλιο δεν αποθηκεύτηκε. Το κείμενο υπάρχει ακόμη.</translation>
     </message>
     <message>
-        <source>The session was not declared void; nothing was changed.</source>
-        <translation>Η συνεδρία δεν ακυρώθηκε· τίποτα δεν άλλαξε.</translation>
-    </message>
-    <message>
-        <source>The session is void. Recording and scores are kept.</source>
-        <translation>Η συνεδρία ακυρώθηκε. Καταγραφή και βαθμολογίες διατηρούνται.</translation>
-    </message>
-    <message>
         <source>second session</source>
         <translation>δεύτερη συνεδρία</translation>
     </message>
@@ -8792,6 +9790,14 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>The whole session in the plots</source>
         <translation>Ολόκληρη η συνεδρία στα διαγράμματα</translation>
+    </message>
+    <message>
+        <source>Session %1 was not voided; nothing was changed.</source>
+        <translation>Η συνεδρία %1 δεν ακυρώθηκε· τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
+        <translation>Η συνεδρία %1 ακυρώθηκε. Η καταγραφή της διατηρείται· δεν μετράει πλέον.</translation>
     </message>
 </context>
 <context>
@@ -8927,6 +9933,65 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>smallest ratio detectable with %1 power by two groups of %2 participants</source>
         <translation>μικρότερος ανιχνεύσιμος λόγος με ισχύ %1 από δύο ομάδες των %2 συμμετεχόντων</translation>
     </message>
+    <message>
+        <source>How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.</source>
+        <translation>Το πόσο καλά βρίσκεται μια κορυφή προγραμματίζεται με τη δημοσιευμένη διασπορά των σημείων: %1 της ακτίνας ανά άξονα.</translation>
+    </message>
+    <message>
+        <source>How small a difference they feel, as a share of the reference.</source>
+        <translation>Πόσο μικρή διαφορά αισθάνονται, ως ποσοστό της αναφοράς.</translation>
+    </message>
+    <message>
+        <source>Share of their answers that are careless.</source>
+        <translation>Ποσοστό των απρόσεκτων απαντήσεών τους.</translation>
+    </message>
+    <message>
+        <source>Differences below it they call equal, in standard deviations of what they feel.</source>
+        <translation>Μικρότερες διαφορές τις θεωρούν ίσες· σε τυπικές αποκλίσεις όσων αισθάνονται.</translation>
+    </message>
+    <message>
+        <source>More runs take longer, and their figures are surer.</source>
+        <translation>Περισσότερες εκτελέσεις διαρκούν περισσότερο και δίνουν ασφαλέστερους αριθμούς.</translation>
+    </message>
+    <message>
+        <source>Else each person does one of them.</source>
+        <translation>Διαφορετικά κάθε άτομο κάνει μία από αυτές.</translation>
+    </message>
+    <message>
+        <source>How many people are compared.</source>
+        <translation>Πόσα άτομα συγκρίνονται.</translation>
+    </message>
+    <message>
+        <source>How much the difference varies between people: 0.05 is a factor of 1.12.</source>
+        <translation>Πόσο μεταβάλλεται η διαφορά από άτομο σε άτομο: 0,05 είναι συντελεστής 1,12.</translation>
+    </message>
+    <message>
+        <source>How much people vary: 0.15 is a factor of 1.41.</source>
+        <translation>Πόσο διαφέρουν τα άτομα: 0,15 είναι συντελεστής 1,41.</translation>
+    </message>
+    <message>
+        <source>How often a difference may be found where there is none.</source>
+        <translation>Πόσο συχνά επιτρέπεται να βρεθεί διαφορά εκεί που δεν υπάρχει.</translation>
+    </message>
+    <message>
+        <source>How often a difference that is there is to be found.</source>
+        <translation>Πόσο συχνά πρέπει να βρίσκεται μια υπαρκτή διαφορά.</translation>
+    </message>
+    <message>
+        <source>spread of one mark along an axis, as published</source>
+        <translation>διασπορά ενός σημείου ανά άξονα, όπως δημοσιεύτηκε</translation>
+    </message>
+    <message>
+        <source>standard error of one participant&apos;s bias</source>
+        <translation>τυπικό σφάλμα της απόκλισης ενός ατόμου</translation>
+    </message>
+    <message numerus="yes">
+        <source>standard error of the bias of %n participant(s), if they do not differ</source>
+        <translation>
+                <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
+                <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProcedureForm</name>
@@ -8939,10 +10004,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Άλλη διαδικασία</translation>
     </message>
     <message>
-        <source>First x</source>
-        <translation>Πρώτο x</translation>
-    </message>
-    <message>
         <source>Right answers for a step down</source>
         <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
     </message>
@@ -8951,60 +10012,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
     </message>
     <message>
-        <source>Step down : step up (0: from the lists)</source>
-        <translation>Βήμα κάτω : βήμα πάνω (0: από τις λίστες)</translation>
-    </message>
-    <message>
-        <source>Step type</source>
-        <translation>Τύπος βήματος</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>γραμμικό</translation>
-    </message>
-    <message>
-        <source>in log10 units</source>
-        <translation>σε μονάδες log10</translation>
-    </message>
-    <message>
-        <source>in dB</source>
-        <translation>σε dB</translation>
-    </message>
-    <message>
         <source>Reversals averaged</source>
         <translation>Αναστροφές στον μέσο όρο</translation>
-    </message>
-    <message>
-        <source>Steps up, by number of reversals</source>
-        <translation>Βήματα πάνω, ανά αριθμό αναστροφών</translation>
-    </message>
-    <message>
-        <source>Steps down (empty: as up)</source>
-        <translation>Βήματα κάτω (κενό: όπως πάνω)</translation>
-    </message>
-    <message>
-        <source>1-up/1-down until the first reversal</source>
-        <translation>1-πάνω/1-κάτω ώς την πρώτη αναστροφή</translation>
-    </message>
-    <message>
-        <source>Reset counters at each step</source>
-        <translation>Μηδενισμός μετρητών σε κάθε βήμα</translation>
-    </message>
-    <message>
-        <source>New step size at the reversal itself</source>
-        <translation>Νέο μέγεθος βήματος ήδη στην αναστροφή</translation>
-    </message>
-    <message>
-        <source>Stay within the range</source>
-        <translation>Παραμονή στο εύρος</translation>
-    </message>
-    <message>
-        <source>Target proportion</source>
-        <translation>Επιδιωκόμενο ποσοστό</translation>
-    </message>
-    <message>
-        <source>Wald deviation</source>
-        <translation>Απόκλιση Wald</translation>
     </message>
     <message>
         <source>First step</source>
@@ -9027,40 +10036,12 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Με τυχαία σειρά</translation>
     </message>
     <message>
-        <source>Levels (x)</source>
-        <translation>Επίπεδα (x)</translation>
-    </message>
-    <message>
         <source>Presentations per level</source>
         <translation>Παρουσιάσεις ανά επίπεδο</translation>
     </message>
     <message>
-        <source>Correct answers to go on</source>
-        <translation>Σωστές απαντήσεις για συνέχεια</translation>
-    </message>
-    <message>
-        <source>Levels (x), descending</source>
-        <translation>Επίπεδα (x), φθίνοντα</translation>
-    </message>
-    <message>
-        <source>Prior: mean threshold</source>
-        <translation>Εκ των προτέρων: μέσο κατώφλι</translation>
-    </message>
-    <message>
-        <source>Prior: SD</source>
-        <translation>Εκ των προτέρων: SD</translation>
-    </message>
-    <message>
         <source>Slope β</source>
         <translation>Κλίση β</translation>
-    </message>
-    <message>
-        <source>Lapse rate δ</source>
-        <translation>Ποσοστό αβλεψιών δ</translation>
-    </message>
-    <message>
-        <source>Guess rate γ</source>
-        <translation>Ποσοστό τύχης γ</translation>
     </message>
     <message>
         <source>Place trials at</source>
@@ -9083,26 +10064,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Ψυχομετρική συνάρτηση</translation>
     </message>
     <message>
-        <source>Same stimulus in a row, at most (0: no limit)</source>
-        <translation>Ίδιο ερέθισμα στη σειρά, το πολύ (0: χωρίς όριο)</translation>
-    </message>
-    <message>
-        <source>Share of catch trials</source>
-        <translation>Ποσοστό δοκιμών ελέγχου</translation>
-    </message>
-    <message>
-        <source>Grid: %1</source>
-        <translation>Πλέγμα: %1</translation>
-    </message>
-    <message>
-        <source>Grid of lapse rates</source>
-        <translation>Πλέγμα ποσοστών αβλεψιών</translation>
-    </message>
-    <message>
-        <source>Grid of noise (log10 σ)</source>
-        <translation>Πλέγμα θορύβου (log10 σ)</translation>
-    </message>
-    <message>
         <source>Change of the procedure</source>
         <translation>Αλλαγή της διαδικασίας</translation>
     </message>
@@ -9115,16 +10076,352 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Ελάχιστος αριθμός δοκιμών</translation>
     </message>
     <message>
-        <source>Reversals until stop (0: never)</source>
-        <translation>Αναστροφές έως το τέλος (0: ποτέ)</translation>
+        <source>never</source>
+        <translation>ποτέ</translation>
     </message>
     <message>
-        <source>Stop at SD of estimate (0: never)</source>
-        <translation>Τέλος με SD εκτίμησης (0: ποτέ)</translation>
+        <source>The run ends after so many trials at the latest.</source>
+        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από τόσες δοκιμές.</translation>
     </message>
     <message>
-        <source>Grid of tie thresholds (in σ)</source>
-        <translation>Πλέγμα κατωφλίων ισοβαθμίας (σε σ)</translation>
+        <source>Reversals until stop</source>
+        <translation>Αναστροφές ως το τέλος</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
+        <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζουν μόνο οι δοκιμές.</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is.</source>
+        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο ασφαλής κι αν είναι η εκτίμηση.</translation>
+    </message>
+    <message>
+        <source>Stop when known within</source>
+        <translation>Τέλος όταν είναι γνωστό έως</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
+        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτόν τον συντελεστή (μία τυπική απόκλιση). Συνήθως × 1,15.</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
+        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτή τη διαφορά (μία τυπική απόκλιση).</translation>
+    </message>
+    <message>
+        <source>Same difference in a row</source>
+        <translation>Ίδια διαφορά στη σειρά</translation>
+    </message>
+    <message>
+        <source>A difference is shown at most so often in succession; 0: no limit.</source>
+        <translation>Μια διαφορά παρουσιάζεται το πολύ τόσες φορές συνεχόμενα· 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Πρώτη διαφορά</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
+        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι. Πρέπει να βρίσκεται στον πίνακα διαφορών.</translation>
+    </message>
+    <message>
+        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
+        <translation>Τόσες σωστές απαντήσεις συνεχόμενα δυσκολεύουν την επόμενη δοκιμή· 3 συγκλίνουν περίπου στο 80 % σωστών.</translation>
+    </message>
+    <message>
+        <source>So many wrong answers in succession make the next trial easier.</source>
+        <translation>Τόσες λανθασμένες απαντήσεις συνεχόμενα διευκολύνουν την επόμενη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Step down as a share of a step up</source>
+        <translation>Βήμα κάτω ως ποσοστό του βήματος πάνω</translation>
+    </message>
+    <message>
+        <source>as listed</source>
+        <translation>όπως στον κατάλογο</translation>
+    </message>
+    <message>
+        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
+        <translation>Τα βήματα κάτω είναι συνήθως μικρότερα από τα βήματα πάνω, ώστε να συγκλίνει η εκτέλεση: 73,93 % για τρεις σωστές απαντήσεις (García-Pérez 1998).</translation>
+    </message>
+    <message>
+        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
+        <translation>Η εκτίμηση της ίδιας της κλιμακωτής μεθόδου είναι ο μέσος όρος τόσων τελευταίων αναστροφών· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Steps up</source>
+        <translation>Βήματα πάνω</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; the last one is kept.</source>
+        <translation>Ένα για κάθε αναστροφή ως τώρα· το τελευταίο διατηρείται.</translation>
+    </message>
+    <message>
+        <source>Steps down</source>
+        <translation>Βήματα κάτω</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; none: the same as up.</source>
+        <translation>Ένα για κάθε αναστροφή ως τώρα· κανένα: όπως τα βήματα πάνω.</translation>
+    </message>
+    <message>
+        <source>One up, one down at first</source>
+        <translation>Αρχικά ένα πάνω, ένα κάτω</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
+        <translation>Ως την πρώτη αναστροφή αρκεί μία σωστή απάντηση για να δυσκολέψει: η εκτέλεση πλησιάζει νωρίτερα το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Count anew after each step</source>
+        <translation>Νέα μέτρηση μετά από κάθε βήμα</translation>
+    </message>
+    <message>
+        <source>Right and wrong answers before a step do not count for the next one.</source>
+        <translation>Σωστές και λανθασμένες απαντήσεις πριν από ένα βήμα δεν μετρούν για το επόμενο.</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal</source>
+        <translation>Νέο βήμα στην αναστροφή</translation>
+    </message>
+    <message>
+        <source>The step that makes the reversal already has the new size.</source>
+        <translation>Το βήμα που κάνει την αναστροφή έχει ήδη το νέο μέγεθος.</translation>
+    </message>
+    <message>
+        <source>Stay within the table</source>
+        <translation>Παραμονή στον πίνακα</translation>
+    </message>
+    <message>
+        <source>The run never asks for differences beyond the smallest and largest.</source>
+        <translation>Η εκτέλεση δεν ζητά ποτέ διαφορές πέρα από τη μικρότερη και τη μεγαλύτερη.</translation>
+    </message>
+    <message>
+        <source>Logarithmic steps of an imported design.</source>
+        <translation>Λογαριθμικά βήματα εισηγμένου σχεδίου.</translation>
+    </message>
+    <message>
+        <source>Factors of the difference, usually 1.26.</source>
+        <translation>Συντελεστές της διαφοράς, συνήθως 1,26.</translation>
+    </message>
+    <message>
+        <source>In per cent of the reference.</source>
+        <translation>Επί τοις εκατό της αναφοράς.</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody.</source>
+        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι.</translation>
+    </message>
+    <message>
+        <source>Right answers aimed at</source>
+        <translation>Επιδιωκόμενες σωστές απαντήσεις</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which so many answers are right.</source>
+        <translation>Η εκτέλεση αναζητά τη διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>Deviation tolerated</source>
+        <translation>Ανεκτή απόκλιση</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
+        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και είναι ασφαλέστερες.</translation>
+    </message>
+    <message>
+        <source>How far the difference changes at first.</source>
+        <translation>Πόσο αλλάζει αρχικά η διαφορά.</translation>
+    </message>
+    <message>
+        <source>The run ends when a step would be as small as this.</source>
+        <translation>Η εκτέλεση τελειώνει όταν ένα βήμα θα γινόταν τόσο μικρό.</translation>
+    </message>
+    <message>
+        <source>Steps never grow beyond this.</source>
+        <translation>Τα βήματα δεν γίνονται ποτέ μεγαλύτερα.</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Δοκιμές</translation>
+    </message>
+    <message>
+        <source>How often a participant looks for the apex.</source>
+        <translation>Πόσες φορές αναζητά ένα άτομο την κορυφή.</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often.</source>
+        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές.</translation>
+    </message>
+    <message>
+        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
+        <translation>Τα επίπεδα έρχονται σε τυχαία μπλοκ με ένα από το καθένα· αλλιώς με τη σειρά του πίνακα.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Επίπεδα</translation>
+    </message>
+    <message>
+        <source>What is presented. Levels must lie within the table of differences.</source>
+        <translation>Τι παρουσιάζεται. Τα επίπεδα πρέπει να βρίσκονται στον πίνακα διαφορών.</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often before it is decided.</source>
+        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές πριν κριθεί.</translation>
+    </message>
+    <message>
+        <source>Right answers to go on</source>
+        <translation>Σωστές απαντήσεις για συνέχεια</translation>
+    </message>
+    <message>
+        <source>With fewer right answers at a level the run ends there.</source>
+        <translation>Με λιγότερες σωστές απαντήσεις σε ένα επίπεδο η εκτέλεση τελειώνει εκεί.</translation>
+    </message>
+    <message>
+        <source>What is presented, from the largest to the smallest difference.</source>
+        <translation>Τι παρουσιάζεται, από τη μεγαλύτερη προς τη μικρότερη διαφορά.</translation>
+    </message>
+    <message>
+        <source>Expected threshold</source>
+        <translation>Αναμενόμενο κατώφλι</translation>
+    </message>
+    <message>
+        <source>Where the threshold is expected before the first answer.</source>
+        <translation>Πού αναμένεται το κατώφλι πριν από την πρώτη απάντηση.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of it</source>
+        <translation>Αβεβαιότητά του</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
+        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση). Συνήθως × 3.</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation).</source>
+        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση).</translation>
+    </message>
+    <message>
+        <source>The threshold is where so many answers are right.</source>
+        <translation>Το κατώφλι βρίσκεται εκεί όπου τόσες απαντήσεις είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
+        <translation>Πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά· θεωρείται δεδομένο, δεν μετριέται.</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Αβλεψίες</translation>
+    </message>
+    <message>
+        <source>Answers that are wrong although the difference is felt.</source>
+        <translation>Απαντήσεις λανθασμένες, αν και η διαφορά γίνεται αισθητή.</translation>
+    </message>
+    <message>
+        <source>Right by guessing</source>
+        <translation>Σωστές από τύχη</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
+        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
+        <translation>Ποιο σημείο όσων είναι γνωστά ρωτιέται στη συνέχεια· το ποσοστημόριο είναι το αποδοτικότερο.</translation>
+    </message>
+    <message>
+        <source>Another function</source>
+        <translation>Άλλη συνάρτηση</translation>
+    </message>
+    <message>
+        <source>The shape by which right answers are assumed to grow with the difference.</source>
+        <translation>Η μορφή με την οποία θεωρείται ότι αυξάνονται οι σωστές απαντήσεις με τη διαφορά.</translation>
+    </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Δοκιμές ελέγχου</translation>
+    </message>
+    <message>
+        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
+        <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Κατώφλι</translation>
+    </message>
+    <message>
+        <source>Thresholds between these are considered possible.</source>
+        <translation>Κατώφλια μεταξύ αυτών θεωρούνται πιθανά.</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Διασπορά</translation>
+    </message>
+    <message>
+        <source>Spreads of the answers between these are considered possible.</source>
+        <translation>Διασπορές των απαντήσεων μεταξύ αυτών θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>Shares of wrong answers although the difference is felt that are considered possible.</source>
+        <translation>Ποσοστά λανθασμένων απαντήσεων παρά την αισθητή διαφορά που θεωρούνται πιθανά.</translation>
+    </message>
+    <message>
+        <source>Share of answers that are right by guessing: 50 % of two alternatives.</source>
+        <translation>Ποσοστό σωστών απαντήσεων από τύχη: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>Slopes that are considered possible: how steeply right answers grow with the difference. Usually 1.5 to 7.</source>
+        <translation>Κλίσεις που θεωρούνται πιθανές: πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά. Συνήθως 1,5 έως 7.</translation>
+    </message>
+    <message>
+        <source>Values of this parameter that are considered possible.</source>
+        <translation>Τιμές αυτής της παραμέτρου που θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>%1 (%)</source>
+        <translation>%1 (%)</translation>
+    </message>
+    <message>
+        <source>%1: from</source>
+        <translation>%1: από</translation>
+    </message>
+    <message>
+        <source>%1: to</source>
+        <translation>%1: έως</translation>
+    </message>
+    <message>
+        <source>The largest that is considered possible.</source>
+        <translation>Η μεγαλύτερη τιμή που θεωρείται πιθανή.</translation>
+    </message>
+    <message>
+        <source>The largest. An imported design spaced these values unevenly; a change makes them even.</source>
+        <translation>Η μεγαλύτερη. Ένα εισηγμένο σχέδιο κατένειμε τις τιμές άνισα· μια αλλαγή τις κάνει ισαπέχουσες.</translation>
+    </message>
+    <message>
+        <source>%1: steps</source>
+        <translation>%1: βήματα</translation>
+    </message>
+    <message>
+        <source>More steps are finer, and take longer to compute.</source>
+        <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
+    </message>
+    <message>
+        <source>Shares of careless answers that are considered possible.</source>
+        <translation>Ποσοστά απρόσεκτων απαντήσεων που θεωρούνται πιθανά.</translation>
+    </message>
+    <message>
+        <source>Ties (in σ)</source>
+        <translation>Ισοπαλίες (σε σ)</translation>
+    </message>
+    <message>
+        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
+        <translation>Διαφορές κάτω από τις οποίες τα αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης, που θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference</source>
+        <translation>Ελάχιστη αντιληπτή διαφορά</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these are considered possible.</source>
+        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών θεωρούνται πιθανές.</translation>
     </message>
 </context>
 <context>
@@ -9865,6 +11162,195 @@ Keep it as safe as your keys.</source>
         <source>Restore</source>
         <translation>Επαναφορά</translation>
     </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is deleted. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Το κέντρο γίνεται όπως ήταν όταν δημιουργήθηκε αυτό το αντίγραφο. Το κατεστραμμένο αρχείο φυλάσσεται ως αντίγραφο· τίποτα δεν διαγράφεται. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Πρέπει να συμφωνήσει ένας διαχειριστής του αντιγράφου.</translation>
+    </message>
+    <message>
+        <source>The site becomes what it was when this backup was made. People who were erased stay erased. An administrator of the backup has to agree.</source>
+        <translation>Το κέντρο γίνεται όπως ήταν όταν δημιουργήθηκε αυτό το αντίγραφο. Όσα άτομα διαγράφηκαν μένουν διαγραμμένα. Πρέπει να συμφωνήσει ένας διαχειριστής του αντιγράφου.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password</source>
+        <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή κωδικό πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Administrator in the damaged file</source>
+        <translation>Διαχειριστής στο κατεστραμμένο αρχείο</translation>
+    </message>
+    <message>
+        <source>Password in the damaged file</source>
+        <translation>Κωδικός πρόσβασης στο κατεστραμμένο αρχείο</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Άκυρο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RestoreScreen</name>
+    <message>
+        <source>Backups</source>
+        <translation>Αντίγραφα ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Looking for backups …</source>
+        <translation>Αναζήτηση αντιγράφων ασφαλείας …</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is missing</source>
+        <translation>Το αρχείο του κέντρου λείπει</translation>
+    </message>
+    <message>
+        <source>The site&apos;s file is damaged</source>
+        <translation>Το αρχείο του κέντρου είναι κατεστραμμένο</translation>
+    </message>
+    <message>
+        <source>Everything of a site is in one file. If that is damaged or gone, a backup brings the site back as it was when the backup was made.
+
+The list shows the backups in the places that this computer knows, newest first, and whether each can be used. Use &quot;Choose a file&quot; for one on another disk: it is a folder with the files manifest.json and chiron.db in it.
+
+An administrator of the backup has to give the password. The damaged file is never deleted: it is kept beside the new one under another name.</source>
+        <translation>Όλα όσα ανήκουν σε ένα κέντρο βρίσκονται σε ένα αρχείο. Αν αυτό καταστραφεί ή χαθεί, ένα αντίγραφο ασφαλείας επαναφέρει το κέντρο όπως ήταν όταν δημιουργήθηκε το αντίγραφο.
+
+Η λίστα δείχνει τα αντίγραφα στις θέσεις που γνωρίζει αυτός ο υπολογιστής, πρώτα το νεότερο, και αν μπορεί να χρησιμοποιηθεί το καθένα. Με το «Επιλογή αρχείου» παίρνετε ένα από άλλον δίσκο: είναι ένας φάκελος με τα αρχεία manifest.json και chiron.db.
+
+Ένας διαχειριστής του αντιγράφου πρέπει να δώσει τον κωδικό πρόσβασης. Το κατεστραμμένο αρχείο δεν διαγράφεται ποτέ: φυλάσσεται δίπλα στο νέο με άλλο όνομα.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there. If it was moved, or is on a disk that is not connected, put it back and try again. Otherwise restore a backup.</source>
+        <translation>Το %1 δεν υπάρχει πια. Αν μετακινήθηκε ή βρίσκεται σε δίσκο που δεν είναι συνδεδεμένος, βάλτε το στη θέση του και δοκιμάστε ξανά. Αλλιώς επαναφέρετε ένα αντίγραφο ασφαλείας.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a site. Nothing was changed. Restore a backup to continue; the damaged file is kept as a copy.</source>
+        <translation>Το %1 δεν μπορεί να διαβαστεί ως κέντρο. Τίποτα δεν άλλαξε. Για να συνεχίσετε, επαναφέρετε ένα αντίγραφο ασφαλείας· το κατεστραμμένο αρχείο φυλάσσεται ως αντίγραφο.</translation>
+    </message>
+    <message>
+        <source>Details: %1</source>
+        <translation>Λεπτομέρειες: %1</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Δημιουργία</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Παλαιότητα</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Μέγεθος</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Είδος</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Φάκελος</translation>
+    </message>
+    <message>
+        <source>Restore the selected backup …</source>
+        <translation>Επαναφορά επιλεγμένου …</translation>
+    </message>
+    <message>
+        <source>Choose a file …</source>
+        <translation>Επιλογή αρχείου …</translation>
+    </message>
+    <message>
+        <source>Try to open it again</source>
+        <translation>Νέα προσπάθεια ανοίγματος</translation>
+    </message>
+    <message>
+        <source>Set up a new site</source>
+        <translation>Δημιουργία νέου κέντρου</translation>
+    </message>
+    <message>
+        <source>Wait until the restore has finished.</source>
+        <translation>Περιμένετε να τελειώσει η επαναφορά.</translation>
+    </message>
+    <message>
+        <source>No backup was found</source>
+        <translation>Δεν βρέθηκε αντίγραφο ασφαλείας</translation>
+    </message>
+    <message>
+        <source>There is none in %1. If you have one elsewhere, on a USB drive or on the network, choose it below.</source>
+        <translation>Δεν υπάρχει κανένα στο %1. Αν έχετε ένα αλλού, σε μονάδα USB ή στο δίκτυο, επιλέξτε το παρακάτω.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Αυτόματο</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Χειροκίνητο</translation>
+    </message>
+    <message>
+        <source>Being checked …</source>
+        <translation>Ελέγχεται …</translation>
+    </message>
+    <message>
+        <source>Intact</source>
+        <translation>Ακέραιο</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Δεν μπορεί να χρησιμοποιηθεί</translation>
+    </message>
+    <message>
+        <source>No backup is selected.</source>
+        <translation>Δεν έχει επιλεγεί αντίγραφο ασφαλείας.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.</source>
+        <translation>Αυτό το αντίγραφο ασφαλείας δεν μπορεί να χρησιμοποιηθεί.</translation>
+    </message>
+    <message>
+        <source>A file of the backup</source>
+        <translation>Ένα αρχείο του αντιγράφου ασφαλείας</translation>
+    </message>
+    <message>
+        <source>Backups (manifest.json chiron.db)</source>
+        <translation>Αντίγραφα ασφαλείας (manifest.json chiron.db)</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup. A backup is a folder with the files manifest.json and chiron.db in it.</source>
+        <translation>Το %1 δεν είναι αντίγραφο ασφαλείας. Ένα αντίγραφο ασφαλείας είναι ένας φάκελος με τα αρχεία manifest.json και chiron.db.</translation>
+    </message>
+    <message>
+        <source>Restoring the backup and checking it …</source>
+        <translation>Επαναφορά και έλεγχος του αντιγράφου ασφαλείας …</translation>
+    </message>
+    <message>
+        <source>Nothing was restored: the name or the password is not that of an administrator, or too many wrong ones were given.
+Details: %1</source>
+        <translation>Δεν έγινε επαναφορά: το όνομα ή ο κωδικός πρόσβασης δεν ανήκει σε διαχειριστή, ή δόθηκαν πολλές φορές λανθασμένα.
+Λεπτομέρειες: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was restored.</source>
+        <translation>Δεν έγινε επαναφορά.</translation>
+    </message>
+    <message>
+        <source>Nothing was restored. The damaged file is unchanged.</source>
+        <translation>Δεν έγινε επαναφορά. Το κατεστραμμένο αρχείο έμεινε όπως ήταν.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. Please log in.</source>
+        <translation>Το αντίγραφο ασφαλείας επαναφέρθηκε. Παρακαλούμε συνδεθείτε.</translation>
+    </message>
+    <message>
+        <source>The backup was restored. The damaged file is kept as %1. Please log in.</source>
+        <translation>Το αντίγραφο ασφαλείας επαναφέρθηκε. Το κατεστραμμένο αρχείο φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε.</translation>
+    </message>
+    <message>
+        <source>%1 is still missing.</source>
+        <translation>Το %1 εξακολουθεί να λείπει.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -10122,6 +11608,237 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
             <numerusform>Προσθήκη %n ατόμου …</numerusform>
             <numerusform>Προσθήκη %n ατόμων …</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RulesPage</name>
+    <message>
+        <source>Trials and breaks</source>
+        <translation>Δοκιμές και διαλείμματα</translation>
+    </message>
+    <message>
+        <source>Rules of a trial</source>
+        <translation>Κανόνες μίας δοκιμής</translation>
+    </message>
+    <message>
+        <source>Time to explore</source>
+        <translation>Χρόνος εξερεύνησης</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>χωρίς όριο</translation>
+    </message>
+    <message>
+        <source>A trial without a mark ends after this time; 0: never.</source>
+        <translation>Μια δοκιμή χωρίς σημείο τελειώνει μετά από αυτόν τον χρόνο· 0: ποτέ.</translation>
+    </message>
+    <message>
+        <source>The objects go away after this time; 0: never.</source>
+        <translation>Μετά από αυτόν τον χρόνο τα αντικείμενα εξαφανίζονται· 0: ποτέ.</translation>
+    </message>
+    <message>
+        <source>Time to answer</source>
+        <translation>Χρόνος απάντησης</translation>
+    </message>
+    <message>
+        <source>Once the objects are gone; without an answer the trial comes again. 0: no limit.</source>
+        <translation>Αφού εξαφανιστούν τα αντικείμενα· χωρίς απάντηση η δοκιμή επαναλαμβάνεται. 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>Between trials</source>
+        <translation>Ανάμεσα σε δοκιμές</translation>
+    </message>
+    <message>
+        <source>Time until the next objects come.</source>
+        <translation>Χρόνος ώσπου να έρθουν τα επόμενα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>Practice trials</source>
+        <translation>Δοκιμές εξάσκησης</translation>
+    </message>
+    <message>
+        <source>At the largest difference, with feedback, before each condition; never scored.</source>
+        <translation>Με τη μεγαλύτερη διαφορά και ανατροφοδότηση, πριν από κάθε συνθήκη· ποτέ δεν βαθμολογούνται.</translation>
+    </message>
+    <message>
+        <source>Break after so many trials</source>
+        <translation>Διάλειμμα μετά από τόσες δοκιμές</translation>
+    </message>
+    <message>
+        <source>Participants rest before they go on; 0: never.</source>
+        <translation>Οι συμμετέχοντες ξεκουράζονται πριν συνεχίσουν· 0: ποτέ.</translation>
+    </message>
+    <message>
+        <source>Shortest break</source>
+        <translation>Ελάχιστο διάλειμμα</translation>
+    </message>
+    <message>
+        <source>Participants go on after this time at the earliest.</source>
+        <translation>Οι συμμετέχοντες συνεχίζουν το νωρίτερο μετά από αυτόν τον χρόνο.</translation>
+    </message>
+    <message>
+        <source>Feedback</source>
+        <translation>Ανατροφοδότηση</translation>
+    </message>
+    <message>
+        <source>Participants are told after each trial how well they did. It changes what is measured.</source>
+        <translation>Οι συμμετέχοντες μαθαίνουν μετά από κάθε δοκιμή πόσο καλά τα πήγαν. Αυτό αλλάζει ό,τι μετριέται.</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Ήχος κάλυψης</translation>
+    </message>
+    <message>
+        <source>A steady noise hides the sounds of the device.</source>
+        <translation>Ένας σταθερός θόρυβος καλύπτει τους ήχους της συσκευής.</translation>
+    </message>
+    <message>
+        <source>Show the objects</source>
+        <translation>Εμφάνιση αντικειμένων</translation>
+    </message>
+    <message>
+        <source>Objects are drawn, all alike, so that only touch tells them apart.</source>
+        <translation>Τα αντικείμενα σχεδιάζονται όλα ίδια, ώστε να τα ξεχωρίζει μόνο η αφή.</translation>
+    </message>
+    <message>
+        <source>Every object must be touched</source>
+        <translation>Να αγγιχτεί κάθε αντικείμενο</translation>
+    </message>
+    <message>
+        <source>An answer is taken only once each object was touched.</source>
+        <translation>Η απάντηση γίνεται δεκτή μόνο αφού αγγιχτεί κάθε αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Οδηγίες</translation>
+    </message>
+    <message>
+        <source>Your own sentences</source>
+        <translation>Οι δικές σας προτάσεις</translation>
+    </message>
+    <message>
+        <source>What to do, and how to hold the instrument. Leave out time, trials, feedback and breaks: those sentences are made from the settings and always fit them.</source>
+        <translation>Τι πρέπει να γίνει και πώς κρατιέται το εργαλείο. Παραλείψτε χρόνο, δοκιμές, ανατροφοδότηση και διαλείμματα: αυτές οι προτάσεις προκύπτουν από τις ρυθμίσεις και τους ταιριάζουν πάντα.</translation>
+    </message>
+    <message>
+        <source>These instructions were written before sentences were made from the settings. Remove what those say now.</source>
+        <translation>Οι οδηγίες αυτές γράφτηκαν πριν οι προτάσεις προκύπτουν από τις ρυθμίσεις. Αφαιρέστε όσα λένε πλέον εκείνες.</translation>
+    </message>
+    <message>
+        <source>What participants read</source>
+        <translation>Τι διαβάζουν οι συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>Order and blinding</source>
+        <translation>Σειρά και τυφλότητα</translation>
+    </message>
+    <message>
+        <source>Blinding</source>
+        <translation>Τυφλότητα</translation>
+    </message>
+    <message>
+        <source>Order of conditions</source>
+        <translation>Σειρά των συνθηκών</translation>
+    </message>
+    <message>
+        <source>How conditions follow each other from participant to participant. A Williams design also balances what comes after what.</source>
+        <translation>Πώς διαδέχονται η μία την άλλη οι συνθήκες από άτομο σε άτομο. Ένα σχέδιο Williams εξισορροπεί και τι ακολουθεί τι.</translation>
+    </message>
+    <message>
+        <source>Blind participants</source>
+        <translation>Τυφλότητα συμμετεχόντων</translation>
+    </message>
+    <message>
+        <source>Participants see no values and no names of conditions.</source>
+        <translation>Οι συμμετέχοντες δεν βλέπουν τιμές ούτε ονόματα συνθηκών.</translation>
+    </message>
+    <message>
+        <source>Blind experimenters</source>
+        <translation>Τυφλότητα πειραματιστών</translation>
+    </message>
+    <message>
+        <source>Until the study is unblinded, conditions go by sealed codes.</source>
+        <translation>Ως την άρση της τυφλότητας οι συνθήκες φέρουν σφραγισμένους κωδικούς.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Σπόρος</translation>
+    </message>
+    <message>
+        <source>“%1” is not a whole number.</source>
+        <translation>Το «%1» δεν είναι ακέραιος αριθμός.</translation>
+    </message>
+    <message>
+        <source>A whole number from which orders and chance are drawn: the same number gives the same study again.</source>
+        <translation>Ακέραιος από τον οποίο προκύπτουν οι σειρές και η τύχη: ο ίδιος αριθμός δίνει ξανά την ίδια μελέτη.</translation>
+    </message>
+    <message>
+        <source>Fidelity of a trial</source>
+        <translation>Πιστότητα μίας δοκιμής</translation>
+    </message>
+    <message>
+        <source>A trial outside these limits is not scored and is presented again.</source>
+        <translation>Μια δοκιμή εκτός αυτών των ορίων δεν βαθμολογείται και επαναλαμβάνεται.</translation>
+    </message>
+    <message>
+        <source>Limits of fidelity</source>
+        <translation>Όρια πιστότητας</translation>
+    </message>
+    <message>
+        <source>Force error</source>
+        <translation>Σφάλμα δύναμης</translation>
+    </message>
+    <message>
+        <source>Measured against commanded force, root mean square.</source>
+        <translation>Μετρημένη προς ζητούμενη δύναμη, τετραγωνικός μέσος.</translation>
+    </message>
+    <message>
+        <source>Error of the felt value</source>
+        <translation>Σφάλμα της αισθητής τιμής</translation>
+    </message>
+    <message>
+        <source>How far what was rendered may be from what was asked for.</source>
+        <translation>Πόσο μπορεί να απέχει ό,τι αποδόθηκε από ό,τι ζητήθηκε.</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Καθυστερημένοι κύκλοι</translation>
+    </message>
+    <message>
+        <source>Share of the force&apos;s updates that may come too late.</source>
+        <translation>Ποσοστό ενημερώσεων της δύναμης που μπορούν να καθυστερήσουν.</translation>
+    </message>
+    <message>
+        <source>Force at its limit</source>
+        <translation>Δύναμη στο όριο</translation>
+    </message>
+    <message>
+        <source>Share of the contact during which the device may give all it has.</source>
+        <translation>Ποσοστό της επαφής κατά το οποίο η συσκευή μπορεί να δίνει το μέγιστό της.</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Μέγιστη δύναμη</translation>
+    </message>
+    <message>
+        <source>How hard a participant may press.</source>
+        <translation>Πόσο δυνατά μπορεί να πιέζει ένα άτομο.</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Μέση ταχύτητα</translation>
+    </message>
+    <message>
+        <source>How fast a participant may move, on average.</source>
+        <translation>Πόσο γρήγορα μπορεί να κινείται ένα άτομο κατά μέσο όρο.</translation>
+    </message>
+    <message>
+        <source>Repeats of one trial</source>
+        <translation>Επαναλήψεις μίας δοκιμής</translation>
+    </message>
+    <message>
+        <source>After so many the run pauses and asks the experimenter.</source>
+        <translation>Μετά από τόσες η εκτέλεση σταματά και ρωτά τον πειραματιστή.</translation>
     </message>
 </context>
 <context>
@@ -10692,9 +12409,9 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message numerus="yes">
         <source>%1: %n session(s) with new comments</source>
         <translation>
-                <numerusform>%1: %n συνεδρία με νέα σχόλια</numerusform>
-                <numerusform>%1: %n συνεδρίες με νέα σχόλια</numerusform>
-            </translation>
+            <numerusform>%1: %n συνεδρία με νέα σχόλια</numerusform>
+            <numerusform>%1: %n συνεδρίες με νέα σχόλια</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10927,22 +12644,6 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>Φύλαξη δεδομένων</translation>
     </message>
     <message>
-        <source>Shows where all recorded data is kept and whether it is safe.
-
-&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
-
-&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
-
-&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
-        <translation>Δείχνει πού φυλάσσονται όλα τα δεδομένα που καταγράφηκαν και αν είναι ασφαλή.
-
-Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
-
-Ο «Έλεγχος ακεραιότητας» ξαναδιαβάζει τα πάντα: κάθε εγγραφή, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα και μπορεί να σταματήσει.
-
-Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
-    </message>
-    <message>
         <source>Free space</source>
         <translation>Ελεύθερος χώρος</translation>
     </message>
@@ -11149,6 +12850,42 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <source>The backup was restored. The previous database is kept as %1. Please log in again.</source>
         <translation>Η επαναφορά έγινε. Η προηγούμενη βάση δεδομένων φυλάσσεται ως %1. Παρακαλούμε συνδεθείτε ξανά.</translation>
     </message>
+    <message>
+        <source>Shows where all recorded data is kept and whether it is safe.
+
+&quot;Back up now&quot; makes a copy while the program is running and checks it before it counts. Keep backups on another disk: choose the folder here.
+
+&quot;Automatic backups&quot; makes one a day and keeps as many as you say; backups that you made yourself are never removed.
+
+&quot;Verify&quot; reads everything again: each record, each recording, each score, the audit trail. It changes nothing and can be stopped.
+
+&quot;Restore&quot; goes back to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.</source>
+        <translation>Δείχνει πού φυλάσσονται όλα τα δεδομένα που καταγράφηκαν και αν είναι ασφαλή.
+
+Το «Αντίγραφο τώρα» δημιουργεί αντίγραφο ενώ το πρόγραμμα λειτουργεί και το ελέγχει πριν θεωρηθεί έγκυρο. Φυλάξτε τα αντίγραφα ασφαλείας σε άλλον δίσκο: επιλέξτε τον φάκελο εδώ.
+
+Τα «Αυτόματα αντίγραφα ασφαλείας» δημιουργούν ένα την ημέρα και διατηρούν όσα ορίσετε· όσα δημιουργήσατε εσείς δεν αφαιρούνται ποτέ.
+
+Ο «Έλεγχος ακεραιότητας» ξαναδιαβάζει τα πάντα: κάθε εγγραφή, κάθε καταγραφή, κάθε βαθμολογία, το ημερολόγιο ελέγχου. Δεν αλλάζει τίποτα και μπορεί να σταματήσει.
+
+Η «Επαναφορά» επιστρέφει σε ένα αντίγραφο ασφαλείας. Ζητά τον κωδικό πρόσβασης ενός διαχειριστή, φυλάσσει την τωρινή βάση δεδομένων και αποσυνδέει όλους.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Είδος</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Αυτόματο</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Χειροκίνητο</translation>
+    </message>
+    <message>
+        <source>The plan for automatic backups was not saved.</source>
+        <translation>Το πρόγραμμα των αυτόματων αντιγράφων ασφαλείας δεν αποθηκεύτηκε.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudiesScreen</name>
@@ -11343,6 +13080,18 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <source>The study is closed already.</source>
         <translation>Η μελέτη έχει ήδη κλείσει.</translation>
     </message>
+    <message>
+        <source>The study could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση της μελέτης.</translation>
+    </message>
+    <message>
+        <source>The study is blind. Only its author and administrators can copy it before it is unblinded.</source>
+        <translation>Η μελέτη είναι τυφλή. Πριν από την άρση της τυφλότητας μπορούν να την αντιγράψουν μόνο ο δημιουργός της και οι διαχειριστές.</translation>
+    </message>
+    <message>
+        <source>Copy to new study …</source>
+        <translation>Αντιγραφή σε νέα μελέτη …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyDataScreen</name>
@@ -11520,18 +13269,6 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Μελέτη</translation>
     </message>
     <message>
-        <source>One study. While it is a draft, you can change everything. Complete entries are saved at once, Ctrl+Z undoes a step, and errors are shown above the page.
-
-Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Participants enrols people under random codes and records their consent.
-
-Freeze fixes the design permanently under its SHA-256; participants can be enrolled from then on.</source>
-        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Ό,τι είναι πλήρες αποθηκεύεται αμέσως, το Ctrl+Z αναιρεί ένα βήμα και τα σφάλματα εμφανίζονται πάνω από τη σελίδα.
-
-Οι «Συνθήκες» ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η «Προεπισκόπηση» εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, τις δοκιμές και τον χρόνο. Οι «Συμμετέχοντες» εγγράφουν άτομα με τυχαίους κωδικούς και καταγράφουν τη συγκατάθεσή τους.
-
-Η «Οριστικοποίηση» κλειδώνει οριστικά το σχέδιο με το SHA-256 του· από τότε μπορούν να εγγραφούν συμμετέχοντες.</translation>
-    </message>
-    <message>
         <source>Reading the study …</source>
         <translation>Ανάγνωση της μελέτης …</translation>
     </message>
@@ -11542,10 +13279,6 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>Parts of the study</source>
         <translation>Μέρη της μελέτης</translation>
-    </message>
-    <message>
-        <source>General</source>
-        <translation>Γενικά</translation>
     </message>
     <message>
         <source>Conditions</source>
@@ -11598,19 +13331,6 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>Language of the texts</source>
         <translation>Γλώσσα των κειμένων</translation>
-    </message>
-    <message numerus="yes">
-        <source>… and %n more</source>
-        <translation>
-            <numerusform>… και %n ακόμη</numerusform>
-            <numerusform>… και %n ακόμη</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Not saved yet. Correct this first:
-%1</source>
-        <translation>Δεν αποθηκεύτηκε ακόμη. Διορθώστε πρώτα:
-%1</translation>
     </message>
     <message>
         <source>The draft could not be saved.
@@ -11707,6 +13427,57 @@ Freeze fixes the design permanently under its SHA-256; participants can be enrol
     <message>
         <source>The last changes are still being saved.</source>
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη.</translation>
+    </message>
+    <message>
+        <source>One study. While it is a draft, you can change everything. Go through the pages with Next and Back, or jump to one by its name. Complete entries are saved at once, Ctrl+Z undoes a step, and what is wrong is said under its field. Beside the pages stands what a participant will meet.
+
+Conditions defines what is compared, with which task and procedure. Preview runs the study with simulated observers and shows the expected precision, number of trials and time. Check and freeze says what is missing, lets somebody try the design as a pilot, and freezes it permanently under its SHA-256; participants can be enrolled from then on, under random codes, with their consent.</source>
+        <translation>Μία μελέτη. Όσο είναι πρόχειρη, μπορείτε να αλλάξετε τα πάντα. Προχωρήστε στις σελίδες με Επόμενο και Πίσω ή μεταβείτε σε μία από το όνομά της. Οι πλήρεις καταχωρίσεις αποθηκεύονται αμέσως, το Ctrl+Z αναιρεί ένα βήμα, και ό,τι είναι λάθος αναφέρεται κάτω από το πεδίο του. Δίπλα στις σελίδες φαίνεται τι θα συναντήσει κάθε συμμετέχων.
+
+Οι Συνθήκες ορίζουν τι συγκρίνεται, με ποιο έργο και ποια διαδικασία. Η Προεπισκόπηση εκτελεί τη μελέτη με προσομοιωμένους παρατηρητές και δείχνει την αναμενόμενη ακρίβεια, το πλήθος των δοκιμών και τον χρόνο. Ο Έλεγχος και οριστικοποίηση λέει τι λείπει, επιτρέπει σε κάποιον να δοκιμάσει το σχέδιο πιλοτικά και το οριστικοποιεί με το SHA-256 του· από τότε εγγράφονται συμμετέχοντες με τυχαίους κωδικούς και με τη συγκατάθεσή τους.</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Σκοπός</translation>
+    </message>
+    <message>
+        <source>Check and freeze</source>
+        <translation>Έλεγχος και οριστικοποίηση</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Show the first</source>
+        <translation>Εμφάνιση της πρώτης</translation>
+    </message>
+    <message>
+        <source>Copy to new study …</source>
+        <translation>Αντιγραφή σε νέα μελέτη …</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Πίσω</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Επόμενο</translation>
+    </message>
+    <message>
+        <source>Something here must be corrected.</source>
+        <translation>Κάτι εδώ πρέπει να διορθωθεί.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
+        <translation>
+                <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθεί %n καταχώριση. %1</numerusform>
+                <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθούν %n καταχωρίσεις. %1</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The last changes are still being saved. Try again in a moment.</source>
+        <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
     </message>
 </context>
 <context>
@@ -11982,121 +13753,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Skip pauses</source>
         <translation>Παράλειψη παύσεων</translation>
-    </message>
-</context>
-<context>
-    <name>chiron::desktop::TrialsPage</name>
-    <message>
-        <source>Order and blinding</source>
-        <translation>Σειρά και τυφλότητα</translation>
-    </message>
-    <message>
-        <source>Order of conditions</source>
-        <translation>Σειρά των συνθηκών</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Σπόρος</translation>
-    </message>
-    <message>
-        <source>Blinding</source>
-        <translation>Τυφλότητα</translation>
-    </message>
-    <message>
-        <source>Participants see no values or names</source>
-        <translation>Συμμετέχοντες: χωρίς τιμές, ονόματα</translation>
-    </message>
-    <message>
-        <source>Experimenters see sealed codes</source>
-        <translation>Πειραματιστές: μόνο κωδικοί</translation>
-    </message>
-    <message>
-        <source>Trials and breaks</source>
-        <translation>Δοκιμές και διαλείμματα</translation>
-    </message>
-    <message>
-        <source>Rules of a trial</source>
-        <translation>Κανόνες μίας δοκιμής</translation>
-    </message>
-    <message>
-        <source>Time to explore (0: no limit)</source>
-        <translation>Χρόνος εξερεύνησης (0: χωρίς όριο)</translation>
-    </message>
-    <message>
-        <source>Time to answer (0: no limit)</source>
-        <translation>Χρόνος απάντησης (0: χωρίς όριο)</translation>
-    </message>
-    <message>
-        <source>Between trials</source>
-        <translation>Ανάμεσα σε δοκιμές</translation>
-    </message>
-    <message>
-        <source>Practice trials</source>
-        <translation>Δοκιμές εξάσκησης</translation>
-    </message>
-    <message>
-        <source>Break after (trials; 0: never)</source>
-        <translation>Διάλειμμα μετά από (δοκιμές· 0: ποτέ)</translation>
-    </message>
-    <message>
-        <source>Minimum break</source>
-        <translation>Ελάχιστο διάλειμμα</translation>
-    </message>
-    <message>
-        <source>Feedback: right or wrong</source>
-        <translation>Ανατροφοδότηση σωστό/λάθος</translation>
-    </message>
-    <message>
-        <source>Masking sound</source>
-        <translation>Ήχος κάλυψης</translation>
-    </message>
-    <message>
-        <source>Show the objects, all alike</source>
-        <translation>Εμφάνιση αντικειμένων, όλα όμοια</translation>
-    </message>
-    <message>
-        <source>Every object must be touched</source>
-        <translation>Να αγγιχτεί κάθε αντικείμενο</translation>
-    </message>
-    <message>
-        <source>Fidelity of a trial</source>
-        <translation>Πιστότητα μίας δοκιμής</translation>
-    </message>
-    <message>
-        <source>A trial outside these limits is not scored and is presented again.</source>
-        <translation>Μια δοκιμή εκτός αυτών των ορίων δεν βαθμολογείται και επαναλαμβάνεται.</translation>
-    </message>
-    <message>
-        <source>Limits of fidelity</source>
-        <translation>Όρια πιστότητας</translation>
-    </message>
-    <message>
-        <source>Force error, RMS</source>
-        <translation>Σφάλμα δύναμης, τετραγωνικός μέσος</translation>
-    </message>
-    <message>
-        <source>Error of the felt value (share)</source>
-        <translation>Σφάλμα αίσθησης (ποσοστό)</translation>
-    </message>
-    <message>
-        <source>Late ticks (share)</source>
-        <translation>Καθυστερημένοι κύκλοι (ποσοστό)</translation>
-    </message>
-    <message>
-        <source>Force at its limit (share)</source>
-        <translation>Δύναμη στο όριο (ποσοστό)</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>Μέγιστη δύναμη</translation>
-    </message>
-    <message>
-        <source>Mean speed</source>
-        <translation>Μέση ταχύτητα</translation>
-    </message>
-    <message>
-        <source>Maximum repeats of one trial</source>
-        <translation>Μέγιστες επαναλήψεις μίας δοκιμής</translation>
     </message>
 </context>
 <context>
@@ -12572,33 +14228,6 @@ F2 is for the experimenter.</source>
     </message>
 </context>
 <context>
-    <name>chiron::desktop::VoidDialog</name>
-    <message>
-        <source>Declare this session void</source>
-        <translation>Ακύρωση αυτής της συνεδρίας</translation>
-    </message>
-    <message>
-        <source>Declare this session void?</source>
-        <translation>Ακύρωση αυτής της συνεδρίας;</translation>
-    </message>
-    <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
-    </message>
-    <message>
-        <source>Reason (the trainee can read it)</source>
-        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
-    </message>
-    <message>
-        <source>Keep it as it is</source>
-        <translation>Να μείνει ως έχει</translation>
-    </message>
-    <message>
-        <source>Declare void</source>
-        <translation>Ακύρωση συνεδρίας</translation>
-    </message>
-</context>
-<context>
     <name>chiron::desktop::VoidSessionDialog</name>
     <message>
         <source>Void a session</source>
@@ -12607,14 +14236,6 @@ F2 is for the experimenter.</source>
     <message>
         <source>Void session %1 of %2?</source>
         <translation>Ακύρωση της συνεδρίας %1 (%2);</translation>
-    </message>
-    <message>
-        <source>It stays in the list with its recording and its scores, but no longer counts for anything. Who voided it and why is recorded. This cannot be undone.</source>
-        <translation>Μένει στη λίστα με την καταγραφή και τις βαθμολογίες της, αλλά δεν μετράει πλέον πουθενά. Καταγράφεται ποιος την ακύρωσε και γιατί. Η ακύρωση δεν αναιρείται.</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Αιτιολογία</translation>
     </message>
     <message>
         <source>For example: the device was not calibrated</source>
@@ -12627,6 +14248,14 @@ F2 is for the experimenter.</source>
     <message>
         <source>Void the session</source>
         <translation>Ακύρωση συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Reason (the trainee can read it)</source>
+        <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
     </message>
 </context>
 <context>

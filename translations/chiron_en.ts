@@ -16,8 +16,108 @@
     <message numerus="yes">
         <source>%n false alarm(s)</source>
         <translation>
-                <numerusform>%n false alarm</numerusform>
-                <numerusform>%n false alarms</numerusform>
+            <numerusform>%n false alarm</numerusform>
+            <numerusform>%n false alarms</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>FreezeChecks</name>
+    <message numerus="yes">
+        <source>%n entr(y/ies) must be corrected. The first: %1</source>
+        <translation>
+                <numerusform>%n entry must be corrected: %1</numerusform>
+                <numerusform>%n entries must be corrected. The first: %1</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Tried %n time(s).</source>
+        <translation>
+                <numerusform>Tried %n time.</numerusform>
+                <numerusform>Tried %n times.</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantFacts</name>
+    <message numerus="yes">
+        <source>%1, and %n for practice</source>
+        <translation>
+                <numerusform>%1, and %n for practice</numerusform>
+                <numerusform>%1, and %n for practice</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantSentences</name>
+    <message numerus="yes">
+        <source>The study has %n part(s).</source>
+        <translation>
+                <numerusform>The study has %n part.</numerusform>
+                <numerusform>The study has %n parts.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has %n trial(s).</source>
+        <translation>
+                <numerusform>Each part has %n trial.</numerusform>
+                <numerusform>Each part has %n trials.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part has at most %n trial(s).</source>
+        <translation>
+                <numerusform>Each part has at most %n trial.</numerusform>
+                <numerusform>Each part has at most %n trials.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %n trial(s).</source>
+        <translation>
+                <numerusform>There is %n trial.</numerusform>
+                <numerusform>There are %n trials.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>There are at most %n trial(s).</source>
+        <translation>
+                <numerusform>There is at most %n trial.</numerusform>
+                <numerusform>There are at most %n trials.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After every %n trial(s) there is a break</source>
+        <translation>
+                <numerusform>After every %n trial there is a break</numerusform>
+                <numerusform>After every %n trials there is a break</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Before the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>Before the trials you answer %n question.</numerusform>
+                <numerusform>Before the trials you answer %n questions.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s).</source>
+        <translation>
+                <numerusform>After the trials you answer %n question.</numerusform>
+                <numerusform>After the trials you answer %n questions.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each part begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Each part begins with %n practice trial, which does not count.</numerusform>
+                <numerusform>Each part begins with %n practice trials, which do not count.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>It begins with %n practice trial, which does not count.</numerusform>
+                <numerusform>It begins with %n practice trials, which do not count.</numerusform>
             </translation>
     </message>
 </context>
@@ -50,9 +150,9 @@
     <message numerus="yes">
         <source>Measured values and their limits, the worst of %n finger(s)</source>
         <translation>
-                <numerusform>Measured values and their limits, on %n finger</numerusform>
-                <numerusform>Measured values and their limits, the worst of %n fingers</numerusform>
-            </translation>
+            <numerusform>Measured values and their limits, on %n finger</numerusform>
+            <numerusform>Measured values and their limits, the worst of %n fingers</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -267,6 +367,23 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::CheckPage</name>
+    <message numerus="yes">
+        <source>%n trial(s) that count</source>
+        <translation>
+                <numerusform>%n trial that counts</numerusform>
+                <numerusform>%n trials that count</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeated</source>
+        <translation>
+                <numerusform>%n repeated</numerusform>
+                <numerusform>%n repeated</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::DeviceChooser</name>
     <message numerus="yes">
         <source>Ready: %n rows, %1 s.</source>
@@ -382,6 +499,16 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::PaletteFinder</name>
+    <message numerus="yes">
+        <source>%1 (%n more; type more letters)</source>
+        <translation>
+            <numerusform>%1 (%n more; type more letters)</numerusform>
+            <numerusform>%1 (%n more; type more letters)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::PersonPage</name>
     <message numerus="yes">
         <source>Replayed from its log, the procedure makes the same %n choice(s).</source>
@@ -400,6 +527,13 @@
             <numerusform>median of %n runs</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>standard error of the bias of %n participant(s), if they do not differ</source>
+        <translation>
+                <numerusform>standard error of the bias of %n participant</numerusform>
+                <numerusform>standard error of the bias of %n participants, if they do not differ</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnaireSummary</name>
@@ -413,9 +547,9 @@
     <message numerus="yes">
         <source>%1: median %2, from %3 to %4, of %n participant(s)</source>
         <translation>
-                <numerusform>%1: median %2, from %3 to %4, of %n participant</numerusform>
-                <numerusform>%1: median %2, from %3 to %4, of %n participants</numerusform>
-            </translation>
+            <numerusform>%1: median %2, from %3 to %4, of %n participant</numerusform>
+            <numerusform>%1: median %2, from %3 to %4, of %n participants</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -502,9 +636,9 @@
     <message numerus="yes">
         <source>%1: %n session(s) with new comments</source>
         <translation>
-                <numerusform>%1: %n session with new comments</numerusform>
-                <numerusform>%1: %n sessions with new comments</numerusform>
-            </translation>
+            <numerusform>%1: %n session with new comments</numerusform>
+            <numerusform>%1: %n sessions with new comments</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -547,11 +681,11 @@
 <context>
     <name>chiron::desktop::StudyScreen</name>
     <message numerus="yes">
-        <source>… and %n more</source>
+        <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
         <translation>
-            <numerusform>… and %n more</numerusform>
-            <numerusform>… and %n more</numerusform>
-        </translation>
+                <numerusform>Not saved yet: %n entry must be corrected first. %1</numerusform>
+                <numerusform>Not saved yet: %n entries must be corrected first. %1</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -576,9 +710,9 @@
     <message numerus="yes">
         <source>Free minute: try the controls. Nothing counts yet. %n second(s) left.</source>
         <translation>
-                <numerusform>Free minute: try the controls. Nothing counts yet. %n second left.</numerusform>
-                <numerusform>Free minute: try the controls. Nothing counts yet. %n seconds left.</numerusform>
-            </translation>
+            <numerusform>Free minute: try the controls. Nothing counts yet. %n second left.</numerusform>
+            <numerusform>Free minute: try the controls. Nothing counts yet. %n seconds left.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "desktop/people/people_screen.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/playback/playback_screen.h"
+#include "desktop/restore/restore_screen.h"
 #include "desktop/results/results_screen.h"
 #include "desktop/settings/settings_screen.h"
 #include "desktop/station/station_screen.h"
@@ -40,20 +41,21 @@ const std::vector<ScreenEntry>& screenCatalogue() {
     using enum database::Role;
     static const std::vector<database::Role> everybody{trainee, trainer, researcher, admin};
     // Ids of screens to come, so that places can already name them: first_start, login, home, exercise_setup {exercise, level},
-    // training {plan}, debrief {session}, playback {session, at_s, ghost}, results, sessions, people, storage, station.
+    // training {plan}, debrief {session}, playback {session, at_s, ghost}, restore {missing, detail}, results, sessions, people, storage, station.
     static const std::vector<ScreenEntry> entries{
         {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},
+        {"restore", QT_TRANSLATE_NOOP("Screens", "Restore a backup"), "view-history", {}, false, &make<RestoreScreen>},
         {"home", QT_TRANSLATE_NOOP("Screens", "Home"), "go-home", everybody, true, &make<HomeScreen>},
         {"exercises", QT_TRANSLATE_NOOP("Screens", "Exercises"), "view-list-icons", everybody, true, &make<ExercisesScreen>},
         {"exercise_setup", QT_TRANSLATE_NOOP("Screens", "Exercise"), "media-playback-start", {}, true, &make<ExerciseSetupScreen>},
-        {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>},
+        {"training", QT_TRANSLATE_NOOP("Screens", "Training"), "media-playback-start", {}, false, &make<TrainingScreen>, true},
         {"studies", QT_TRANSLATE_NOOP("Screens", "Studies"), "view-task", {researcher}, true, &make<StudiesScreen>},
         {"study", QT_TRANSLATE_NOOP("Screens", "Study"), "view-task", {}, true, &make<StudyScreen>},
         {"study_run", QT_TRANSLATE_NOOP("Screens", "Run"), "media-playback-start", {researcher}, true, &make<RunScreen>},
         {"study_data", QT_TRANSLATE_NOOP("Screens", "Data"), "office-chart-line", {researcher}, true, &make<StudyDataScreen>},
         {"questionnaire", QT_TRANSLATE_NOOP("Screens", "Questionnaire"), "document-edit", {}, true, &make<QuestionnaireScreen>},
-        {"study_trials", QT_TRANSLATE_NOOP("Screens", "Trials"), "media-playback-start", {}, false, &make<TrialsScreen>},
+        {"study_trials", QT_TRANSLATE_NOOP("Screens", "Trials"), "media-playback-start", {}, false, &make<TrialsScreen>, true},
         {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
         {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},

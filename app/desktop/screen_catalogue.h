@@ -20,6 +20,7 @@ struct ScreenEntry {
     std::vector<database::Role> roles; ///< in whose navigation it is; empty: in nobody's
     bool framed = true;                ///< false: the whole window (login, first start)
     Screen* (*make)(AppContext& context, const Place& place);
+    bool sitting = false; ///< a session or a study's sitting is done here: nothing else may use the machine
 };
 
 /// Every screen of the program, in the order of the navigation.

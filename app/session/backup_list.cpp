@@ -4,6 +4,7 @@
 #include "catalogue/whole_file.h"
 #include "database/audit/site_key.h"
 #include "database/integrity/snapshot_check.h"
+#include "database/schema/migration_runner.h"
 #include "database/upkeep/manifest.h"
 #include "session/integrity_check.h"
 
@@ -30,7 +31,8 @@ std::vector<BackupEntry> listBackups(const std::string& folder) {
     const QDir directory(QString::fromStdString(folder));
     for (const QFileInfo& entry : directory.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         const auto text = catalogue::readWholeFile(entry.filePath() + QStringLiteral("/manifest.json"), database::kLargestManifest_bytes);
-        if (entry.fileName().endsWith(QLatin1String(".partial")) || !text)
+        const bool halfWay = entry.fileName().endsWith(QLatin1String(".partial")) || entry.fileName().endsWith(QLatin1String(".removing"));
+        if (halfWay || !text)
             continue;
         const QJsonObject manifest = QJsonDocument::fromJson(*text).object();
         if (manifest.value(QLatin1String("kind")).toString() != QLatin1String("backup"))
@@ -38,7 +40,8 @@ std::vector<BackupEntry> listBackups(const std::string& folder) {
         const QFileInfo copy(entry.filePath() + QLatin1Char('/') + QLatin1String(database::kSnapshotFile));
         backups.push_back({entry.absoluteFilePath().toStdString(),
                            manifest.value(QLatin1String("created_utc")).toString().toStdString(),
-                           static_cast<std::uint64_t>(copy.size())});
+                           static_cast<std::uint64_t>(copy.size()),
+                           manifest.value(QLatin1String("automatic_number")).toInteger() > 0});
     }
     std::sort(backups.begin(), backups.end(), [](const auto& a, const auto& b) { return a.createdUtc > b.createdUtc; });
     return backups;
@@ -53,6 +56,15 @@ database::VerifyReport verifyBackup(const std::string& folder, const std::string
     if (!manifest)
         return broken(folder, manifest.error());
     return database::verifySnapshot(folder + "/" + database::kSnapshotFile, key->get(), manifest->head, checkScores, watch);
+}
+
+core::Result<void> looksWhole(const std::string& folder, const std::string& databaseFile, const database::DatabaseOptions& options) {
+    const auto key = database::SiteKey::load(database::siteFolderFor(databaseFile, options));
+    const auto manifest = key ? database::readManifest(folder, **key) : tl::unexpected(key.error());
+    if (!manifest)
+        return tl::unexpected(manifest.error());
+    const auto present = database::MigrationRunner().inspect(folder + "/" + database::kSnapshotFile);
+    return present ? core::Result<void>() : tl::unexpected(present.error());
 }
 
 std::string defaultBackupFolder(const std::string& databaseFile) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/site.h"
 
+#include "database/integrity/file_health.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "recording/crash_ring.h"
 #include "scoring/trace_csv.h"
@@ -15,8 +16,11 @@ namespace {
 core::Result<std::unique_ptr<database::Database>> createOrOpen(const std::string& file,
                                                                const database::DatabaseOptions& options) {
     std::error_code error;
-    if (std::filesystem::exists(file, error))
+    if (std::filesystem::exists(file, error)) {
+        if (const auto sound = database::checkAtOpening(file); !sound)
+            return tl::unexpected(sound.error());
         return database::Database::openForWriting(file, options);
+    }
     const auto folder = std::filesystem::path(file).parent_path();
     if (!folder.empty())
         std::filesystem::create_directories(folder, error);

@@ -19,7 +19,8 @@ struct OpenedSite {
     std::vector<RecoveredSession> recovered;
 };
 
-/// Opens `file`, making it (and its folder) if it is missing, and recovers. Failure: locked, storage, badInput.
+/// Opens `file`, making it (and its folder) if it is missing, and recovers. A file that is
+/// damaged where nobody could log in is told so, and left as it is. Failure: locked, storage, badInput.
 core::Result<OpenedSite> openSite(const std::string& file, const database::DatabaseOptions& options);
 
 /// A scripted session in words: what `train` and `demo` ask for.

@@ -89,6 +89,9 @@ constexpr AccessRow kRows[] = {
     {A::eraseParticipant,     No,       No,       No,         No,     No,     No,        All},
     {A::recordStationCheck,       No,       No,       No,         No,     No,     All,       All},
     {A::backup,                   No,       No,       No,         No,     No,     No,        All},
+    {A::backupStanding,           No,       No,       All,        No,     No,     No,        All},
+    {A::setBackupPlan,            No,       No,       No,         No,     No,     No,        All},
+    {A::dailyBackup,              No,       No,       All,        No,     No,     No,        No},
     {A::restore,                  No,       No,       No,         No,     No,     No,        All},
     {A::exportSite,               No,       No,       No,         No,     No,     No,        All},
 };

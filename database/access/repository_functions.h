@@ -76,5 +76,8 @@
     X(PrivacyRepository, eraseParticipant)                                                                   \
     X(StationRepository, recordStationCheck)                                                                 \
     X(Upkeep, backup)                                                                                        \
+    X(Upkeep, backupStanding)                                                                                \
+    X(Upkeep, setBackupPlan)                                                                                 \
+    X(Upkeep, dailyBackup)                                                                                   \
     X(Upkeep, restore)                                                                                       \
     X(Upkeep, exportSite)

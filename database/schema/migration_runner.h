@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/connection.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -55,8 +56,8 @@ private:
 
 /// A consistent copy of the database as a new file (VACUUM INTO), flushed to the disk, checked by SQLite. The
 /// copy needs no write-ahead log. On failure nothing is left of it. Failure: badInput if the file exists,
-/// storage.
-core::Result<void> copyDatabase(Connection& from, const std::string& toFile);
+/// storage, also when it broke off because `cancel` was set.
+core::Result<void> copyDatabase(Connection& from, const std::string& toFile, const std::atomic<bool>* cancel = nullptr);
 
 /// Lets the file's owner alone read and write it (0600): it holds names and results. Failure: storage.
 core::Result<void> keepPrivate(const std::string& file);

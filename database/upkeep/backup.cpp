@@ -2,6 +2,7 @@
 #include "core/clock.h"
 #include "database/access/authorise.h"
 #include "database/integrity/snapshot_check.h"
+#include "database/interruptible.h"
 #include "database/privacy/erasure.h"
 #include "database/schema/migration_runner.h"
 #include "database/upkeep/snapshot_folder.h"
@@ -9,7 +10,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <sqlite3.h>
 
 namespace chiron::database {
 namespace {
@@ -34,37 +34,13 @@ core::Result<void> writeErasures(Connection& reader, const std::string& siteFold
     return saveErasureList(file, *erasures);
 }
 
-bool isSet(const std::atomic<bool>* cancel) {
-    return cancel != nullptr && cancel->load(std::memory_order_relaxed);
-}
-
-// While it lives, SQLite breaks off what this connection does once `cancel` is set.
-class Interruptible {
-public:
-    Interruptible(Connection& connection, const std::atomic<bool>* cancel) : m_connection(connection) {
-        constexpr int kAskEvery_instructions = 1000;
-        if (cancel != nullptr) {
-            sqlite3_progress_handler(
-                connection.handle(), kAskEvery_instructions,
-                [](void* flag) { return isSet(static_cast<const std::atomic<bool>*>(flag)) ? 1 : 0; },
-                const_cast<std::atomic<bool>*>(cancel));
-        }
-    }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-    ~Interruptible() { sqlite3_progress_handler(m_connection.handle(), 0, nullptr, nullptr); }
-
-private:
-    Connection& m_connection;
-};
-
 // Everything but the rename; the folder is thrown away when this fails.
 core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const std::string& folder,
                                 const std::string& kind, const SiteKey& key, const SnapshotExtra& extra,
-                                const std::atomic<bool>* cancel) {
+                                const std::atomic<bool>* cancel, std::int64_t automaticNumber) {
     const Interruptible interruptible(reader, cancel);
     const std::string copy = folder + "/" + kSnapshotFile;
-    auto done = copyDatabase(reader, copy);
+    auto done = copyDatabase(reader, copy, cancel);
     done = done ? writeErasures(reader, database.siteFolder(), folder + "/" + kErasuresFile) : done;
     if (!done) {
         return tl::unexpected(done.error());
@@ -88,9 +64,9 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
         files.insert(files.end(), more->begin(), more->end());
     }
     snapshot->reset();
-    Manifest manifest{kind, core::utcNowIso8601(), database.schemaVersion(), *head, {}};
+    Manifest manifest{kind, core::utcNowIso8601(), database.schemaVersion(), *head, {}, automaticNumber};
     for (const std::string& name : files) {
-        const auto digest = fileDigest(folder + "/" + name);
+        const auto digest = fileDigest(folder + "/" + name, cancel);
         if (!digest) {
             return tl::unexpected(digest.error());
         }
@@ -111,7 +87,8 @@ core::Result<SnapshotInfo> fill(Database& database, Connection& reader, const st
 
 core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
                                                const std::string& folder, const std::string& kind,
-                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel) {
+                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel,
+                                               std::int64_t automaticNumber) {
     const auto key = SiteKey::load(database.siteFolder());
     if (!key) {
         return tl::unexpected(key.error());
@@ -125,7 +102,7 @@ core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& r
     if (!QDir().mkpath(partial) || !QFile::setPermissions(partial, kOwnerAlone)) {
         return core::fail(core::ErrorCode::storage, folder + ": cannot be created");
     }
-    auto info = fill(database, reader, partial.toStdString(), kind, **key, extra, cancel);
+    auto info = fill(database, reader, partial.toStdString(), kind, **key, extra, cancel, automaticNumber);
     if (isSet(cancel)) { // whatever it broke off with
         info = core::fail(core::ErrorCode::cancelled, folder + ": stopped, nothing was kept");
     }

@@ -2,6 +2,7 @@
 #include "database/upkeep/manifest.h"
 
 #include "catalogue/whole_file.h"
+#include "database/interruptible.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -23,7 +24,7 @@ std::string signatureOf(const QJsonObject& json, const SiteKey& key) {
 
 } // namespace
 
-core::Result<std::string> fileDigest(const std::string& name) {
+core::Result<std::string> fileDigest(const std::string& name, const std::atomic<bool>* cancel) {
     QFile file(QString::fromStdString(name));
     if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly)) { // a device has no end
         return core::fail(core::ErrorCode::storage, name + ": cannot be read");
@@ -32,6 +33,9 @@ core::Result<std::string> fileDigest(const std::string& name) {
     crypto_generichash_state state;
     crypto_generichash_init(&state, nullptr, 0, digest.size());
     while (!file.atEnd()) {
+        if (isSet(cancel)) {
+            return core::fail(core::ErrorCode::cancelled, name + ": stopped");
+        }
         const QByteArray part = file.read(1 << 20);
         if (part.isEmpty()) {
             return core::fail(core::ErrorCode::storage, name + ": cannot be read to its end");
@@ -54,6 +58,9 @@ core::Result<void> writeManifest(const std::string& folder, const Manifest& mani
                      {"audit_count", static_cast<qint64>(manifest.head.count)},
                      {"audit_hash", QString::fromStdString(manifest.head.hash)},
                      {"files", files}};
+    if (manifest.automaticNumber > 0) {
+        json["automatic_number"] = static_cast<qint64>(manifest.automaticNumber);
+    }
     json["signature"] = QString::fromStdString(signatureOf(json, key));
     const std::string name = folder + "/manifest.json";
     QSaveFile file(QString::fromStdString(name));
@@ -64,7 +71,7 @@ core::Result<void> writeManifest(const std::string& folder, const Manifest& mani
     return {};
 }
 
-core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key) {
+core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteKey& key) {
     const std::string name = folder + "/manifest.json";
     const auto text = catalogue::readWholeFile(QString::fromStdString(name), kLargestManifest_bytes);
     if (!text) {
@@ -85,16 +92,29 @@ core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& ke
                       json["created_utc"].toString().toStdString(),
                       json["schema_version"].toInt(),
                       {json["audit_count"].toInteger(), json["audit_hash"].toString().toStdString()},
-                      {}};
+                      {},
+                      json["automatic_number"].toInteger()};
     const QJsonObject files = json["files"].toObject();
     for (auto it = files.begin(); it != files.end(); ++it) {
-        const std::string path = it.key().toStdString();
-        const auto digest = fileDigest(folder + "/" + path);
-        if (!digest || *digest != it.value().toString().toStdString()) {
+        manifest.files[it.key().toStdString()] = it.value().toString().toStdString();
+    }
+    return manifest;
+}
+
+core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key, const std::atomic<bool>* cancel) {
+    auto manifest = readSignedManifest(folder, key);
+    if (!manifest) {
+        return manifest;
+    }
+    for (const auto& [path, expected] : manifest->files) {
+        const auto digest = fileDigest(folder + "/" + path, cancel);
+        if (!digest && digest.error().code == core::ErrorCode::cancelled) {
+            return tl::unexpected(digest.error());
+        }
+        if (!digest || *digest != expected) {
             return core::fail(core::ErrorCode::doesNotHold,
                               folder + "/" + path + ": missing or changed since the backup was made");
         }
-        manifest.files[path] = *digest;
     }
     return manifest;
 }

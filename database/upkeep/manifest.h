@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/audit/audit_trail.h"
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -18,6 +19,8 @@ struct Manifest {
     int schemaVersion = 0;
     AuditHead head;
     std::map<std::string, std::string> files; ///< path inside the folder -> 64 hex digits
+    /// Made by the schedule: which of them it is in its folder, from 1; 0: made by hand. Not the clock tells which is older.
+    std::int64_t automaticNumber = 0;
 };
 
 inline constexpr const char* kSnapshotFile = "chiron.db";
@@ -26,11 +29,14 @@ inline constexpr const char* kErasuresFile = "erasures.json";
 
 core::Result<void> writeManifest(const std::string& folder, const Manifest& manifest, const SiteKey& key);
 
-/// Reads and checks: signature, and the digest of every file named. Failure: badInput (malformed),
-/// doesNotHold (a file is missing or changed, or the signature is not this site's), storage.
-core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key);
+/// What the manifest says and the key vouches for; the files themselves are not looked at. Failure as readManifest.
+core::Result<Manifest> readSignedManifest(const std::string& folder, const SiteKey& key);
 
-/// BLAKE2b-256 of a file as 64 hex digits. Failure: storage.
-core::Result<std::string> fileDigest(const std::string& file);
+/// Reads and checks: signature, and the digest of every file named. Failure: badInput (malformed),
+/// doesNotHold (a file is missing or changed, or the signature is not this site's), storage, cancelled.
+core::Result<Manifest> readManifest(const std::string& folder, const SiteKey& key, const std::atomic<bool>* cancel = nullptr);
+
+/// BLAKE2b-256 of a file as 64 hex digits. Failure: storage; cancelled.
+core::Result<std::string> fileDigest(const std::string& file, const std::atomic<bool>* cancel = nullptr);
 
 } // namespace chiron::database

@@ -84,9 +84,12 @@ core::Result<std::string> swapIn(const std::string& copy, const std::string& tar
     std::error_code error;
     std::string kept;
     if (fs::exists(target, error)) {
-        if (auto old = Connection::open(target, Connection::Mode::readWrite)) {
+        const bool empty = fs::file_size(target, error) == 0; // SQLite would begin a new database in it
+        auto old = empty ? core::fail(core::ErrorCode::storage, target + ": empty") : Connection::open(target, Connection::Mode::readWrite);
+        if (old) {
             (void)(*old)->execute(
                 "PRAGMA wal_checkpoint(TRUNCATE)"); // its log goes into the file, if it still can
+            old->reset();
         }
         kept = freeName(target + ".before-restore");
         fs::create_hard_link(target, kept, error);

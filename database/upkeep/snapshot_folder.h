@@ -14,9 +14,10 @@ using SnapshotExtra =
 
 /// Writes a snapshot folder: the database's copy, verified, erasures and extras, then the manifest; under
 /// another name first, renamed when it is whole. Failure: badInput if the folder exists; doesNotHold if the
-/// copy does not verify; cancelled; storage.
+/// copy does not verify; cancelled; storage. `automaticNumber`: as in Manifest.
 core::Result<SnapshotInfo> writeSnapshotFolder(Database& database, Connection& reader,
                                                const std::string& folder, const std::string& kind,
-                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel);
+                                               const SnapshotExtra& extra, const std::atomic<bool>* cancel,
+                                               std::int64_t automaticNumber = 0);
 
 } // namespace chiron::database

@@ -20,6 +20,30 @@ struct SnapshotInfo {
     std::uint64_t bytes = 0;
 };
 
+/// How a site backs itself up; stored with the site.
+struct BackupPlan {
+    bool on = true;
+    std::string folder{}; ///< empty: wherever the station keeps its backups
+    int keep = 14;        ///< so many that the schedule made; older ones of its own are removed, others never
+    bool operator==(const BackupPlan&) const = default;
+};
+inline constexpr int kMostBackupsKept = 999;
+
+/// The plan, and how the latest attempt of the schedule ended.
+struct BackupStanding {
+    BackupPlan plan;
+    std::string triedUtc{};     ///< of the latest attempt; empty: there was none yet
+    std::string problem{};      ///< why that one failed; empty: it is whole and verified
+    std::string goodUtc{};      ///< of the latest that succeeded; empty: none yet
+    std::string goodFolder{};
+    std::uint64_t goodBytes = 0;
+};
+
+struct DailyBackup {
+    SnapshotInfo made;
+    int removed = 0; ///< older ones of the schedule
+};
+
 struct RestoreRequest {
     std::string backupFolder;
     std::string targetFile;
@@ -47,6 +71,16 @@ public:
     static core::Result<SnapshotInfo> backup(Database& database, const Actor& actor,
                                              const std::string& folder,
                                              const std::atomic<bool>* cancel = nullptr);
+
+    /// What the site's plan is and how it goes. On a site that has none yet: the default, off for a demonstration.
+    static core::Result<BackupStanding> backupStanding(Connection& connection, const Actor& actor);
+    /// In a writer's job. Failure: badInput where `keep` is not 1 to kMostBackupsKept.
+    static core::Result<void> setBackupPlan(Connection& connection, const Actor& actor, const BackupPlan& plan);
+    /// The schedule's backup: into a new folder of its own name in `place`, read back after it is written; then the schedule's
+    /// own older ones beyond `keep` are removed, and what a killed one left. The outcome is noted in the site, also of a failure
+    /// (but for cancelled). Failure: as backup; storage before anything is written where `place` has too little room.
+    static core::Result<DailyBackup> dailyBackup(Database& database, const Actor& actor, const std::string& place, int keep,
+                                                 const std::atomic<bool>* cancel = nullptr);
 
     /// Puts a verified backup in place, erases again what was erased since, keeps the old file aside. Needs
     /// the target's writer lock, an administrator of the backup, and one of the database that is replaced,

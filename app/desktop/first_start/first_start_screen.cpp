@@ -6,6 +6,7 @@
 #include "desktop/first_start/administrator_page.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/logo.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -113,6 +114,7 @@ void FirstStartScreen::showWelcome() {
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(16));
+    column->addWidget(logo(theme, 80));
     auto* heading = kit::label(theme, tr("Welcome to Chiron"), TextStyle::display);
     heading->setAlignment(Qt::AlignCenter);
     column->addWidget(heading);

@@ -66,6 +66,7 @@ signals:
     void activity();
     void lockAsked(); ///< Ctrl+L or idle: the main window covers itself with the lock
     void unlocked();
+    void backupEnded(); ///< the schedule's, made or failed: what tells of backups reads again
 
 private:
     DesktopSite& m_site;

@@ -64,6 +64,7 @@ std::vector<ScreenCommand> program(AppContext& context, const WindowActions& win
         {words(QT_TRANSLATE_NOOP("Commands", "Find a command")), QKeySequence(Qt::CTRL | Qt::Key_K), window.palette},
         {words(QT_TRANSLATE_NOOP("Commands", "Keyboard shortcuts")), QKeySequence(Qt::Key_Question), window.shortcuts},
         {words(QT_TRANSLATE_NOOP("Commands", "Help for this screen")), QKeySequence(Qt::Key_F1), window.help},
+        {words(QT_TRANSLATE_NOOP("Commands", "About Chiron")), {}, window.about},
         {words(QT_TRANSLATE_NOOP("Commands", "Back")), QKeySequence(Qt::ALT | Qt::Key_Left), [&context] { context.navigator().back(); }}};
     if (context.loggedIn()) {
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Lock")), QKeySequence(Qt::CTRL | Qt::Key_L), [&context] { emit context.lockAsked(); }});

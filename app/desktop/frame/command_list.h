@@ -20,6 +20,7 @@ struct WindowActions {
     std::function<void()> palette;
     std::function<void()> shortcuts;
     std::function<void()> help;
+    std::function<void()> about;
     std::function<void()> close;
 };
 

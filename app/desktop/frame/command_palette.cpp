@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/command_palette.h"
 
+#include "desktop/frame/palette_search.h"
 #include "desktop/widgets/kit.h"
 
 #include <QKeyEvent>
@@ -12,19 +13,14 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Lower case without accents: "ubersicht" finds "Übersicht", "αρχικη" finds "Αρχική".
-QString plain(const QString& text) {
-    QString out;
-    for (const QChar c : text.normalized(QString::NormalizationForm_D).toCaseFolded())
-        if (!c.isMark())
-            out += c;
-    return out;
-}
+enum Data { kGroup = Qt::UserRole, kCommand };
+constexpr int kFirstFound = 1000; // groups that were found count from here
+constexpr int kGoodFit = 3;       // the letters stand together
 
 } // namespace
 
 CommandPalette::CommandPalette(const Theme& theme, std::vector<CommandGroup> groups, QWidget* parent)
-    : QDialog(parent), m_groups(std::move(groups)) {
+    : QDialog(parent), m_theme(theme), m_groups(std::move(groups)) {
     setObjectName(QStringLiteral("palette"));
     setWindowTitle(tr("Find a command"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -33,25 +29,29 @@ CommandPalette::CommandPalette(const Theme& theme, std::vector<CommandGroup> gro
     m_field = new QLineEdit;
     m_field->setObjectName(QStringLiteral("palette.field"));
     m_field->setAccessibleName(tr("Command"));
-    m_field->setPlaceholderText(tr("Type what you want to do"));
+    m_field->setPlaceholderText(tr("Type what you want to do, or a name"));
     m_field->installEventFilter(this);
     m_list = new QListWidget;
     m_list->setObjectName(QStringLiteral("palette.list"));
     m_list->setAccessibleName(tr("Commands found"));
-    m_nothing = kit::label(theme, tr("No matching command. Try fewer letters or another word."), TextStyle::body, "muted");
+    m_nothing = kit::label(theme, tr("Nothing matches. Try fewer letters or another word."), TextStyle::body, "muted");
+    m_words = kit::label(theme, {}, TextStyle::small, "muted");
+    m_words->setObjectName(QStringLiteral("palette.words"));
+    m_words->hide();
     column->addWidget(m_field);
     column->addWidget(m_list, 1);
     column->addWidget(m_nothing);
-    connect(m_field, &QLineEdit::textChanged, this, &CommandPalette::filter);
+    column->addWidget(m_words);
+    connect(m_field, &QLineEdit::textChanged, this, &CommandPalette::type);
     connect(m_field, &QLineEdit::returnPressed, this, &CommandPalette::runCurrent);
     connect(m_list, &QListWidget::itemActivated, this, &CommandPalette::runCurrent);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::runCurrent);
-    filter({});
+    filter();
 }
 
 int CommandPalette::fit(const QString& typed, const QString& text) {
-    const QString wanted = plain(typed.simplified());
-    const QString in = plain(text);
+    const QString wanted = forSearch(typed.simplified());
+    const QString in = forSearch(text);
     if (wanted.isEmpty())
         return 1;
     const qsizetype at = in.indexOf(wanted);
@@ -66,7 +66,52 @@ int CommandPalette::fit(const QString& typed, const QString& text) {
     return 2;
 }
 
-void CommandPalette::filter(const QString& typed) {
+const ScreenCommand& CommandPalette::commandOf(int group, int command) const {
+    const std::vector<CommandGroup>& groups = group < kFirstFound ? m_groups : m_found;
+    return groups[static_cast<std::size_t>(group % kFirstFound)].commands[static_cast<std::size_t>(command)];
+}
+
+void CommandPalette::type(const QString& text) {
+    m_stepped = false;
+    m_found.clear(); // of other letters
+    filter();
+    emit typed(text);
+}
+
+void CommandPalette::showFound(std::vector<CommandGroup> found, const QString& words) {
+    const QListWidgetItem* before = m_stepped ? m_list->currentItem() : nullptr;
+    const QString chosen = before ? before->text() : QString();
+    m_found = std::move(found);
+    filter();
+    if (!chosen.isEmpty()) // what comes later does not take the line from under the hand
+        if (const auto same = m_list->findItems(chosen, Qt::MatchExactly); !same.isEmpty())
+            m_list->setCurrentItem(same.front());
+    say(words);
+}
+
+void CommandPalette::say(const QString& words) {
+    m_words->setText(words);
+    m_words->setVisible(!words.isEmpty());
+}
+
+void CommandPalette::addHeading(const QString& title) {
+    auto* item = new QListWidgetItem(title);
+    item->setFlags(Qt::NoItemFlags);
+    item->setFont(m_theme.font(TextStyle::small));
+    item->setForeground(m_theme.color(Colour::muted));
+    m_list->addItem(item);
+}
+
+void CommandPalette::addCommand(int group, int command) {
+    const ScreenCommand& given = commandOf(group, command);
+    const QString keys = given.keys.toString(QKeySequence::NativeText);
+    auto* item = new QListWidgetItem(keys.isEmpty() ? given.text : tr("%1   (%2)").arg(given.text, keys));
+    item->setData(kGroup, group);
+    item->setData(kCommand, command);
+    m_list->addItem(item);
+}
+
+void CommandPalette::filter() {
     struct Found {
         int fit;
         int group;
@@ -75,30 +120,50 @@ void CommandPalette::filter(const QString& typed) {
     std::vector<Found> found;
     for (int g = 0; g < static_cast<int>(m_groups.size()); ++g)
         for (int c = 0; c < static_cast<int>(m_groups[static_cast<std::size_t>(g)].commands.size()); ++c)
-            if (const int fits = fit(typed, m_groups[static_cast<std::size_t>(g)].commands[static_cast<std::size_t>(c)].text))
+            if (const int fits = fit(m_field->text(), commandOf(g, c).text))
                 found.push_back({fits, g, c});
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.fit > b.fit; });
+    const auto loose = std::find_if(found.begin(), found.end(), [](const Found& f) { return f.fit < kGoodFit; });
+    const auto add = [this](auto from, auto to) {
+        for (; from != to; ++from)
+            addCommand(from->group, from->command);
+    };
     m_list->clear();
-    for (const Found& f : found) {
-        const ScreenCommand& command = m_groups[static_cast<std::size_t>(f.group)].commands[static_cast<std::size_t>(f.command)];
-        const QString keys = command.keys.toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(keys.isEmpty() ? command.text : tr("%1   (%2)").arg(command.text, keys));
-        item->setData(Qt::UserRole, f.group);
-        item->setData(Qt::UserRole + 1, f.command);
-        m_list->addItem(item);
+    if (m_found.empty()) {
+        add(found.begin(), found.end());
+    } else { // a name comes before a command that merely has its letters
+        if (loose != found.begin())
+            addHeading(tr("Commands"));
+        add(found.begin(), loose);
+        for (int g = 0; g < static_cast<int>(m_found.size()); ++g) {
+            addHeading(m_found[static_cast<std::size_t>(g)].title);
+            for (int c = 0; c < static_cast<int>(m_found[static_cast<std::size_t>(g)].commands.size()); ++c)
+                addCommand(kFirstFound + g, c);
+        }
+        if (loose != found.end())
+            addHeading(tr("Further commands"));
+        add(loose, found.end());
     }
-    m_list->setCurrentRow(0);
-    m_list->setVisible(!found.empty());
-    m_nothing->setVisible(found.empty());
+    m_list->setCurrentRow(-1);
+    step(1);
+    m_list->setVisible(m_list->count() > 0);
+    m_nothing->setVisible(m_list->count() == 0);
+}
+
+/// To the next line that can be chosen; headings cannot.
+void CommandPalette::step(int by) {
+    for (int row = m_list->currentRow() + by; row >= 0 && row < m_list->count(); row += by)
+        if (m_list->item(row)->flags().testFlag(Qt::ItemIsSelectable)) {
+            m_list->setCurrentRow(row);
+            return;
+        }
 }
 
 void CommandPalette::runCurrent() {
     const QListWidgetItem* item = m_list->currentItem();
-    if (!item)
+    if (!item || !item->flags().testFlag(Qt::ItemIsSelectable))
         return;
-    const auto group = static_cast<std::size_t>(item->data(Qt::UserRole).toInt());
-    const auto command = static_cast<std::size_t>(item->data(Qt::UserRole + 1).toInt());
-    const auto act = m_groups[group].commands[command].act;
+    const auto act = commandOf(item->data(kGroup).toInt(), item->data(kCommand).toInt()).act;
     accept();
     if (act)
         act();
@@ -108,8 +173,8 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Down || key->key() == Qt::Key_Up) {
-            const int step = key->key() == Qt::Key_Down ? 1 : -1;
-            m_list->setCurrentRow(qBound(0, m_list->currentRow() + step, m_list->count() - 1));
+            m_stepped = true;
+            step(key->key() == Qt::Key_Down ? 1 : -1);
             return true;
         }
     }

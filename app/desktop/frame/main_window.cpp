@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/main_window.h"
 
+#include "desktop/backups/backup_keeper.h"
+#include "desktop/frame/about_dialog.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/command_palette.h"
+#include "desktop/frame/enter_key.h"
+#include "desktop/frame/focus_keeper.h"
 #include "desktop/frame/help_dialogs.h"
 #include "desktop/frame/message_bar.h"
+#include "desktop/frame/palette_finder.h"
 #include "desktop/frame/screen.h"
 #include "desktop/frame/side_bar.h"
 #include "desktop/lock/lock_controller.h"
@@ -29,9 +34,14 @@ MainWindow::MainWindow(AppContext& context) : m_context(context) {
         if (m_screen && !m_screen->helpItself())
             showHelp(m_context.theme(), *m_screen, this);
     };
+    m_actions.about = [this] { showAbout(m_context.theme(), this); };
     m_actions.close = [this] { close(); };
     build();
+    m_finder = new PaletteFinder(context, this);
+    new EnterKey(this);
+    new FocusKeeper(*this);
     new LockController(context, *this);
+    new BackupKeeper(context, this);
     connect(&context.navigator(), &Navigator::moved, this, &MainWindow::showPlace);
     connect(&context.messages(), &Messages::told, this, &MainWindow::tell);
     context.navigator().setGuard([this] { return !m_screen || m_screen->mayLeave(); });
@@ -156,7 +166,9 @@ void MainWindow::renewShortcuts() {
 }
 
 void MainWindow::showCommandPalette() {
-    (new CommandPalette(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this))->open();
+    auto* palette = new CommandPalette(m_context.theme(), commandsNow(m_context, m_screen, m_actions), this);
+    m_finder->serve(*palette);
+    palette->open();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

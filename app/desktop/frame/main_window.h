@@ -13,6 +13,7 @@ namespace chiron::desktop {
 
 class AppContext;
 class MessageBar;
+class PaletteFinder;
 struct Message;
 class Screen;
 class SideBar;
@@ -45,6 +46,7 @@ private:
 
     AppContext& m_context;
     WindowActions m_actions;
+    PaletteFinder* m_finder = nullptr;
     QObject* m_shortcuts = nullptr; ///< parent of the keys that work now
     QWidget* m_frame = nullptr;
     SideBar* m_sideBar = nullptr;     ///< null before somebody is logged in

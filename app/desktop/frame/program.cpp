@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/program.h"
 
+#include "desktop/backups/exit_backup.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/instance_link.h"
 #include "desktop/frame/languages.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/start_trace.h"
 #include "desktop/study_run/asked_sitting.h"
+#include "desktop/restore/restore_screen.h"
+#include "desktop/widgets/logo.h"
 
 #include <QCommandLineParser>
 #include <QDir>
@@ -58,9 +61,19 @@ void connectInstances(AppContext& context, MainWindow& window, InstanceLink& lin
 void applyAppearance(QApplication& application, AppContext& context) {
     installLanguage(application, context.language());
     QLocale::setDefault(context.locale());
+    QApplication::setWindowIcon(logoIcon());
     application.setFont(context.theme().font(TextStyle::body));
     application.setPalette(context.theme().palette());
     application.setStyleSheet(context.theme().styleSheet());
+}
+
+Place firstPlace(const DesktopSite& site) {
+    const std::string folder = database::siteFolderFor(site.file().toStdString(), site.options());
+    if (site.exists())
+        return {QStringLiteral("login"), {}};
+    if (QFileInfo::exists(QString::fromStdString(folder) + QStringLiteral("/site.key")))
+        return RestoreScreen::placeFor({database::FileHealth::missing, {}});
+    return {QStringLiteral("first_start"), {}};
 }
 
 bool asksForText(int argc, const char* const* argv) {
@@ -91,7 +104,7 @@ int runProgram(QApplication& application) {
     traceStart("appearance");
     QObject::connect(&context, &AppContext::appearanceChanged, &application, [&] { applyAppearance(application, context); });
     MainWindow window(context); // after the connection above: the window is built anew in the new look
-    context.navigator().replace({site.exists() ? QStringLiteral("login") : QStringLiteral("first_start"), {}});
+    context.navigator().replace(firstPlace(site));
     QObject::connect(&window, &MainWindow::firstPainted, &context, [&] {
         traceStart("first_paint");
         if (site.exists())
@@ -105,6 +118,7 @@ int runProgram(QApplication& application) {
     window.show();
     traceStart("window_shown");
     const int status = QApplication::exec();
+    backUpAtExit(context);
     context.background().cancelAndWait();
     return status;
 }

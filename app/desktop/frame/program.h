@@ -6,9 +6,14 @@
 namespace chiron::desktop {
 
 class AppContext;
+class DesktopSite;
+struct Place;
 
 /// Puts theme, fonts and translations of the context's settings on the application. GUI thread.
 void applyAppearance(QApplication& application, AppContext& context);
+
+/// Where the program begins: a site folder without its file is a site that was lost, and no first start.
+Place firstPlace(const DesktopSite& site);
 
 /// Whether the arguments ask for help or the version alone, which need no display.
 bool asksForText(int argc, const char* const* argv);

@@ -7,6 +7,7 @@
 #include "desktop/sessions/session_words.h"
 #include "recording/crash_ring.h"
 #include "session/backup_list.h"
+#include "session/backup_schedule.h"
 #include "session/loop_report.h"
 
 #include <algorithm>
@@ -106,13 +107,17 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& que
     return {};
 }
 
-core::Result<void> readForAdmin(database::Database& database, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readForAdmin(database::Database& database, database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
     const auto people = database::AccountService(database).listPeople(question.actor);
     if (!people)
         return tl::unexpected(people.error());
     data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
     data.room = session::storageRoom(question.databaseFile, recording::defaultRingFolder());
-    const auto backups = session::listBackups(question.backupFolder);
+    auto standing = database::Upkeep::backupStanding(connection, question.actor);
+    if (!standing)
+        return tl::unexpected(standing.error());
+    data.backups = std::move(*standing);
+    const auto backups = session::listBackups(session::folderOfPlan(data.backups.plan, question.backupFolder, question.databaseFile));
     data.latestBackupUtc = backups.empty() ? std::string() : backups.front().createdUtc;
     SessionFilter filter;
     filter.newestFirst = true;
@@ -151,7 +156,7 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
     if (done && roles.contains(Role::trainer))
         done = readForTrainer(reader, question, data);
     if (done && roles.contains(Role::admin))
-        done = readForAdmin(database, reader, question, data);
+        done = readForAdmin(database, **connection, reader, question, data);
     if (!done)
         return tl::unexpected(done.error());
     readRecovered(reader, question, data);

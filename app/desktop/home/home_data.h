@@ -3,6 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/result.h"
+#include "database/upkeep/upkeep.h"
 #include "desktop/sessions/session_row.h"
 #include "session/level_standing.h"
 #include "session/recovery.h"
@@ -47,6 +48,7 @@ struct HomeData {
     int accounts = 0;                              ///< for an administrator: enabled ones
     std::optional<session::StorageRoom> room;      ///< for an administrator
     std::string latestBackupUtc;                   ///< empty: none found
+    database::BackupStanding backups;              ///< for an administrator: how the schedule goes
     bool lastLoopTimed = false;                    ///< whether the newest session ran against the clock ...
     bool lastLoopPriority = false;                 ///< ... and was granted real-time priority
 };
@@ -58,7 +60,7 @@ struct HomeQuestion {
     catalogue::Catalogue catalogue;
     std::vector<session::RecoveredSession> recovered;
     std::string databaseFile;
-    std::string backupFolder;
+    std::string backupFolder; ///< the station's, where the site's plan names none
 };
 
 /// Blocking: a worker's task. Failure: the repositories'.

@@ -188,11 +188,12 @@ void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home) {
     const session::StorageRoom room = home.room.value_or(session::StorageRoom{});
     const StorageNotice disk = StorageWords::room(room, locale);
     const StorageNotice backup = StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
-    const bool first = !disk.isGood();
+    const StorageNotice automatic = StorageWords::automatic(home.backups, QDateTime::currentDateTimeUtc(), locale);
+    const StorageNotice& worst = !disk.isGood() ? disk : !home.backups.problem.empty() ? automatic : backup;
     column.addWidget(stateCard(QStringLiteral("storage"), tr("Storage"),
                                tr("The database uses %1; %2 is free.")
                                    .arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
-                               first ? disk.kind : backup.kind, first ? disk.text : backup.text, tr("Open storage")));
+                               worst.kind, worst.text, tr("Open storage")));
     const char* kind = home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good";
     const QString loop = !home.lastLoopTimed       ? QString()
                          : home.lastLoopPriority ? tr("The last session ran with real-time priority.")

@@ -2,13 +2,16 @@
 #include "desktop/login/login_screen.h"
 
 #include "database/accounts/account_service.h"
+#include "database/integrity/file_health.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/login/login_form.h"
 #include "desktop/login/new_password_page.h"
 #include "desktop/login/recovery_page.h"
+#include "desktop/restore/restore_screen.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/logo.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 #include "session/demo_site.h"
@@ -44,8 +47,12 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_scroll);
-    auto* heading = kit::label(theme, QStringLiteral("Chiron"), TextStyle::display);
-    heading->setAlignment(Qt::AlignCenter);
+    auto* heading = new QHBoxLayout; // side by side: a window of 720 pixels has the whole form without scrolling
+    heading->setSpacing(theme.px(12));
+    heading->addStretch();
+    heading->addWidget(logo(theme, 44));
+    heading->addWidget(kit::line(theme, QStringLiteral("Chiron"), TextStyle::display));
+    heading->addStretch();
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
@@ -54,7 +61,7 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_site->setObjectName(QStringLiteral("login.site"));
     m_room->addWidget(m_site);
     m_scroll->column()->addStretch(1);
-    m_scroll->column()->addWidget(heading);
+    m_scroll->column()->addLayout(heading);
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
@@ -97,7 +104,28 @@ void LoginScreen::openAgain() {
 
 void LoginScreen::siteFailed(const core::Error& error) {
     context().navigator().note({{kFailed, true}});
-    m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); });
+    if (error.code == core::ErrorCode::locked) {
+        m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); });
+        return;
+    }
+    examine(tr("The site could not be opened."), error, [this] { openAgain(); });
+}
+
+// A file that is damaged or gone is brought back on a screen of its own; everything else is told here.
+void LoginScreen::examine(const QString& what, const core::Error& error, std::function<void()> again) {
+    const auto token = context().background().run(
+        this,
+        [file = context().site().file().toStdString()](WorkToken& working) { return database::examineFile(file, &working.flag()); },
+        [this, what, error, again = std::move(again)](const database::FileState& file) {
+            if (file.health != database::FileHealth::damaged && file.health != database::FileHealth::missing) {
+                m_site->showError(what, error, again);
+                return;
+            }
+            context().background().cancelAndWait();
+            context().site().close(); // a restore needs its lock
+            context().navigator().replace(RestoreScreen::placeFor(file));
+        });
+    m_site->showLoading(tr("Checking the site's file …"), token); // a large one takes a while
 }
 
 void LoginScreen::loadNames() {
@@ -109,7 +137,7 @@ void LoginScreen::loadNames() {
 
 void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> names) {
     if (!names) {
-        m_site->showError(tr("The list of names could not be read."), names.error(), [this] {
+        examine(tr("The list of names could not be read."), names.error(), [this] {
             m_site->showLoading(tr("Opening the site …"));
             loadNames();
         });

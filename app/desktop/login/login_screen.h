@@ -40,6 +40,7 @@ private:
     void loadNames();
     void namesLoaded(core::Result<std::vector<database::LoginName>> names);
     void siteFailed(const core::Error& error);
+    void examine(const QString& what, const core::Error& error, std::function<void()> again);
     void openAgain();
     void logIn(const QString& name, const QString& password);
     void changePassword(NewPasswordPage* page, const database::Actor& actor, const QString& oldPassword, const QString& newPassword);

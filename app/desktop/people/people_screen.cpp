@@ -23,7 +23,7 @@ constexpr double kListHeight = 320;
 constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
 } // namespace
 
-PeopleScreen::PeopleScreen(AppContext& context, const Place& place) : Screen(context, place) {
+PeopleScreen::PeopleScreen(AppContext& context, const Place& place) : Screen(context, place), m_chosen(place.parameters.value(QStringLiteral("person")).toLongLong()) {
     auto* page = new ScrollPage(context.theme(), 1100);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -11,7 +11,7 @@ namespace chiron::desktop {
 namespace {
 constexpr double kPadding = 8;
 constexpr double kGap = 6;
-constexpr double kHeight = 22;
+constexpr double kChipHeight = 22;
 } // namespace
 
 int RoleChips::chipWidth(const QString& text) const {
@@ -22,7 +22,7 @@ QSize RoleChips::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&
     int width = 2 * m_theme.px(kPadding);
     for (const QString& chip : index.data(PeopleModel::kChips).toStringList())
         width += chipWidth(chip) + m_theme.px(kGap);
-    return {width, std::max(QStyledItemDelegate::sizeHint(option, index).height(), m_theme.px(kHeight + kGap))};
+    return {width, std::max(QStyledItemDelegate::sizeHint(option, index).height(), m_theme.px(kChipHeight + kGap))};
 }
 
 void RoleChips::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -33,7 +33,7 @@ void RoleChips::paint(QPainter* painter, const QStyleOptionViewItem& option, con
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setFont(m_theme.font(TextStyle::small));
-    const int height = m_theme.px(kHeight);
+    const int height = m_theme.px(kChipHeight);
     int x = option.rect.x() + m_theme.px(kPadding);
     for (const QString& chip : index.data(PeopleModel::kChips).toStringList()) {
         const QRect rect(x, option.rect.center().y() - height / 2, chipWidth(chip), height);

@@ -7,8 +7,8 @@
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/scrubber.h"
-#include "desktop/playback/void_dialog.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QCheckBox>
@@ -302,7 +302,8 @@ void PlaybackScreen::addComment(const QString& text) {
 
 void PlaybackScreen::askVoid() {
     m_clock.pause();
-    auto* dialog = new VoidDialog(context().theme(), this);
+    const database::SessionSummary& session = m_data->record.summary;
+    auto* dialog = new VoidSessionDialog(context().theme(), session.id, QString::fromStdString(session.personName), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { declareVoid(dialog->reason()); });
     dialog->open();
@@ -319,8 +320,8 @@ void PlaybackScreen::declareVoid(const QString& reason) {
         },
         [this](core::Result<void> stored) {
             if (!stored)
-                return context().messages().error(tr("The session was not declared void; nothing was changed."), stored.error());
-            context().messages().done(tr("The session is void. Recording and scores are kept."));
+                return context().messages().error(tr("Session %1 was not voided; nothing was changed.").arg(sessionId()), stored.error());
+            context().messages().done(tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()));
             m_clock.pause();
             context().navigator().replace(context().navigator().current()); // shown anew, as it is now
         });

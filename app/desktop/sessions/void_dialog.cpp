@@ -11,20 +11,21 @@ namespace chiron::desktop {
 VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, QWidget* parent) : QDialog(parent) {
     setObjectName(QStringLiteral("void"));
     setWindowTitle(tr("Void a session"));
-    setMinimumWidth(theme.px(420));
+    setMinimumWidth(theme.px(440));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Void session %1 of %2?").arg(session).arg(person), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("It stays in the list with its recording and its scores, but no longer counts for anything. Who "
-                                           "voided it and why is recorded. This cannot be undone.")));
-    auto* label = kit::label(theme, tr("Reason"), TextStyle::label);
+    column->addWidget(kit::label(theme, tr("Recording, scores and comments stay and can still be viewed. The session no longer counts for "
+                                           "anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This "
+                                           "cannot be undone.")));
+    auto* label = kit::label(theme, tr("Reason (the trainee can read it)"), TextStyle::label);
     m_reason = new QPlainTextEdit;
     m_reason->setObjectName(QStringLiteral("void.reason"));
-    m_reason->setAccessibleName(tr("Reason"));
+    m_reason->setAccessibleName(label->text());
     m_reason->setPlaceholderText(tr("For example: the device was not calibrated"));
     m_reason->setTabChangesFocus(true);
-    m_reason->setMinimumHeight(theme.px(80));
+    m_reason->setMinimumHeight(theme.px(88));
     label->setBuddy(m_reason);
     column->addWidget(label);
     column->addWidget(m_reason, 1);
@@ -32,7 +33,7 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     row->addStretch();
     auto* keep = kit::button(theme, tr("Keep it as it is"));
     keep->setObjectName(QStringLiteral("void.cancel"));
-    m_confirm = kit::button(theme, tr("Void the session"), "danger");
+    m_confirm = kit::button(theme, tr("Void the session"), "danger", QStringLiteral("dialog-cancel"));
     m_confirm->setObjectName(QStringLiteral("void.confirm"));
     m_confirm->setEnabled(false);
     row->addWidget(keep);
@@ -41,6 +42,7 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     connect(m_reason, &QPlainTextEdit::textChanged, this, [this] { m_confirm->setEnabled(!reason().isEmpty()); });
     connect(keep, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
+    m_reason->setFocus();
 }
 
 QString VoidSessionDialog::reason() const {

@@ -10,7 +10,8 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Asks for the reason for which a session is voided, and says what that does. Accepted only with a reason.
+/// Asks for the reason for which a session is voided, and says what that does: from the list of sessions and from playback.
+/// Accepted only with a reason.
 class VoidSessionDialog final : public QDialog {
     Q_OBJECT
 public:

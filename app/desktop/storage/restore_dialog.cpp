@@ -9,7 +9,28 @@
 
 namespace chiron::desktop {
 
-RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent) : QDialog(parent) {
+namespace {
+
+QString whatHappens(RestoreDialog::Replaces replaces) {
+    switch (replaces) {
+    case RestoreDialog::Replaces::working:
+        return RestoreDialog::tr("Everything recorded after this backup is removed from view. The current database is kept as a copy; "
+                                 "nothing is deleted. People who were erased stay erased. Everybody is logged out.");
+    case RestoreDialog::Replaces::damaged:
+        return RestoreDialog::tr("The site becomes what it was when this backup was made. The damaged file is kept as a copy; nothing is "
+                                 "deleted. People who were erased stay erased. An administrator of the backup has to agree.");
+    case RestoreDialog::Replaces::missing:
+        return RestoreDialog::tr("The site becomes what it was when this backup was made. People who were erased stay erased. An "
+                                 "administrator of the backup has to agree.");
+    }
+    return {};
+}
+
+} // namespace
+
+RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent, Replaces replaces)
+    : QDialog(parent), m_replaces(replaces) {
+    const bool working = replaces == Replaces::working;
     setObjectName(QStringLiteral("restore"));
     setWindowTitle(tr("Restore a backup"));
     setMinimumWidth(theme.px(460));
@@ -17,26 +38,28 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(8));
     column->addWidget(kit::label(theme, tr("Go back to the backup made %1?").arg(when), TextStyle::title));
-    column->addWidget(kit::label(theme, tr("Everything recorded after this backup is removed from view. The current database is kept as a copy; "
-                                             "nothing is deleted. People who were erased stay erased. Everybody is logged out.")));
-    m_name = field(*column, theme, QStringLiteral("restore.name"), tr("Administrator"), false);
+    column->addWidget(kit::label(theme, whatHappens(replaces)));
+    m_name = field(*column, theme, QStringLiteral("restore.name"), working ? tr("Administrator") : tr("Administrator in the backup"), false);
     m_name->setText(administrator);
-    m_password = field(*column, theme, QStringLiteral("restore.password"), tr("Password"), true);
-    m_other = new QCheckBox(tr("The backup has a different administrator or password"));
+    m_password = field(*column, theme, QStringLiteral("restore.password"), working ? tr("Password") : tr("Password in the backup"), true);
+    m_other = new QCheckBox(working ? tr("The backup has a different administrator or password")
+                                    : tr("The damaged file has a different administrator or password"));
     m_other->setObjectName(QStringLiteral("restore.other"));
+    m_other->setVisible(replaces != Replaces::missing);
     column->addWidget(m_other);
     m_otherBox = new QWidget;
     auto* inner = new QVBoxLayout(m_otherBox);
     inner->setContentsMargins(theme.px(26), 0, 0, 0);
-    m_otherName = field(*inner, theme, QStringLiteral("restore.other_name"), tr("Administrator in the backup"), false);
-    m_otherPassword = field(*inner, theme, QStringLiteral("restore.other_password"), tr("Password in the backup"), true);
+    m_otherName = field(*inner, theme, QStringLiteral("restore.other_name"), working ? tr("Administrator in the backup") : tr("Administrator in the damaged file"), false);
+    m_otherPassword = field(*inner, theme, QStringLiteral("restore.other_password"),
+                            working ? tr("Password in the backup") : tr("Password in the damaged file"), true);
     m_otherBox->hide();
     column->addWidget(m_otherBox);
     connect(m_other, &QCheckBox::toggled, m_otherBox, &QWidget::setVisible);
     connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
     auto* row = new QHBoxLayout;
     row->addStretch();
-    auto* keep = kit::button(theme, tr("Keep the current database"));
+    auto* keep = kit::button(theme, working ? tr("Keep the current database") : tr("Cancel"));
     m_confirm = kit::button(theme, tr("Restore"), "danger");
     m_confirm->setObjectName(QStringLiteral("restore.confirm"));
     row->addWidget(keep);
@@ -46,7 +69,7 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
     connect(keep, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
     check();
-    m_password->setFocus();
+    (administrator.isEmpty() ? m_name : m_password)->setFocus();
 }
 
 QLineEdit* RestoreDialog::field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret) {
@@ -75,8 +98,12 @@ void RestoreDialog::fill(database::RestoreRequest& request) const {
     request.password = m_password->text().toStdString();
     if (!m_other->isChecked())
         return;
-    request.presentName = std::exchange(request.name, m_otherName->text().toStdString());
-    request.presentPassword = std::exchange(request.password, m_otherPassword->text().toStdString());
+    request.presentName = m_otherName->text().toStdString();
+    request.presentPassword = m_otherPassword->text().toStdString();
+    if (m_replaces == Replaces::working) { // the first pair is of the database that stands here
+        std::swap(request.name, request.presentName);
+        std::swap(request.password, request.presentPassword);
+    }
 }
 
 } // namespace chiron::desktop

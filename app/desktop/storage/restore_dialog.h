@@ -14,12 +14,15 @@ class QVBoxLayout;
 namespace chiron::desktop {
 
 /// Says what a restore does and asks an administrator for the password: of today's database, and of the backup where that was
-/// made under another one.
+/// made under another one. Where that database is damaged or gone, of the backup first.
 class RestoreDialog final : public QDialog {
     Q_OBJECT
 public:
+    /// What the backup is put in the place of.
+    enum class Replaces { working, damaged, missing };
+
     /// `when`: the backup's age in words.
-    RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent);
+    RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent, Replaces replaces = Replaces::working);
 
     /// Puts the names and passwords that were given into the request.
     void fill(database::RestoreRequest& request) const;
@@ -28,6 +31,7 @@ private:
     QLineEdit* field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret);
     void check();
 
+    const Replaces m_replaces;
     QLineEdit* m_name = nullptr;
     QLineEdit* m_password = nullptr;
     QCheckBox* m_other = nullptr;

@@ -3,11 +3,13 @@
 
 #include "database/repositories/session_reader.h"
 #include "recording/crash_ring.h"
+#include "session/backup_schedule.h"
+#include "session/same_disk.h"
 
 namespace chiron::desktop {
 
 core::Result<StorageFacts> readStorageFacts(const database::Database& database, const database::Actor& actor,
-                                            const std::string& backupFolder) {
+                                            const std::string& stationFolder) {
     auto reader = database.openReader();
     if (!reader)
         return tl::unexpected(reader.error());
@@ -21,7 +23,13 @@ core::Result<StorageFacts> readStorageFacts(const database::Database& database, 
     for (const database::SessionSummary& session : *sessions)
         facts.recordings_bytes += session.recordingBytes;
     facts.room = session::storageRoom(database.file(), recording::defaultRingFolder());
-    facts.backups = session::listBackups(backupFolder);
+    auto standing = database::Upkeep::backupStanding(**reader, actor);
+    if (!standing)
+        return tl::unexpected(standing.error());
+    facts.standing = std::move(*standing);
+    facts.backupFolder = session::folderOfPlan(facts.standing.plan, stationFolder, database.file());
+    facts.onTheSitesDisk = session::onOneDisk(facts.backupFolder, database.file());
+    facts.backups = session::listBackups(facts.backupFolder);
     return facts;
 }
 

@@ -3,7 +3,7 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_words.h"
-#include "desktop/storage/backup_place.h"
+#include "desktop/storage/automatic_card.h"
 #include "desktop/storage/storage_words.h"
 #include "desktop/storage/task_strip.h"
 #include "desktop/widgets/flow_layout.h"
@@ -66,7 +66,8 @@ QString StorageScreen::title() const {
 
 QString StorageScreen::help() const {
     return tr("Shows where all recorded data is kept and whether it is safe.\n\n\"Back up now\" makes a copy while the program is running "
-              "and checks it before it counts. Keep backups on another disk: choose the folder here.\n\n\"Verify\" reads everything again: "
+              "and checks it before it counts. Keep backups on another disk: choose the folder here.\n\n\"Automatic backups\" makes one a day and keeps as many as you say; backups "
+              "that you made yourself are never removed.\n\n\"Verify\" reads everything again: "
               "each record, each recording, each score, the audit trail. It changes nothing and can be stopped.\n\n\"Restore\" goes back "
               "to a backup. It asks an administrator for the password, keeps a copy of the current database, and logs everybody out.");
 }
@@ -89,6 +90,7 @@ QWidget* StorageScreen::buildPage() {
     column.addLayout(m_notices);
     addRoom(column);
     addBackups(column);
+    addAutomatic(column);
     addVerify(column);
     addExport(column);
     column.addStretch();
@@ -122,7 +124,7 @@ void StorageScreen::addBackups(QVBoxLayout& column) {
     m_place = kit::label(theme, {}, TextStyle::body, "muted");
     m_place->setObjectName(QStringLiteral("storage.place"));
     box.layout->addWidget(m_place);
-    m_backups = makeTable(theme, QStringLiteral("storage.backups"), tr("Backups"), {tr("Made"), tr("Age"), tr("Size"), tr("Checked"), tr("Folder")});
+    m_backups = makeTable(theme, QStringLiteral("storage.backups"), tr("Backups"), {tr("Made"), tr("Age"), tr("Size"), tr("Checked"), tr("Kind"), tr("Folder")});
     connect(m_backups, &QTableWidget::itemSelectionChanged, this, &StorageScreen::showButtons);
     box.layout->addWidget(m_backups);
     auto* row = new FlowLayout(theme.px(8));
@@ -135,6 +137,12 @@ void StorageScreen::addBackups(QVBoxLayout& column) {
                          &StorageScreen::chooseFolder);
     box.layout->addLayout(row);
     column.addWidget(box.frame);
+}
+
+void StorageScreen::addAutomatic(QVBoxLayout& column) {
+    m_automatic = new AutomaticCard(context().theme());
+    connect(m_automatic, &AutomaticCard::planChosen, this, &StorageScreen::savePlan);
+    column.addWidget(m_automatic);
 }
 
 void StorageScreen::addVerify(QVBoxLayout& column) {
@@ -182,7 +190,8 @@ void StorageScreen::show(StorageFacts facts) {
     m_database->setText(tr("%1 in %2").arg(SessionWords::bytes(m_facts.room.database_bytes, locale), kit::breakablePath(context().site().file())));
     m_recordings->setText(tr("%1 from %n session(s)", nullptr, m_facts.sessions).arg(SessionWords::bytes(m_facts.recordings_bytes, locale)));
     m_free->setText(tr("%1 of %2").arg(SessionWords::bytes(m_facts.room.diskFree_bytes, locale), SessionWords::bytes(m_facts.room.disk_bytes, locale)));
-    m_place->setText(tr("Kept in %1").arg(backupPlace(context())));
+    m_place->setText(tr("Kept in %1").arg(kit::breakablePath(folder())));
+    m_automatic->present(m_facts.standing, m_facts.onTheSitesDisk, locale);
     showBackups();
     m_panel->showContent();
     showButtons();
@@ -204,7 +213,8 @@ void StorageScreen::showBackups() {
         m_backups->setItem(row, 1, new QTableWidgetItem(SessionWords::ago(made, QDateTime::currentDateTimeUtc(), locale)));
         m_backups->setItem(row, 2, new QTableWidgetItem(SessionWords::bytes(backup.bytes, locale)));
         m_backups->setItem(row, 3, sign);
-        m_backups->setItem(row, 4, new QTableWidgetItem(QFileInfo(QString::fromStdString(backup.folder)).fileName()));
+        m_backups->setItem(row, 4, new QTableWidgetItem(backup.automatic ? tr("Automatic") : tr("By hand")));
+        m_backups->setItem(row, 5, new QTableWidgetItem(QFileInfo(QString::fromStdString(backup.folder)).fileName()));
         ++row;
     }
     m_backups->setVisible(row > 0);

@@ -16,6 +16,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+class AutomaticCard;
 class StatePanel;
 class TaskStrip;
 
@@ -42,6 +43,7 @@ private:
     QWidget* buildPage();
     void addRoom(QVBoxLayout& column);
     void addBackups(QVBoxLayout& column);
+    void addAutomatic(QVBoxLayout& column);
     void addVerify(QVBoxLayout& column);
     void addExport(QVBoxLayout& column);
     QPushButton* addButton(QLayout& row, const QString& name, const QString& text, const char* kind, const QString& icon, void (StorageScreen::*act)());
@@ -55,6 +57,8 @@ private:
 
     void backUp();
     void chooseFolder();
+    void savePlan(const database::BackupPlan& plan);
+    QString folder() const; ///< where backups go
     void verifyBackup();
     void verifySite();
     void exportSite();
@@ -73,6 +77,7 @@ private:
     std::map<std::string, bool> m_checked; ///< folder -> whether it held, in this visit
     QVBoxLayout* m_notices = nullptr;
     QVBoxLayout* m_reportBox = nullptr;
+    AutomaticCard* m_automatic = nullptr;
     QLabel* m_database = nullptr;
     QLabel* m_recordings = nullptr;
     QLabel* m_free = nullptr;

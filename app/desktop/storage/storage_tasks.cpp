@@ -40,7 +40,15 @@ database::VerifyWatch watchFor(WorkToken& token) {
 } // namespace
 
 void StorageScreen::enter() {
+    connect(&context(), &AppContext::backupEnded, this, [this] {
+        if (m_task == Task::none && !m_restoring)
+            load();
+    });
     load();
+}
+
+QString StorageScreen::folder() const {
+    return m_facts.backupFolder.empty() ? backupPlace(context()) : QString::fromStdString(m_facts.backupFolder);
 }
 
 bool StorageScreen::mayLeave() {
@@ -89,11 +97,11 @@ void StorageScreen::endTask() {
 }
 
 void StorageScreen::backUp() {
-    runSnapshot(Task::backup, newFolder(backupPlace(context()), QStringLiteral("backup")));
+    runSnapshot(Task::backup, newFolder(folder(), QStringLiteral("backup")));
 }
 
 void StorageScreen::exportSite() {
-    auto* dialog = new QFileDialog(this, tr("Folder for the export"), backupPlace(context()));
+    auto* dialog = new QFileDialog(this, tr("Folder for the export"), folder());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -103,15 +111,30 @@ void StorageScreen::exportSite() {
 }
 
 void StorageScreen::chooseFolder() {
-    auto* dialog = new QFileDialog(this, tr("Folder for backups"), backupPlace(context()));
+    auto* dialog = new QFileDialog(this, tr("Folder for backups"), folder());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& place) {
-        setBackupPlace(context(), place);
-        load();
+        setBackupPlace(context(), place); // the station knows it, too: where the site cannot be opened, nothing else does
+        database::BackupPlan plan = m_facts.standing.plan;
+        plan.folder = place.toStdString();
+        savePlan(plan);
     });
     dialog->open();
+}
+
+void StorageScreen::savePlan(const database::BackupPlan& plan) {
+    context().background().run(
+        this,
+        [&database = context().site().database(), actor = context().actor(), plan](WorkToken&) {
+            return database.write([&](database::WriteContext& writing) { return database::Upkeep::setBackupPlan(writing.connection(), actor, plan); });
+        },
+        [this](const core::Result<void>& saved) {
+            if (!saved)
+                context().messages().error(tr("The plan for automatic backups was not saved."), saved.error());
+            load();
+        });
 }
 
 void StorageScreen::runSnapshot(Task task, const QString& folder) {

@@ -41,6 +41,24 @@ StorageNotice StorageWords::backup(const std::string& latestUtc, const QDateTime
     return {"good", tr("The last backup was made %1.").arg(age)};
 }
 
+StorageNotice StorageWords::automatic(const database::BackupStanding& standing, const QDateTime& now, const QLocale& locale) {
+    if (!standing.plan.on)
+        return {"warning", tr("Automatic backups are off. Only backups that you make yourself protect what is recorded.")};
+    if (!standing.problem.empty())
+        return {"bad", tr("The automatic backup %1 was not made. It is tried again; make one yourself until then.\nDetails: %2")
+                           .arg(SessionWords::ago(SessionWords::timeOf(standing.triedUtc), now, locale), QString::fromStdString(standing.problem))};
+    const QDateTime good = SessionWords::timeOf(standing.goodUtc);
+    if (!good.isValid())
+        return {"info", tr("The first automatic backup is made when nobody has used the program for a few minutes, or when it closes.")};
+    return {"good", tr("The latest automatic backup was made and checked on %1 (%2).")
+                        .arg(locale.toString(good.toLocalTime(), QLocale::ShortFormat), SessionWords::bytes(standing.goodBytes, locale))};
+}
+
+StorageNotice StorageWords::sameDisk() {
+    return {"warning", tr("The backups are on the same disk as the site: if that disk fails, both are lost. Choose a folder on another disk, on a "
+                          "USB drive or on the network.")};
+}
+
 QString StorageWords::findingKind(const std::string& kind) {
     if (kind == "file" || kind == "database" || kind == "integrity" || kind == "foreign_key")
         return tr("The file is damaged");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "database/integrity/verifier.h"
+#include "database/upkeep/upkeep.h"
 #include "session/storage_room.h"
 
 #include <QCoreApplication>
@@ -27,6 +28,9 @@ public:
     static StorageNotice room(const session::StorageRoom& room, const QLocale& locale);
     /// A backup older than a week is a warning, none at all too.
     static StorageNotice backup(const std::string& latestUtc, const QDateTime& now, const QLocale& locale);
+    /// How the schedule's latest attempt went, and when.
+    static StorageNotice automatic(const database::BackupStanding& standing, const QDateTime& now, const QLocale& locale);
+    static StorageNotice sameDisk(); ///< backups beside what they are of
     static QString findingKind(const std::string& kind);
     static StorageNotice verified(const database::VerifyReport& report, const QLocale& locale);
 };

@@ -15,7 +15,6 @@
 #include "desktop/login/recovery_page.h"
 #include "desktop/people/password_choice.h"
 #include "desktop/people/role_choice.h"
-#include "desktop/playback/void_dialog.h"
 #include "desktop/sessions/void_dialog.h"
 #include "desktop/storage/restore_dialog.h"
 #include "desktop/storage/task_strip.h"
@@ -263,23 +262,18 @@ private slots:
     }
 
     void voids() {
-        VoidSessionDialog ofList(m_theme, 12, QStringLiteral("Tina Trainee"), nullptr);
-        begin(ofList);
-        VoidDialog ofPlayback(m_theme);
-        for (QDialog* dialog : {static_cast<QDialog*>(&ofList), static_cast<QDialog*>(&ofPlayback)}) {
-            if (dialog == &ofPlayback)
-                begin(*dialog);
-            dialog->show();
-            for (const char* reason : {"   ", " wrong hand \n"}) {
-                dialog->findChild<QPlainTextEdit*>()->setPlainText(QLatin1String(reason));
-                take("a reason");
-            }
-            say(QStringLiteral("reason \"%1\" \"%2\"").arg(ofList.reason(), ofPlayback.reason()));
-            for (auto* button : dialog->findChildren<QPushButton*>()) {
-                dialog->show();
-                button->click();
-                say(QStringLiteral("%1 ends it with %2").arg(button->objectName()).arg(dialog->result()));
-            }
+        VoidSessionDialog dialog(m_theme, 12, QStringLiteral("Tina Trainee"), nullptr);
+        begin(dialog);
+        dialog.show();
+        for (const char* reason : {"   ", " wrong hand \n"}) {
+            dialog.findChild<QPlainTextEdit*>()->setPlainText(QLatin1String(reason));
+            take("a reason");
+        }
+        say(QStringLiteral("reason \"%1\"").arg(dialog.reason()));
+        for (auto* button : dialog.findChildren<QPushButton*>()) {
+            dialog.show();
+            button->click();
+            say(QStringLiteral("%1 ends it with %2").arg(button->objectName()).arg(dialog.result()));
         }
         hold("voids");
     }

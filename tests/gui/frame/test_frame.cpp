@@ -3,17 +3,29 @@
 #include "desktop/frame/instance_link.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/message_bar.h"
+#include "desktop/login/login_screen.h"
+#include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/sessions_screen.h"
 #include "desktop/settings/settings_screen.h"
+#include "desktop/widgets/logo.h"
+#include "desktop/widgets/state_panel.h"
+#include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
 
 #include <QVBoxLayout>
 #include <QCursor>
+    }
+
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QTableView>
+#include <QToolButton>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -260,6 +272,140 @@ private slots:
         window.resize(1100, 600);
         QCoreApplication::processEvents();
         QVERIFY(window.rect().contains(bar.geometry()));
+    }
+
+    /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.
+    void enterPressesTheFocusedButton() {
+        tests::DesktopFixture desktop;
+        desktop.logIn("tina");
+        auto* settings = desktop.find<QPushButton>(QStringLiteral("nav.settings"));
+        settings->setFocus();
+        QTest::keyClick(settings, Qt::Key_Return);
+        QTRY_VERIFY(desktop.screen<SettingsScreen>());
+        int pressed = 0;
+        QWidget* const page = desktop.window->screen();
+        const auto add = [&](QAbstractButton* button) {
+            button->setParent(page);
+            button->resize(60, 30);
+            button->show();
+            connect(button, &QAbstractButton::clicked, this, [&pressed] { ++pressed; });
+            button->setFocus();
+            return button;
+        };
+        auto* push = add(new QPushButton);
+        QTest::keyClick(push, Qt::Key_Enter, Qt::KeypadModifier);
+        QCOMPARE(pressed, 1);
+        QTest::keyClick(push, Qt::Key_Return, Qt::ControlModifier); // a shortcut of somebody else
+        QCOMPARE(pressed, 1);
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, QString(), true);
+        QApplication::sendEvent(push, &held);
+        QCOMPARE(pressed, 1);
+        QTest::keyClick(add(new QToolButton), Qt::Key_Return);
+        QCOMPARE(pressed, 2);
+        QTest::keyClick(add(new QRadioButton), Qt::Key_Return); // is chosen by Space, as everywhere
+        QCOMPARE(pressed, 2);
+        push->setFocus();
+        QLineEdit field(page);
+        field.show();
+        field.setFocus();
+        QSignalSpy entered(&field, &QLineEdit::returnPressed);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(entered.count(), 1);
+        QCOMPARE(pressed, 2);
+    }
+
+    /// What a button began disables it: the focus is in the list that was worked in, on the same line.
+    void focusReturnsToTheList() {
+        tests::DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 5);
+        desktop.logIn("tom");
+        desktop.go(QStringLiteral("sessions"));
+        auto* screen = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY(screen->isComplete());
+        auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
+        table->setFocus();
+        table->selectRow(2);
+        const auto chosen = screen->model().at(2).summary.id;
+        auto* voids = desktop.find<QPushButton>(QStringLiteral("sessions.void"));
+        voids->setFocus();
+        QTest::keyClick(voids, Qt::Key_Return);
+        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")));
+        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")))); // ready to type
+        const auto comeBack = [&desktop] { // as a window manager does when a dialog has closed
+            desktop.window->activateWindow();
+            return QTest::qWaitForWindowActive(desktop.window.get());
+        };
+        QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
+        QVERIFY(comeBack());
+        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(voids)); // nothing was done: where it was
+        QTest::keyClick(voids, Qt::Key_Return);
+        QTRY_VERIFY(QApplication::activeModalWidget());
+        QApplication::activeModalWidget()->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("wrong hand"));
+        QApplication::activeModalWidget()->findChild<QPushButton*>(QStringLiteral("void.confirm"))->click();
+        QVERIFY(comeBack());
+        QTRY_COMPARE(screen->model().at(2).summary.state, database::SessionState::voided);
+        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(table));
+        QCOMPARE(table->currentIndex().row(), 2);
+        QCOMPARE(screen->model().at(2).summary.id, chosen);
+    }
+
+    /// Without a list the control has the focus again as soon as it can take it; unless somebody has moved on.
+    void focusReturnsToTheControl() {
+        tests::DesktopFixture desktop;
+        desktop.logIn("tina");
+        desktop.go(QStringLiteral("settings"));
+        auto* first = desktop.find<QRadioButton>(QStringLiteral("settings.theme.0"));
+        auto* other = desktop.find<QCheckBox>(QStringLiteral("settings.sound")); // not the one that Qt would choose
+        for (const bool hide : {false, true}) {
+            first->setFocus();
+            QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(first));
+            if (hide)
+                first->hide();
+            else
+                first->setEnabled(false);
+            QVERIFY(QApplication::focusWidget() != first);
+            if (hide)
+                first->show();
+            else
+                first->setEnabled(true);
+            QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(first));
+        }
+        first->setEnabled(false);
+        QCoreApplication::processEvents();
+        other->setFocus();
+        first->setEnabled(true);
+        QTest::qWait(20);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(other));
+    }
+
+    /// The sign is a picture of its own in every size, and it stands where the program says its name.
+    void logoIsShown() {
+        for (const int size : {16, 32, 256}) {
+            const QImage sign = logoIcon().pixmap(size, size).toImage();
+            QCOMPARE(sign.width(), size);
+            QCOMPARE(qAlpha(sign.pixel(0, 0)), 0); // round: what is behind it shows
+            QSet<QRgb> colours;
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x)
+                    colours << (sign.pixel(x, y) & 0xfff0f0f0);
+            QVERIFY2(colours.size() > 8, qPrintable(QString::number(size)));
+        }
+        tests::DesktopFixture desktop;
+        QVERIFY(!desktop.window->windowIcon().isNull());
+        desktop.context.navigator().replace({QStringLiteral("login"), {}});
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("logo")) && !desktop.find<QLabel>(QStringLiteral("logo"))->pixmap().isNull());
+        desktop.context.navigator().replace({QStringLiteral("first_start"), {}});
+        QTRY_VERIFY(desktop.window->screen()->findChild<QLabel*>(QStringLiteral("logo")));
+        desktop.logIn("tina");
+        QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
+        QTRY_VERIFY(desktop.find<QLineEdit>(QStringLiteral("palette.field")));
+        QTest::keyClicks(desktop.find<QLineEdit>(QStringLiteral("palette.field")), QStringLiteral("about"));
+        QTest::keyClick(desktop.find<QLineEdit>(QStringLiteral("palette.field")), Qt::Key_Return);
+        QTRY_VERIFY(desktop.find<QDialog>(QStringLiteral("about")));
+        auto* about = desktop.find<QDialog>(QStringLiteral("about"));
+        QVERIFY(about->findChild<QLabel*>(QStringLiteral("logo")));
+        QVERIFY(!about->findChild<QLabel*>(QStringLiteral("about.build"))->text().isEmpty());
+        about->findChild<QPushButton*>(QStringLiteral("about.close"))->click();
     }
 
     void secondProgramRaisesTheFirst() {

@@ -140,7 +140,7 @@ private slots:
                 desktop->go(QStringLiteral("settings")); // so that there is a way back
             QString asked;
             const WindowActions window{[&] { asked = QStringLiteral("palette"); }, [&] { asked = QStringLiteral("shortcuts"); }, [&] { asked = QStringLiteral("help"); },
-                                       [&] { asked = QStringLiteral("close"); }};
+                                       [&] { asked = QStringLiteral("about"); }, [&] { asked = QStringLiteral("close"); }};
             std::vector<ScreenCommand> commands;
             for (const CommandGroup& group : commandsNow(desktop->context, nullptr, window))
                 commands.insert(commands.end(), group.commands.begin(), group.commands.end());

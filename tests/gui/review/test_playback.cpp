@@ -405,7 +405,7 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     QVERIFY(!confirm->isEnabled());
     m_site->find<QPlainTextEdit>(QStringLiteral("void.reason"))->setPlainText(QStringLiteral("wrong person at the device"));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
-        m_site->find<QWidget>(QStringLiteral("void_dialog"))->grab().save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
+        m_site->find<QWidget>(QStringLiteral("void"))->grab().save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
     confirm->click();
     QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::voided);
     QCOMPARE(reader.session(id)->voidReason, std::string("wrong person at the device"));

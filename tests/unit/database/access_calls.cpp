@@ -116,6 +116,11 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         return drop(
             Upkeep::backup(*m.fixture.database, a, m.fixture.path("b" + std::to_string(++m.folders))));
     });
+    add(Action::backupStanding, none, false, [](C& c, A a, std::int64_t) { return drop(Upkeep::backupStanding(c, a)); });
+    add(Action::setBackupPlan, none, true, [](C& c, A a, std::int64_t) { return Upkeep::setBackupPlan(c, a, {true, "", 3}); });
+    add(Action::dailyBackup, none, false, [&m](C&, A a, std::int64_t) {
+        return drop(Upkeep::dailyBackup(*m.fixture.database, a, m.fixture.path("d" + std::to_string(++m.folders)), 3));
+    });
     add(Action::exportSite, none, false, [&m](C&, A a, std::int64_t) {
         return drop(
             Upkeep::exportSite(*m.fixture.database, a, m.fixture.path("e" + std::to_string(++m.folders))));

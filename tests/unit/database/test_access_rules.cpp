@@ -57,7 +57,7 @@ void TestAccessRules::whatMattersMostIsSpeltOut() {
     for (const Role role : {Role::trainee, Role::trainer, Role::researcher}) {
         for (const Action action : {Action::createPerson, Action::importPeople, Action::setRoles,
                                     Action::setEnabled, Action::resetPassword, Action::erasePerson,
-                                    Action::backup, Action::restore, Action::exportSite, Action::listAudit}) {
+                                    Action::backup, Action::setBackupPlan, Action::dailyBackup, Action::restore, Action::exportSite, Action::listAudit}) {
             QCOMPARE(scopeOf(action, K::person, {role}), Scope::none);
         }
     }

@@ -196,7 +196,7 @@ void TestRefusedSteps::everyRefusedStepIsTold() {
     const auto made = accessCalls(m_world);
     const Call& call = made.at(what);
     constexpr int kMost = 60; // of many steps, about so many are tried, evenly spaced
-    const bool opensItsOwn = what == Action::backup || what == Action::exportSite || what == Action::restore; // upkeepLeavesNothingHalfDone()
+    const bool opensItsOwn = what == Action::backup || what == Action::dailyBackup || what == Action::exportSite || what == Action::restore; // upkeepLeavesNothingHalfDone()
     for (const Actor& actor : m_actors)
         for (const std::int64_t target : targets(call.touches)) {
             if (!attempt(call, actor, target, Refusing::What::statement, 0).outcome)

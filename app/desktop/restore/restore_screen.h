@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/integrity/file_health.h"
+#include "database/upkeep/upkeep.h"
+#include "desktop/frame/screen.h"
+#include "session/backup_list.h"
+
+#include <map>
+#include <optional>
+
+class QPushButton;
+class QTableWidget;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class ScrollPage;
+class StatePanel;
+
+/// Where the program begins when the site's file is damaged or gone: says what is wrong, lists the backups of the places that the
+/// station knows and looks at each, and restores the one that is chosen. Who may do so, and whether the backup is good, is decided
+/// by the data layer. Place: {missing, detail}.
+class RestoreScreen final : public Screen {
+    Q_OBJECT
+public:
+    RestoreScreen(AppContext& context, const Place& place);
+
+    /// The place that tells this, of a file that is damaged or missing.
+    static Place placeFor(const database::FileState& state);
+
+    QString title() const override;
+    QString help() const override;
+    void enter() override;
+    bool mayLeave() override;
+    bool isBusy() const override { return m_restoring; }
+    std::vector<ScreenCommand> commands() override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+signals:
+    void looked(); ///< every backup of the list was looked at
+
+private:
+    enum class Look { waiting, whole, unusable };
+
+    bool isMissing() const;
+    void addHead(QVBoxLayout& column);
+    QWidget* buildTable();
+    void addActions(QVBoxLayout& column);
+    void find();
+    void show(std::vector<session::BackupEntry> backups);
+    void put(std::size_t row, Look look, const QString& why);
+    void fitColumns();
+    void lookAt(std::size_t row);
+    void chooseFile();
+    void takeFile(const QString& file);
+    const session::BackupEntry* selected() const;
+    void showButtons();
+    void askRestore();
+    void restore(database::RestoreRequest request);
+    void restored(const core::Result<database::RestoreInfo>& result);
+    void openAgain();
+
+    ScrollPage* m_page;
+    StatePanel* m_panel = nullptr;
+    QTableWidget* m_table = nullptr;
+    QPushButton* m_restore = nullptr;
+    QPushButton* m_choose = nullptr;
+    QPushButton* m_again = nullptr;
+    QPushButton* m_anew = nullptr; ///< where the file is missing
+    std::vector<session::BackupEntry> m_backups;
+    std::map<std::string, Look> m_looks; ///< by folder
+    bool m_restoring = false;
+};
+
+} // namespace chiron::desktop

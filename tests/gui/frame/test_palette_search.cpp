@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/study_reader.h"
+#include "desktop/debrief/debrief_screen.h"
+#include "desktop/exercise_setup/exercise_setup_screen.h"
+#include "desktop/frame/command_palette.h"
+#include "desktop/frame/palette_search.h"
+#include "desktop/people/people_screen.h"
+#include "desktop/sessions/sessions_screen.h"
+#include "gui/lists/many_sessions.h"
+#include "support/desktop_fixture.h"
+#include "support/made_study.h"
+
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+
+using namespace chiron;
+using namespace chiron::desktop;
+
+namespace {
+
+using tests::DesktopFixture;
+
+constexpr int kPatience_ms = 20000;
+
+/// The palette as it is after these letters were typed and everything was found.
+class Palette {
+public:
+    explicit Palette(DesktopFixture& desktop) : m_desktop(desktop) {
+        desktop.window->activateWindow(); // as a window manager does when a dialog has closed
+        (void)QTest::qWaitForWindowActive(desktop.window.get());
+        QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
+        (void)QTest::qWaitFor([this] { return field() != nullptr; }, kPatience_ms);
+    }
+    QLineEdit* field() const { return m_desktop.find<QLineEdit>(QStringLiteral("palette.field")); }
+    QListWidget* list() const { return m_desktop.find<QListWidget>(QStringLiteral("palette.list")); }
+    void type(const QString& text) {
+        field()->setText(text);
+        QTest::qWait(200); // letters may still come: then it looks
+        (void)QTest::qWaitFor([this] { return m_desktop.context.background().idle(); }, kPatience_ms);
+    }
+    /// Lines below this heading, up to the next.
+    QStringList below(const QString& heading) const {
+        QStringList lines;
+        bool inside = false;
+        for (int row = 0; row < list()->count(); ++row) {
+            const QListWidgetItem* item = list()->item(row);
+            const bool isHeading = !item->flags().testFlag(Qt::ItemIsSelectable);
+            if (inside && isHeading)
+                break;
+            if (inside)
+                lines << item->text();
+            inside = inside || (isHeading && item->text().startsWith(heading));
+        }
+        return lines;
+    }
+    bool choose(const QString& text) {
+        for (int row = 0; row < list()->count(); ++row)
+            if (list()->item(row)->text().startsWith(text)) {
+                list()->setCurrentRow(row);
+                QTest::keyClick(field(), Qt::Key_Return);
+                return true;
+            }
+        return false;
+    }
+    void close() { QTest::keyClick(field(), Qt::Key_Escape); }
+
+private:
+    DesktopFixture& m_desktop;
+};
+
+} // namespace
+
+/// Ctrl+K finds people, exercises, sessions, studies, and what can be done on other screens.
+class TestPaletteSearch : public QObject {
+    Q_OBJECT
+private slots:
+    void wordsAreFoundInAnyOrder();
+    void peopleLeadToTheirPlace();
+    void exercisesAndSessionsOpen();
+    void nobodyFindsWhatIsNotTheirs();
+    void studiesAreTheResearchers();
+    void otherScreensCommandsLeadThere();
+    void arrowsPassTheHeadings();
+    void tenThousandSessionsAreCapped();
+};
+
+void TestPaletteSearch::wordsAreFoundInAnyOrder() {
+    SearchIndex index;
+    auto& people = index.things[static_cast<std::size_t>(ThingKind::person)];
+    for (const char* name : {"Martina Ober", "Tina Trainee", "Tína Ω Other"})
+        people.push_back({QString::fromUtf8(name), forSearch(QString::fromUtf8(name)), {}});
+    const auto find = [&](const char* typed, int most) {
+        QStringList names;
+        for (const NamedThing* thing : findThings(index, ThingKind::person, QString::fromUtf8(typed), most).best)
+            names << thing->text;
+        return names;
+    };
+    QCOMPARE(find("tina", 9), (QStringList{QStringLiteral("Tina Trainee"), QStringLiteral("Tína Ω Other"), QStringLiteral("Martina Ober")})); // beginnings first
+    QCOMPARE(find("tr TI", 9), QStringList{QStringLiteral("Tina Trainee")});
+    QCOMPARE(find("ω", 9).size(), 1);
+    QVERIFY(find("tinx", 9).isEmpty() && find("  ", 9).isEmpty());
+    QCOMPARE(find("tina", 1).size(), 1);
+    QCOMPARE(findThings(index, ThingKind::person, QStringLiteral("tina"), 1).all, 3);
+}
+
+void TestPaletteSearch::peopleLeadToTheirPlace() {
+    DesktopFixture desktop;
+    desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+    desktop.logIn("ada");
+    {
+        Palette palette(desktop);
+        palette.type(QStringLiteral("trainee tin"));
+        QCOMPARE(palette.below(QStringLiteral("People")), QStringList{QStringLiteral("Tina Trainee (tina)")});
+        QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
+    }
+    QTRY_VERIFY(desktop.screen<PeopleScreen>());
+    QTRY_VERIFY(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")));
+    desktop.logIn("tom"); // a trainer looks at what somebody did
+    Palette palette(desktop);
+    palette.type(QStringLiteral("tina"));
+    QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
+    QTRY_VERIFY(desktop.screen<SessionsScreen>());
+    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
+}
+
+void TestPaletteSearch::exercisesAndSessionsOpen() {
+    DesktopFixture desktop;
+    const auto id = desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
+    desktop.logIn("tina");
+    {
+        Palette palette(desktop);
+        palette.type(QStringLiteral("apex level 2"));
+        const QStringList exercises = palette.below(QStringLiteral("Exercises"));
+        QVERIFY(!exercises.isEmpty() && exercises.front().contains(QStringLiteral("level 2")));
+        QVERIFY(palette.choose(exercises.front()));
+    }
+    QTRY_VERIFY(desktop.screen<ExerciseSetupScreen>());
+    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("level")).toInt(), 2);
+    Palette palette(desktop);
+    palette.type(QStringLiteral("session %1").arg(id));
+    QVERIFY(palette.choose(QStringLiteral("Session %1:").arg(id)));
+    QTRY_VERIFY(desktop.screen<DebriefScreen>());
+    QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), id);
+}
+
+void TestPaletteSearch::nobodyFindsWhatIsNotTheirs() {
+    DesktopFixture desktop;
+    desktop.addSession("theo", 1, "expert", 1, 1, 5.0);
+    desktop.logIn("tina");
+    {
+        Palette palette(desktop);
+        palette.type(QStringLiteral("theo"));
+        QVERIFY(palette.below(QStringLiteral("People")).isEmpty());
+        QVERIFY(palette.below(QStringLiteral("Sessions")).isEmpty());
+        palette.close();
+    }
+    desktop.logIn("rhea"); // by code, not by name
+    Palette palette(desktop);
+    palette.type(QStringLiteral("theo"));
+    QVERIFY(palette.below(QStringLiteral("People")).isEmpty() && palette.below(QStringLiteral("Sessions")).isEmpty());
+    palette.type(QStringLiteral("session 1"));
+    QCOMPARE(palette.below(QStringLiteral("Sessions")).size(), 1);
+    palette.close();
+}
+
+void TestPaletteSearch::studiesAreTheResearchers() {
+    DesktopFixture desktop;
+    const tests::VisitedStudies studies = tests::addVisitedStudies(desktop);
+    QVERIFY(studies.data != 0);
+    desktop.logIn("rhea");
+    QString title;
+    {
+        auto reader = desktop.database().openReader();
+        title = QString::fromStdString(database::StudyReader(**reader, desktop.actor("rhea")).study(studies.data)->summary.title);
+    }
+    Palette palette(desktop);
+    palette.type(title.left(8));
+    QVERIFY2(!palette.below(QStringLiteral("Studies")).isEmpty(), qPrintable(title));
+    QVERIFY(palette.choose(palette.below(QStringLiteral("Studies")).front()));
+    QTRY_COMPARE(desktop.context.navigator().current().screen, QStringLiteral("study"));
+    desktop.logIn("tina");
+    Palette hers(desktop);
+    hers.type(title.left(8));
+    QVERIFY(hers.below(QStringLiteral("Studies")).isEmpty());
+    hers.close();
+}
+
+void TestPaletteSearch::otherScreensCommandsLeadThere() {
+    DesktopFixture desktop;
+    desktop.logIn("ada");
+    {
+        Palette palette(desktop);
+        QTest::qWait(300); // one screen a turn
+        palette.type(QStringLiteral("back up now"));
+        QCOMPARE(palette.below(QStringLiteral("On other screens")), QStringList{QStringLiteral("Storage: Back up now")});
+        QVERIFY(palette.choose(QStringLiteral("Storage: Back up now")));
+    }
+    QTRY_COMPARE(desktop.context.navigator().current().screen, QStringLiteral("storage"));
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), 5000);
+    QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
+}
+
+void TestPaletteSearch::arrowsPassTheHeadings() {
+    const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+    QStringList ran;
+    const auto command = [&ran](const char* text) { return ScreenCommand{QLatin1String(text), {}, [&ran, text] { ran << QLatin1String(text); }}; };
+    auto* palette = new CommandPalette(theme, {{QStringLiteral("Here"), {command("Go to: Tina's box"), command("Train again")}}}, nullptr);
+    palette->show();
+    auto* field = palette->findChild<QLineEdit*>();
+    auto* list = palette->findChild<QListWidget*>();
+    field->setText(QStringLiteral("tina"));
+    palette->showFound({{QStringLiteral("People"), {command("Tina"), command("Martina")}}}, QStringLiteral("some words"));
+    QStringList lines;
+    for (int row = 0; row < list->count(); ++row)
+        lines << list->item(row)->text();
+    // Heading, command, heading, two people, heading, what merely has the letters.
+    QCOMPARE(lines.mid(0, 5), (QStringList{QStringLiteral("Commands"), QStringLiteral("Go to: Tina's box"), QStringLiteral("People"), QStringLiteral("Tina"), QStringLiteral("Martina")}));
+    QVERIFY(palette->findChild<QLabel*>(QStringLiteral("palette.words"))->isVisible());
+    QCOMPARE(list->currentRow(), 1);
+    QTest::keyClick(field, Qt::Key_Down);
+    QCOMPARE(list->currentRow(), 3);
+    QTest::keyClick(field, Qt::Key_Up);
+    QCOMPARE(list->currentRow(), 1);
+    QTest::keyClick(field, Qt::Key_Up);
+    QCOMPARE(list->currentRow(), 1);
+    QTest::keyClick(field, Qt::Key_Down);
+    palette->showFound({{QStringLiteral("Studies"), {command("Tinajero")}}, {QStringLiteral("People"), {command("Tina"), command("Martina")}}}, {});
+    QCOMPARE(list->currentItem()->text(), QStringLiteral("Tina")); // what came later took nothing from under the hand
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(ran, QStringList{QStringLiteral("Tina")});
+}
+
+void TestPaletteSearch::tenThousandSessionsAreCapped() {
+    DesktopFixture desktop;
+    tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 10'000);
+    desktop.logIn("tom");
+    Palette palette(desktop);
+    int turns = 0;
+    QTimer turn;
+    connect(&turn, &QTimer::timeout, this, [&turns] { ++turns; });
+    turn.start(0);
+    palette.type(QStringLiteral("tina"));
+    QVERIFY(turns > 10); // the window was alive meanwhile
+    QCOMPARE(palette.below(QStringLiteral("Sessions")).size(), 6);
+    QVERIFY(palette.list()->count() < 60);
+    palette.type(QStringLiteral("session 9999"));
+    QCOMPARE(palette.below(QStringLiteral("Sessions")).size(), 1);
+    palette.close();
+}
+
+QTEST_MAIN(TestPaletteSearch)
+#include "test_palette_search.moc"
