@@ -12,11 +12,8 @@
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
 
-#include <QVBoxLayout>
-#include <QCursor>
-    }
-
 #include <QCheckBox>
+#include <QCursor>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -26,6 +23,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace chiron;
 using namespace chiron::desktop;

@@ -18,6 +18,7 @@
 #include "desktop/station/station_words.h"
 #include "desktop/storage/storage_words.h"
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/number_list.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/grasp_words.h"
@@ -253,7 +254,7 @@ private slots:
         say({shortSha("0123456789abcdef0123456789abcdef"), shortSha("01")});
         for (const char* language : {"en", "de", "el"})
             say({text({{"en", "a stone"}, {"de", "ein Stein"}}, QLatin1String(language)), text({}, QLatin1String(language))});
-        say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale), listText(listOf(QStringLiteral(" 1; ;x;2"), m_locale), m_locale)});
+        say({listText({0.5, 2.0, 0.125}, m_locale), listText({}, m_locale), listText(readNumbers(QStringLiteral(" 1; 2"), m_locale).values, m_locale), unreadWords(readNumbers(QStringLiteral(" 1; ;x;2"), m_locale))});
         hold("studies");
     }
 

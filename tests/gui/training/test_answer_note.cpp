@@ -127,7 +127,7 @@ private slots:
                 }
                 const core::Vec3 above = lumps.front().p_WAbove;
                 const double reach = lumps.front().reach_m;
-                const core::Vec3 inward = above.x() > 0.0 ? -core::Vec3::UnitX() : core::Vec3::UnitX();
+                const core::Vec3 inward = core::Vec3((above.x() > 0.0 ? -1.0 : 1.0) * core::Vec3::UnitX());
                 QCOMPARE(after({above + 0.004 * inward}), QStringLiteral("Trial completed. Lump found, 4.0 mm off"));
                 QVERIFY(after({above + (reach - 1e-6) * inward}).contains(QStringLiteral("found")));
                 QCOMPARE(after({above + (reach + 1e-4) * inward}), QStringLiteral("Trial completed. The lump was missed, 1 false alarm"));
