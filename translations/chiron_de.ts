@@ -6293,7 +6293,7 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
     <message>
         <source>Type what you want to do, or a name</source>
-        <translation>Was möchten Sie tun, oder welchen Namen suchen Sie?</translation>
+        <translation>Geben Sie ein, was Sie tun möchten, oder einen Namen</translation>
     </message>
     <message>
         <source>Nothing matches. Try fewer letters or another word.</source>

@@ -64,7 +64,7 @@ void backUpAtExit(AppContext& context) {
     fillExitDialog(dialog, context.theme(), [token] { token->cancel(); });
     QTimer::singleShot(kShownAfter_ms, &dialog, &QDialog::show);
     loop.exec();
-    dialog.disconnect();
+    QObject::disconnect(&dialog, &QDialog::rejected, nullptr, nullptr); // hiding it is nobody's wish; the style keeps its own connection
     dialog.hide();
     QApplication::setQuitOnLastWindowClosed(quits);
 }

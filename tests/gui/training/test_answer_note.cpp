@@ -122,7 +122,7 @@ private slots:
                 };
                 if (lumps.empty()) {
                     QCOMPARE(after({}), QStringLiteral("Trial completed. Right: there was no lump"));
-                    QCOMPARE(after({core::Vec3::Zero()}), QStringLiteral("Trial completed. There was no lump, 1 false alarm"));
+                    QVERIFY(after({core::Vec3::Zero()}).startsWith(QStringLiteral("Trial completed. There was no lump, 1 false alarm")));
                     continue;
                 }
                 const core::Vec3 above = lumps.front().p_WAbove;
@@ -130,7 +130,7 @@ private slots:
                 const core::Vec3 inward = core::Vec3((above.x() > 0.0 ? -1.0 : 1.0) * core::Vec3::UnitX());
                 QCOMPARE(after({above + 0.004 * inward}), QStringLiteral("Trial completed. Lump found, 4.0 mm off"));
                 QVERIFY(after({above + (reach - 1e-6) * inward}).contains(QStringLiteral("found")));
-                QCOMPARE(after({above + (reach + 1e-4) * inward}), QStringLiteral("Trial completed. The lump was missed, 1 false alarm"));
+                QVERIFY(after({above + (reach + 1e-4) * inward}).startsWith(QStringLiteral("Trial completed. The lump was missed, 1 false alarm")));
                 QCOMPARE(after({}), QStringLiteral("Trial completed. The lump was missed"));
                 QVERIFY(after({above, above + 0.001 * inward}).contains(QStringLiteral("1 false alarm"))); // one lump is found once
             }

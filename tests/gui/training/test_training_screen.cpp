@@ -113,7 +113,7 @@ void TestTrainingScreen::measurementsAreThePersons() {
     TrainingBench bench;
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
-    const auto details = [&] { return bench.desktop.find<QCheckBox>(QStringLiteral("training.details")); };
+    const auto details = [&] { return bench.screen()->findChild<QCheckBox*>(QStringLiteral("training.details")); };
     const auto torque = [&] { return bench.screen()->findChild<QWidget*>(QStringLiteral("training.torque_bar"))->isVisibleTo(bench.screen()); };
     QVERIFY(!details()->isChecked() && !torque());
     bench.key(Qt::Key_F4);

@@ -178,8 +178,9 @@ void TestFileDialogs::everyDialogIsHere() {
         QVERIFY(file.open(QIODevice::ReadOnly));
         dialogs += static_cast<int>(file.readAll().count("new QFileDialog"));
     }
-    // The people screen and the study data screen each make one dialog for two commands.
-    QCOMPARE(static_cast<int>(all().size()), dialogs + 2);
+    // The people screen and the study data screen each make one dialog for two commands; that of a site which cannot be opened is before any
+    // login, and test_restore_screen has it.
+    QCOMPARE(static_cast<int>(all().size()), dialogs + 2 - 1);
 }
 
 QTEST_MAIN(TestFileDialogs)

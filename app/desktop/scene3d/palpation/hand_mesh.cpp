@@ -21,7 +21,7 @@ struct HandSection {
 constexpr std::array kHand{HandSection{-9.0, 28.0, 30.0, 3.0},  HandSection{-6.0, 28.0, 37.0, 8.0},   HandSection{2.0, 28.0, 41.0, 11.0},
                            HandSection{22.0, 27.0, 42.0, 13.5}, HandSection{50.0, 26.0, 41.0, 15.0},  HandSection{76.0, 25.0, 34.0, 16.0},
                            HandSection{94.0, 24.0, 28.0, 17.5}, HandSection{116.0, 24.0, 28.5, 20.0}, HandSection{150.0, 24.0, 33.0, 25.0},
-                           HandSection{153.0, 24.0, 34.5, 26.5}, HandSection{158.0, 24.0, 34.5, 26.5}, HandSection{158.5, 24.0, 31.0, 23.0}};
+                           HandSection{154.0, 24.0, 34.5, 26.5}, HandSection{158.0, 24.0, 34.5, 26.5}, HandSection{162.0, 24.0, 32.0, 24.0}};
 constexpr double kSlope_rad = 22.0 * core::kPi / 180.0; ///< the hand rises towards the wrist
 constexpr double kKnuckleY_mm = -72.0;                  ///< of the index finger, where finger_mesh.cpp ends it
 constexpr double kKnuckleZ_mm = 46.0;
@@ -58,7 +58,7 @@ void addFolded(TriangleMesh& mesh, double x_mm, double knuckleY_mm, double size)
     const auto at = [&](double y_mm, double z_mm, double radius_mm) {
         return SweepRing{{x_mm, knuckleY_mm + size * y_mm, kKnuckleZ_mm + size * z_mm}, size * radius_mm, 1.0};
     };
-    addSweep(mesh, {at(-6.0, 2.0, 10.0), at(4.0, 0.0, 9.8), at(20.0, -6.0, 9.0), at(31.0, -12.0, 9.0), at(34.0, -19.0, 8.4), at(28.0, -25.0, 8.0), at(14.0, -24.0, 7.6), at(4.0, -21.0, 7.0)},
+    addSweep(mesh, {at(-6.0, 2.0, 10.0), at(5.0, 0.0, 9.8), at(19.0, -6.0, 9.0), at(29.0, -14.0, 8.6), at(34.0, -24.0, 7.8)},
              SweepEnd::round, SweepEnd::round, 20);
 }
 
