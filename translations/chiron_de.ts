@@ -641,9 +641,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>%n entr(y/ies) must be corrected. The first: %1</source>
         <translation>
-                <numerusform>%n Eingabe muss berichtigt werden. Sie lautet: %1</numerusform>
-                <numerusform>%n Eingaben müssen berichtigt werden. Die erste: %1</numerusform>
-            </translation>
+            <numerusform>%n Eingabe muss berichtigt werden. Sie lautet: %1</numerusform>
+            <numerusform>%n Eingaben müssen berichtigt werden. Die erste: %1</numerusform>
+        </translation>
     </message>
     <message>
         <source>Aim</source>
@@ -764,9 +764,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-                <numerusform>%n-mal ausprobiert.</numerusform>
-                <numerusform>%n-mal ausprobiert.</numerusform>
-            </translation>
+            <numerusform>%n-mal ausprobiert.</numerusform>
+            <numerusform>%n-mal ausprobiert.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
@@ -2165,9 +2165,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>%1, and %n for practice</source>
         <translation>
-                <numerusform>%1 und %n zur Übung</numerusform>
-                <numerusform>%1 und %n zur Übung</numerusform>
-            </translation>
+            <numerusform>%1 und %n zur Übung</numerusform>
+            <numerusform>%1 und %n zur Übung</numerusform>
+        </translation>
     </message>
     <message>
         <source>at most about %1 min</source>
@@ -2283,9 +2283,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>The study has %n part(s).</source>
         <translation>
-                <numerusform>Die Studie hat %n Teil.</numerusform>
-                <numerusform>Die Studie hat %n Teile.</numerusform>
-            </translation>
+            <numerusform>Die Studie hat %n Teil.</numerusform>
+            <numerusform>Die Studie hat %n Teile.</numerusform>
+        </translation>
     </message>
     <message>
         <source>What you do differs from part to part:</source>
@@ -2302,30 +2302,30 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>Each part has %n trial(s).</source>
         <translation>
-                <numerusform>Jeder Teil hat %n Durchgang.</numerusform>
-                <numerusform>Jeder Teil hat %n Durchgänge.</numerusform>
-            </translation>
+            <numerusform>Jeder Teil hat %n Durchgang.</numerusform>
+            <numerusform>Jeder Teil hat %n Durchgänge.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part has at most %n trial(s).</source>
         <translation>
-                <numerusform>Jeder Teil hat höchstens %n Durchgang.</numerusform>
-                <numerusform>Jeder Teil hat höchstens %n Durchgänge.</numerusform>
-            </translation>
+            <numerusform>Jeder Teil hat höchstens %n Durchgang.</numerusform>
+            <numerusform>Jeder Teil hat höchstens %n Durchgänge.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n trial(s).</source>
         <translation>
-                <numerusform>Es gibt %n Durchgang.</numerusform>
-                <numerusform>Es gibt %n Durchgänge.</numerusform>
-            </translation>
+            <numerusform>Es gibt %n Durchgang.</numerusform>
+            <numerusform>Es gibt %n Durchgänge.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are at most %n trial(s).</source>
         <translation>
-                <numerusform>Es gibt höchstens %n Durchgang.</numerusform>
-                <numerusform>Es gibt höchstens %n Durchgänge.</numerusform>
-            </translation>
+            <numerusform>Es gibt höchstens %n Durchgang.</numerusform>
+            <numerusform>Es gibt höchstens %n Durchgänge.</numerusform>
+        </translation>
     </message>
     <message>
         <source>You may take as long as you like over each trial.</source>
@@ -2378,9 +2378,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-                <numerusform>Nach je %n Durchgang gibt es eine Pause</numerusform>
-                <numerusform>Nach je %n Durchgängen gibt es eine Pause</numerusform>
-            </translation>
+            <numerusform>Nach je %n Durchgang gibt es eine Pause</numerusform>
+            <numerusform>Nach je %n Durchgängen gibt es eine Pause</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of at least %2 seconds; you may also pause whenever you want.</source>
@@ -2393,30 +2393,30 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>Before the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>Vor den Durchgängen beantworten Sie %n Frage.</numerusform>
-                <numerusform>Vor den Durchgängen beantworten Sie %n Fragen.</numerusform>
-            </translation>
+            <numerusform>Vor den Durchgängen beantworten Sie %n Frage.</numerusform>
+            <numerusform>Vor den Durchgängen beantworten Sie %n Fragen.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>Nach den Durchgängen beantworten Sie %n Frage.</numerusform>
-                <numerusform>Nach den Durchgängen beantworten Sie %n Fragen.</numerusform>
-            </translation>
+            <numerusform>Nach den Durchgängen beantworten Sie %n Frage.</numerusform>
+            <numerusform>Nach den Durchgängen beantworten Sie %n Fragen.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Jeder Teil beginnt mit %n Übungsdurchgang, der nicht zählt.</numerusform>
-                <numerusform>Jeder Teil beginnt mit %n Übungsdurchgängen, die nicht zählen.</numerusform>
-            </translation>
+            <numerusform>Jeder Teil beginnt mit %n Übungsdurchgang, der nicht zählt.</numerusform>
+            <numerusform>Jeder Teil beginnt mit %n Übungsdurchgängen, die nicht zählen.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
-                <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
-            </translation>
+            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+        </translation>
     </message>
     <message>
         <source>During the trials you hear a steady noise.</source>
@@ -3514,10 +3514,6 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Own hand</source>
         <translation>Eigene Hand</translation>
-    </message>
-    <message>
-        <source>%1 (scripted)</source>
-        <translation>%1 (programmiert)</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -6234,16 +6230,16 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message numerus="yes">
         <source>%n trial(s) that count</source>
         <translation>
-                <numerusform>%n gewerteter Durchgang</numerusform>
-                <numerusform>%n gewertete Durchgänge</numerusform>
-            </translation>
+            <numerusform>%n gewerteter Durchgang</numerusform>
+            <numerusform>%n gewertete Durchgänge</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n repeated</source>
         <translation>
-                <numerusform>%n wiederholt</numerusform>
-                <numerusform>%n wiederholt</numerusform>
-            </translation>
+            <numerusform>%n wiederholt</numerusform>
+            <numerusform>%n wiederholt</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 s a trial</source>
@@ -8797,9 +8793,9 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message numerus="yes">
         <source>%1 (%n more; type more letters)</source>
         <translation>
-                <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
-                <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
-            </translation>
+            <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+            <numerusform>%1 (%n weitere; geben Sie mehr Buchstaben ein)</numerusform>
+        </translation>
     </message>
     <message>
         <source>Not everything could be searched: %1</source>
@@ -9988,9 +9984,9 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-                <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
-                <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
-            </translation>
+            <numerusform>Standardfehler der Abweichung von %n Person, falls sie sich nicht unterscheiden</numerusform>
+            <numerusform>Standardfehler der Abweichung von %n Personen, falls sie sich nicht unterscheiden</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13471,9 +13467,9 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
     <message numerus="yes">
         <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
         <translation>
-                <numerusform>Noch nicht gespeichert: %n Eingabe muss zuerst berichtigt werden. %1</numerusform>
-                <numerusform>Noch nicht gespeichert: %n Eingaben müssen zuerst berichtigt werden. %1</numerusform>
-            </translation>
+            <numerusform>Noch nicht gespeichert: %n Eingabe muss zuerst berichtigt werden. %1</numerusform>
+            <numerusform>Noch nicht gespeichert: %n Eingaben müssen zuerst berichtigt werden. %1</numerusform>
+        </translation>
     </message>
     <message>
         <source>The last changes are still being saved. Try again in a moment.</source>

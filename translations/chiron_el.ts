@@ -641,9 +641,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>%n entr(y/ies) must be corrected. The first: %1</source>
         <translation>
-                <numerusform>%n καταχώριση πρέπει να διορθωθεί: %1</numerusform>
-                <numerusform>%n καταχωρίσεις πρέπει να διορθωθούν. Η πρώτη: %1</numerusform>
-            </translation>
+            <numerusform>%n καταχώριση πρέπει να διορθωθεί: %1</numerusform>
+            <numerusform>%n καταχωρίσεις πρέπει να διορθωθούν. Η πρώτη: %1</numerusform>
+        </translation>
     </message>
     <message>
         <source>Aim</source>
@@ -764,9 +764,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-                <numerusform>Δοκιμάστηκε %n φορά.</numerusform>
-                <numerusform>Δοκιμάστηκε %n φορές.</numerusform>
-            </translation>
+            <numerusform>Δοκιμάστηκε %n φορά.</numerusform>
+            <numerusform>Δοκιμάστηκε %n φορές.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
@@ -2165,9 +2165,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>%1, and %n for practice</source>
         <translation>
-                <numerusform>%1 και %n για εξάσκηση</numerusform>
-                <numerusform>%1 και %n για εξάσκηση</numerusform>
-            </translation>
+            <numerusform>%1 και %n για εξάσκηση</numerusform>
+            <numerusform>%1 και %n για εξάσκηση</numerusform>
+        </translation>
     </message>
     <message>
         <source>at most about %1 min</source>
@@ -2283,9 +2283,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>The study has %n part(s).</source>
         <translation>
-                <numerusform>Η μελέτη έχει %n μέρος.</numerusform>
-                <numerusform>Η μελέτη έχει %n μέρη.</numerusform>
-            </translation>
+            <numerusform>Η μελέτη έχει %n μέρος.</numerusform>
+            <numerusform>Η μελέτη έχει %n μέρη.</numerusform>
+        </translation>
     </message>
     <message>
         <source>What you do differs from part to part:</source>
@@ -2302,30 +2302,30 @@ Details: %2</source>
     <message numerus="yes">
         <source>Each part has %n trial(s).</source>
         <translation>
-                <numerusform>Κάθε μέρος έχει %n δοκιμή.</numerusform>
-                <numerusform>Κάθε μέρος έχει %n δοκιμές.</numerusform>
-            </translation>
+            <numerusform>Κάθε μέρος έχει %n δοκιμή.</numerusform>
+            <numerusform>Κάθε μέρος έχει %n δοκιμές.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part has at most %n trial(s).</source>
         <translation>
-                <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμή.</numerusform>
-                <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμές.</numerusform>
-            </translation>
+            <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμή.</numerusform>
+            <numerusform>Κάθε μέρος έχει το πολύ %n δοκιμές.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n trial(s).</source>
         <translation>
-                <numerusform>Υπάρχει %n δοκιμή.</numerusform>
-                <numerusform>Υπάρχουν %n δοκιμές.</numerusform>
-            </translation>
+            <numerusform>Υπάρχει %n δοκιμή.</numerusform>
+            <numerusform>Υπάρχουν %n δοκιμές.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are at most %n trial(s).</source>
         <translation>
-                <numerusform>Υπάρχει το πολύ %n δοκιμή.</numerusform>
-                <numerusform>Υπάρχουν το πολύ %n δοκιμές.</numerusform>
-            </translation>
+            <numerusform>Υπάρχει το πολύ %n δοκιμή.</numerusform>
+            <numerusform>Υπάρχουν το πολύ %n δοκιμές.</numerusform>
+        </translation>
     </message>
     <message>
         <source>You may take as long as you like over each trial.</source>
@@ -2378,9 +2378,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-                <numerusform>Μετά από κάθε %n δοκιμή υπάρχει διάλειμμα</numerusform>
-                <numerusform>Μετά από κάθε %n δοκιμές υπάρχει διάλειμμα</numerusform>
-            </translation>
+            <numerusform>Μετά από κάθε %n δοκιμή υπάρχει διάλειμμα</numerusform>
+            <numerusform>Μετά από κάθε %n δοκιμές υπάρχει διάλειμμα</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of at least %2 seconds; you may also pause whenever you want.</source>
@@ -2393,30 +2393,30 @@ Details: %2</source>
     <message numerus="yes">
         <source>Before the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
-                <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
-            </translation>
+            <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
+            <numerusform>Πριν από τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
-                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
-            </translation>
+            <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση.</numerusform>
+            <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Κάθε μέρος αρχίζει με %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
-                <numerusform>Κάθε μέρος αρχίζει με %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
-            </translation>
+            <numerusform>Κάθε μέρος αρχίζει με %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+            <numerusform>Κάθε μέρος αρχίζει με %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
-                <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
-            </translation>
+            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+        </translation>
     </message>
     <message>
         <source>During the trials you hear a steady noise.</source>
@@ -3514,10 +3514,6 @@ Do you want to replace it?</source>
     <message>
         <source>Own hand</source>
         <translation>Δικό του χέρι</translation>
-    </message>
-    <message>
-        <source>%1 (scripted)</source>
-        <translation>%1 (προγραμματισμένο)</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -6234,16 +6230,16 @@ Recording and scores are kept but do not count.</source>
     <message numerus="yes">
         <source>%n trial(s) that count</source>
         <translation>
-                <numerusform>%n δοκιμή που μετρά</numerusform>
-                <numerusform>%n δοκιμές που μετρούν</numerusform>
-            </translation>
+            <numerusform>%n δοκιμή που μετρά</numerusform>
+            <numerusform>%n δοκιμές που μετρούν</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n repeated</source>
         <translation>
-                <numerusform>%n επανάληψη</numerusform>
-                <numerusform>%n επαναλήψεις</numerusform>
-            </translation>
+            <numerusform>%n επανάληψη</numerusform>
+            <numerusform>%n επαναλήψεις</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 s a trial</source>
@@ -8797,9 +8793,9 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message numerus="yes">
         <source>%1 (%n more; type more letters)</source>
         <translation>
-                <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
-                <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
-            </translation>
+            <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+            <numerusform>%1 (%n ακόμη· γράψτε περισσότερα γράμματα)</numerusform>
+        </translation>
     </message>
     <message>
         <source>Not everything could be searched: %1</source>
@@ -9988,9 +9984,9 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-                <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
-                <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
-            </translation>
+            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμου, αν δεν διαφέρουν</numerusform>
+            <numerusform>τυπικό σφάλμα της απόκλισης %n ατόμων, αν δεν διαφέρουν</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13471,9 +13467,9 @@ Conditions defines what is compared, with which task and procedure. Preview runs
     <message numerus="yes">
         <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
         <translation>
-                <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθεί %n καταχώριση. %1</numerusform>
-                <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθούν %n καταχωρίσεις. %1</numerusform>
-            </translation>
+            <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθεί %n καταχώριση. %1</numerusform>
+            <numerusform>Δεν αποθηκεύτηκε ακόμη: πρώτα πρέπει να διορθωθούν %n καταχωρίσεις. %1</numerusform>
+        </translation>
     </message>
     <message>
         <source>The last changes are still being saved. Try again in a moment.</source>

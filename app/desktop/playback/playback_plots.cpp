@@ -44,10 +44,12 @@ QWidget* PlaybackPlots::zoomRow() {
         button->setObjectName(QLatin1String(name));
         connect(button, &QPushButton::clicked, this, act);
         line->addWidget(button);
+        return button;
     };
-    add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
-    add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
-    add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"), [this] { zoomWhole(); });
+    m_zoomIn = add("playback.zoom_in", "zoom-in", tr("Show less time, larger (+)"), [this] { zoom(kZoomStep); });
+    m_zoomOut = add("playback.zoom_out", "zoom-out", tr("Show more time (-)"), [this] { zoom(1.0 / kZoomStep); });
+    m_zoomWhole = add("playback.zoom_whole", "zoom-fit-width", tr("Show the whole session (0)"), [this] { zoomWhole(); });
+    showButtons();
     return row;
 }
 
@@ -59,11 +61,20 @@ void PlaybackPlots::zoom(double factor) {
     showWindow(from_s, from_s + wide_s);
 }
 
+/// None that would do nothing.
+void PlaybackPlots::showButtons() {
+    const double wide_s = m_to_s - m_from_s;
+    m_zoomIn->setEnabled(wide_s > std::min(kLeast_s, end_s()));
+    m_zoomOut->setEnabled(wide_s < end_s());
+    m_zoomWhole->setEnabled(wide_s < end_s());
+}
+
 void PlaybackPlots::zoomWhole() { showWindow(0.0, end_s()); }
 
 void PlaybackPlots::showWindow(double from_s, double to_s) {
     m_from_s = from_s;
     m_to_s = to_s;
+    showButtons();
     for (report::PlotView* view : views())
         if (view)
             view->setXWindow(from_s, to_s);

@@ -13,6 +13,7 @@
 #include <array>
 #include <optional>
 
+class QPushButton;
 class QVBoxLayout;
 
 namespace chiron::desktop {
@@ -43,6 +44,7 @@ signals:
 
 private:
     QWidget* zoomRow();
+    void showButtons();
     void showWindow(double from_s, double to_s);
     std::array<report::PlotView*, 10> views() const { return {m_force, m_felt, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed}; }
     double end_s() const;
@@ -64,6 +66,9 @@ private:
     const GraspReplay* m_grasp;
     report::SampleSeries m_series;
     double m_limit_N;
+    QPushButton* m_zoomIn = nullptr;
+    QPushButton* m_zoomOut = nullptr;
+    QPushButton* m_zoomWhole = nullptr;
     bool m_books;
     double m_cursor_s = 0.0;
     double m_from_s = 0.0;

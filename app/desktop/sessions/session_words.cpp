@@ -90,7 +90,7 @@ WordSign SessionWords::cameToSign(const database::SessionSummary& session) {
 }
 
 QString SessionWords::moved(const database::SessionSummary& session) {
-    return session.operatorName.empty() ? tr("Own hand") : tr("%1 (scripted)").arg(operatorTitle(session.operatorName));
+    return session.operatorName.empty() ? tr("Own hand") : operatorTitle(session.operatorName).section(QStringLiteral(" ("), 0, 0); // "Unsafe": what is in brackets is for choosing
 }
 
 QString SessionWords::device(bool felt) {

@@ -193,7 +193,7 @@ private slots:
         QCOMPARE(text(SessionTableModel::result), QStringLiteral("Stopped"));
         QCOMPARE(text(SessionTableModel::review), QStringLiteral("Reviewed"));
         QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty());
-        QVERIFY(text(SessionTableModel::operatorName).contains(QStringLiteral("scripted")));
+        QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Expert"));
     }
 
     void csvQuotesAndKeepsToTokens() {
