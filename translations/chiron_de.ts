@@ -6900,10 +6900,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Wie viele Unterschiede zur Wahl stehen, in gleichmäßigen Schritten.</translation>
     </message>
     <message>
-        <source>Also objects with less of the attribute; not for rankings and thresholds.</source>
-        <translation>Auch Objekte mit weniger von der Eigenschaft; nicht für Rangfolgen und Schwellen.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Unterschiede</translation>
     </message>
@@ -6914,6 +6910,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1 % less than the reference is less than nothing.</source>
         <translation>%1 % weniger als die Referenz ist weniger als nichts.</translation>
+    </message>
+    <message>
+        <source>Also objects with less of the attribute than the reference.</source>
+        <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz.</translation>
     </message>
 </context>
 <context>

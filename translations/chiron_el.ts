@@ -6900,10 +6900,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Πόσες διαφορές υπάρχουν προς επιλογή, σε ίσα βήματα.</translation>
     </message>
     <message>
-        <source>Also objects with less of the attribute; not for rankings and thresholds.</source>
-        <translation>Και αντικείμενα με λιγότερο από την ιδιότητα· όχι για κατατάξεις και κατώφλια.</translation>
-    </message>
-    <message>
         <source>Differences</source>
         <translation>Διαφορές</translation>
     </message>
@@ -6914,6 +6910,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1 % less than the reference is less than nothing.</source>
         <translation>%1 % λιγότερο από την αναφορά είναι λιγότερο από το τίποτα.</translation>
+    </message>
+    <message>
+        <source>Also objects with less of the attribute than the reference.</source>
+        <translation>Και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
     </message>
 </context>
 <context>

@@ -68,11 +68,6 @@ void checkTask(const Condition& condition, const QString& path, Problems& proble
                             QStringLiteral("adjustment: the apex is pointed at")});
 }
 
-// Both sides of the reference make sense where "more than the reference" is asked, set or said.
-bool takesBothSides(Task task) {
-    return task == Task::twoAfc || task == Task::yesNo || task == Task::adjustment || task == Task::magnitude;
-}
-
 // Levels that a procedure names must be there to be presented.
 void checkLevels(const Condition& condition, const QString& path, Problems& problems) {
     const auto& table = condition.stimulus.differences;
@@ -105,6 +100,10 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
 }
 
 } // namespace
+
+bool takesBothSides(psychophysics::Task task) noexcept {
+    return task == Task::twoAfc || task == Task::yesNo || task == Task::adjustment || task == Task::magnitude;
+}
 
 double middleReference(const Condition& condition) {
     const ValueRange range = valueRange(condition.stimulus.attribute);

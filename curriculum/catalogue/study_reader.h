@@ -24,6 +24,9 @@ struct ValueRange {
 };
 ValueRange valueRange(psychophysics::Attribute attribute);
 
+/// Whether a task takes objects with less of the attribute than the reference, too: where "more than the reference" is asked, set or said.
+bool takesBothSides(psychophysics::Task task) noexcept;
+
 /// A reference that is in range with every object of the condition's table, and in the middle of what its attribute can be: says nothing of
 /// what the condition's own is.
 double middleReference(const psychophysics::Condition& condition);

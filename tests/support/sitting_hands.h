@@ -53,8 +53,9 @@ inline bool typePassword(DesktopFixture& desktop, const char* password = kTestPa
     return QTest::qWaitFor([&desktop] { return desktop.context.background().idle() && !desktop.find<QLineEdit>(QStringLiteral("gate.password")); }, 20000);
 }
 
-/// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the study's page.
-inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, int patience_ms = 30000) {
+/// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the page `to`: the study's, or
+/// of a pilot the design's.
+inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, int patience_ms = 30000, const QString& to = QStringLiteral("study_run")) {
     QTimer look; // the question comes when it comes
     QObject::connect(&look, &QTimer::timeout, &desktop.context, [&desktop] {
         if (auto* button = desktop.find<QPushButton>(QStringLiteral("trials.ask.stop")))
@@ -71,7 +72,7 @@ inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, 
         sittingButton(screen, "trials.experimenter")->click();
         (void)typePassword(desktop);
     }
-    return QTest::qWaitFor([&desktop] { return desktop.context.navigator().current().screen == QLatin1String("study_run"); }, patience_ms);
+    return QTest::qWaitFor([&] { return desktop.context.navigator().current().screen == to; }, patience_ms);
 }
 
 } // namespace chiron::tests

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/backups/backup_keeper.h"
 
+#include "desktop/frame/activity.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/screen_catalogue.h"
 #include "session/backup_schedule.h"
@@ -79,20 +80,8 @@ void BackupKeeper::stop() {
 }
 
 bool BackupKeeper::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TabletMove:
-    case QEvent::TabletPress:
+    if (isActivity(*event))
         m_sinceTouch.start();
-        break;
-    default:
-        break;
-    }
     return QObject::eventFilter(watched, event);
 }
 

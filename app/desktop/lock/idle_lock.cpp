@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/lock/idle_lock.h"
 
+#include "desktop/frame/activity.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 
@@ -48,20 +50,8 @@ void IdleLock::look() {
 }
 
 bool IdleLock::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TabletMove:
-    case QEvent::TabletPress:
+    if (isActivity(*event))
         touch();
-        break;
-    default:
-        break;
-    }
     return QObject::eventFilter(watched, event);
 }
 

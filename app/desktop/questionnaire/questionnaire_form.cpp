@@ -58,16 +58,21 @@ void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
     layout()->addWidget(box.frame);
 }
 
+/// What the two ends of a scale mean.
+QLayout* QuestionnaireForm::ends(const Item& item) const {
+    auto* row = new QHBoxLayout;
+    row->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
+    auto* high = kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
+    high->setAlignment(Qt::AlignRight);
+    row->addWidget(high, 1);
+    return row;
+}
+
 void QuestionnaireForm::addLikert(QLayout& layout, Item& item, const QString& name) {
     auto* part = new QWidget;
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* ends = new QHBoxLayout;
-    ends->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
-    auto* high = kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
-    high->setAlignment(Qt::AlignRight);
-    ends->addWidget(high, 1);
-    column->addLayout(ends);
+    column->addLayout(ends(item));
     auto* row = new QHBoxLayout;
     auto* group = new QButtonGroup(part);
     for (int step = 1; step <= item.asked->scale; ++step) {
@@ -98,12 +103,7 @@ void QuestionnaireForm::addSlider(QLayout& layout, Item& item, const QString& na
     auto* part = new QWidget;
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* ends = new QHBoxLayout;
-    ends->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
-    auto* high = kit::label(m_theme, study_words::text(item.asked->high, m_language), TextStyle::body, "muted");
-    high->setAlignment(Qt::AlignRight);
-    ends->addWidget(high, 1);
-    column->addLayout(ends);
+    column->addLayout(ends(item));
     auto* slider = new QSlider(Qt::Horizontal);
     slider->setObjectName(name);
     slider->setAccessibleName(study_words::text(item.asked->text, m_language));

@@ -39,6 +39,7 @@ private:
         std::function<bool(database::QuestionnaireAnswer&)> read; ///< false: none
     };
     void addItem(const psychophysics::QuestionnaireItem& item);
+    QLayout* ends(const Item& item) const;
     void addLikert(QLayout& layout, Item& item, const QString& name);
     void addSlider(QLayout& layout, Item& item, const QString& name);
     void addChoice(QLayout& layout, Item& item, const QString& name);

@@ -307,18 +307,8 @@ void RestoreScreen::askRestore() {
     const session::BackupEntry* backup = selected();
     if (!backup || !m_restore->isEnabled())
         return;
-    const QString when = SessionWords::ago(SessionWords::timeOf(backup->createdUtc), QDateTime::currentDateTimeUtc(), context().locale());
-    auto* dialog = new RestoreDialog(context().theme(), when, {}, this,
-                                     isMissing() ? RestoreDialog::Replaces::missing : RestoreDialog::Replaces::damaged);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, folder = backup->folder] {
-        database::RestoreRequest request;
-        request.backupFolder = folder;
-        request.targetFile = context().site().file().toStdString();
-        dialog->fill(request);
-        restore(std::move(request));
-    });
-    dialog->open();
+    RestoreDialog::ask(context(), *backup, isMissing() ? RestoreDialog::Replaces::missing : RestoreDialog::Replaces::damaged, this,
+                       [this](database::RestoreRequest request) { restore(std::move(request)); });
 }
 
 void RestoreScreen::restore(database::RestoreRequest request) {

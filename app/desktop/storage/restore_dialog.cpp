@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/storage/restore_dialog.h"
 
+#include "desktop/frame/app_context.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/widgets/kit.h"
+#include "session/backup_list.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -91,6 +94,22 @@ void RestoreDialog::check() {
     const bool own = !m_name->text().isEmpty() && !m_password->text().isEmpty();
     const bool other = !m_other->isChecked() || (!m_otherName->text().isEmpty() && !m_otherPassword->text().isEmpty());
     m_confirm->setEnabled(own && other);
+}
+
+void RestoreDialog::ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
+                        std::function<void(database::RestoreRequest)> restore) {
+    const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
+    const QString administrator = replaces == Replaces::working ? QString::fromStdString(context.actor().name()) : QString();
+    auto* dialog = new RestoreDialog(context.theme(), when, administrator, parent, replaces);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, parent, [dialog, folder = backup.folder, file = context.site().file().toStdString(), restore = std::move(restore)] {
+        database::RestoreRequest request;
+        request.backupFolder = folder;
+        request.targetFile = file;
+        dialog->fill(request);
+        restore(std::move(request));
+    });
+    dialog->open();
 }
 
 void RestoreDialog::fill(database::RestoreRequest& request) const {

@@ -5,13 +5,20 @@
 #include "desktop/theme/theme.h"
 
 #include <QDialog>
+#include <functional>
 
 class QCheckBox;
 class QLineEdit;
 class QPushButton;
 class QVBoxLayout;
 
+namespace chiron::session {
+struct BackupEntry;
+}
+
 namespace chiron::desktop {
+
+class AppContext;
 
 /// Says what a restore does and asks an administrator for the password: of today's database, and of the backup where that was
 /// made under another one. Where that database is damaged or gone, of the backup first.
@@ -26,6 +33,10 @@ public:
 
     /// Puts the names and passwords that were given into the request.
     void fill(database::RestoreRequest& request) const;
+
+    /// Opens one over `parent` and hands the whole request to `restore` once it is confirmed.
+    static void ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
+                    std::function<void(database::RestoreRequest)> restore);
 
 private:
     QLineEdit* field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret);

@@ -200,17 +200,8 @@ void StorageScreen::askRestore() {
     const session::BackupEntry* backup = selected();
     if (!backup)
         return;
-    const QString when = SessionWords::ago(SessionWords::timeOf(backup->createdUtc), QDateTime::currentDateTimeUtc(), context().locale());
-    auto* dialog = new RestoreDialog(context().theme(), when, QString::fromStdString(context().actor().name()), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, folder = backup->folder] {
-        database::RestoreRequest request;
-        request.backupFolder = folder;
-        request.targetFile = context().site().file().toStdString();
-        dialog->fill(request);
-        restore(std::move(request));
-    });
-    dialog->open();
+    RestoreDialog::ask(context(), *backup, RestoreDialog::Replaces::working, this,
+                       [this](database::RestoreRequest request) { restore(std::move(request)); });
 }
 
 void StorageScreen::restore(database::RestoreRequest request) {

@@ -118,7 +118,7 @@ QWidget* ConditionsPage::chooser() {
         row->addWidget(button);
         return button;
     };
-    add(tr("Add a condition"), "list-add", "conditions.copy", [this] { addCondition(true); });
+    add(tr("Add a condition"), "list-add", "conditions.copy", [this] { addCondition(); });
     add(tr("Remove"), "edit-delete", "conditions.remove", [this] { removeCondition(); })->setEnabled(conditions.size() > 1);
     return bar;
 }
@@ -140,7 +140,7 @@ std::string freeTitle(const StudyDesign& design, const std::string& language, co
 
 } // namespace
 
-void ConditionsPage::addCondition(bool) {
+void ConditionsPage::addCondition() {
     m_page.draft.change(tr("Add a condition"), {}, [this](StudyDesign& design) {
         Condition copy = design.conditions[static_cast<std::size_t>(m_shown)];
         const std::string base = copy.id;
@@ -221,7 +221,8 @@ QWidget* ConditionsPage::tableBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = titledBox(theme, tr("Table of differences"));
     box.layout->addWidget(kit::label(theme, tr("The differences from the reference that a procedure may choose from."), TextStyle::body, "muted"));
-    auto* table = new DifferenceTable(theme, m_page.app.locale(), m_page.readOnly, condition().stimulus);
+    auto* table = new DifferenceTable(theme, m_page.app.locale(), m_page.readOnly, condition().stimulus,
+                                      catalogue::takesBothSides(condition().task) && condition().scale == ProcedureScale::difference);
     connect(table, &DifferenceTable::changed, this, [this](const std::vector<double>& differences) {
         edit(tr("Table of differences"), {}, [&](Condition& changed) {
             changed.stimulus.differences = differences;

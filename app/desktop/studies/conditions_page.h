@@ -33,7 +33,7 @@ private:
     QWidget* scaleGrid();
     QWidget* tableBox();
     QWidget* proceduresBox();
-    void addCondition(bool copy);
+    void addCondition();
     void removeCondition();
     void addProcedure();
     const psychophysics::Condition& condition() const;

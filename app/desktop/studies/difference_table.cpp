@@ -89,8 +89,8 @@ void takeAttribute(Condition& condition, Attribute attribute) {
     }
 }
 
-DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const StimulusDesign& stimulus, QWidget* parent)
-    : QWidget(parent), m_locale(locale), m_stimulus(stimulus) {
+DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const StimulusDesign& stimulus, bool mayBeLess, QWidget* parent)
+    : QWidget(parent), m_locale(locale), m_stimulus(stimulus), m_mayBeLess(mayBeLess) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(10));
@@ -134,7 +134,8 @@ void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
         m_bothSides = to;
         generate();
     });
-    grid.explain(QStringLiteral("differences.both"), tr("Also objects with less of the attribute; not for rankings and thresholds."));
+    grid.explain(QStringLiteral("differences.both"), tr("Also objects with less of the attribute than the reference."));
+    grid.setShown(QStringLiteral("differences.both"), m_mayBeLess || m_bothSides); // a table that has them already can be made anew without
 }
 
 void DifferenceTable::addLevels(const Theme& theme, bool readOnly, FieldGrid& grid) {

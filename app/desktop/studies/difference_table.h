@@ -31,7 +31,8 @@ std::vector<double> differencesAround(double high, int count);
 class DifferenceTable final : public QWidget {
     Q_OBJECT
 public:
-    DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const psychophysics::StimulusDesign& stimulus, QWidget* parent = nullptr);
+    /// `mayBeLess`: the task takes objects with less of the attribute than the reference, too.
+    DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const psychophysics::StimulusDesign& stimulus, bool mayBeLess, QWidget* parent = nullptr);
 
     /// The same table around another reference.
     void showObjects(const psychophysics::StimulusDesign& stimulus);
@@ -51,6 +52,7 @@ private:
     double m_low_percent = 2.0;
     double m_high_percent = 60.0;
     int m_count = 40;
+    bool m_mayBeLess;
     bool m_bothSides = false;
     FieldGrid* m_grid = nullptr;
     QLabel* m_summary = nullptr;

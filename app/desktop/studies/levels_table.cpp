@@ -36,6 +36,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(kRow_px));
     m_table->setTabKeyNavigation(false); // Tab goes on to the next control
+    m_table->setCornerButtonEnabled(false); // there is nothing to do with all cells at once
     m_table->setFixedHeight(theme.px(kRow_px) * (kRowsShown + 1) + theme.px(8));
     m_table->setMaximumWidth(theme.px(kWidth_px));
     m_table->installEventFilter(this);

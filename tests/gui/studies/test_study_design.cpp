@@ -14,6 +14,7 @@
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_run/trials_screen.h"
+#include "support/sitting_hands.h"
 #include "support/every_place.h"
 
 #include <QAbstractSpinBox>
@@ -397,10 +398,22 @@ void TestStudyDesign::onlyWhatAppliesIsThere() {
     attribute->setCurrentIndex(static_cast<int>(psychophysics::Attribute::mass));
     emit attribute->activated(attribute->currentIndex());
     QTRY_VERIFY(find<QComboBox>("condition.task"));
+    QTRY_VERIFY(shown<QWidget>("differences.low"));
+    QVERIFY(!shown<QCheckBox>("differences.both")); // a ranking has no lesser objects
     auto* task = find<QComboBox>("condition.task");
     task->setCurrentIndex(task->findData(static_cast<int>(psychophysics::Task::twoAfc)));
     emit task->activated(task->currentIndex());
     QTRY_VERIFY(find<QComboBox>("procedure.0.function"));
+    QVERIFY(!shown<QCheckBox>("differences.both")); // nor has a logarithm
+    auto* scale = find<QComboBox>("condition.scale");
+    const int logarithm = scale->currentIndex();
+    scale->setCurrentIndex(1 - logarithm);
+    emit scale->activated(scale->currentIndex());
+    QTRY_VERIFY(shown<QCheckBox>("differences.both"));
+    scale = shown<QComboBox>("condition.scale");
+    scale->setCurrentIndex(logarithm);
+    emit scale->activated(logarithm);
+    QTRY_VERIFY(!shown<QCheckBox>("differences.both"));
     QVERIFY(find<QComboBox>("procedure.0.function")->count() >= 4);
     QCOMPARE(find<QDoubleSpinBox>("procedure.0.grid0.low")->suffix(), QStringLiteral(" %"));
     const auto& plus = std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front());
@@ -555,14 +568,15 @@ void TestStudyDesign::aPilotIsKeptApart() {
     click("pilot.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
     auto* trials = m_site->screen<desktop::TrialsScreen>();
-    trials->findChild<QPushButton*>(QStringLiteral("break.button"))->click();
+    QVERIFY(tests::beginTrials(trials)); // as any participant: instructions, controls, a free minute
     QTRY_VERIFY_WITH_TIMEOUT(trials->live()->view().canAnswer, 30000);
-    for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
-        trials->findChild<QPushButton*>(QLatin1String(button))->click();
+    for (const char* button : {"answer.2", "answer.0", "answer.confirm"}) {
+        QTRY_VERIFY(tests::sittingButton(trials, button)->isEnabled());
+        tests::sittingButton(trials, button)->click();
+    }
     QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0, 30000);
     const int scored = trials->live()->numbers().scored;
-    trials->live()->stop();
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), 30000); // back at the design
+    QVERIFY(tests::stopSitting(*m_site, trials, 30000, QStringLiteral("study"))); // back at the design
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong(), qlonglong(draft));
     QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("check.pilot.row"), kPatience_ms);
     QVERIFY2(text("check.pilot.row").contains(QStringLiteral("%1 trial").arg(scored)), qPrintable(text("check.pilot.row")));
