@@ -6151,7 +6151,7 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
     <message>
         <source>Automatic backups to keep</source>
-        <translation>Aufzubewahrende automatische Sicherungen</translation>
+        <translation>Automatische Sicherungen behalten</translation>
     </message>
     <message>
         <source>Older ones are removed. Backups that you made yourself are never removed.</source>
@@ -8386,10 +8386,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
 <context>
     <name>chiron::desktop::LevelsTable</name>
     <message>
-        <source>Difference from the reference (%)</source>
-        <translation>Unterschied zur Referenz (%)</translation>
-    </message>
-    <message>
         <source>Object</source>
         <translation>Objekt</translation>
     </message>
@@ -8412,6 +8408,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>There are no numbers to paste. Copy them first.</source>
         <translation>Es gibt keine Zahlen zum Einfügen. Kopieren Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Difference (%)</source>
+        <translation>Unterschied (%)</translation>
     </message>
 </context>
 <context>
@@ -11251,7 +11251,7 @@ Eine Person aus der Administration der Sicherung muss das Passwort eingeben. Die
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Gewählte Sicherung wiederherstellen …</translation>
+        <translation>Sicherung wiederherstellen …</translation>
     </message>
     <message>
         <source>Choose a file …</source>
@@ -12689,7 +12689,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>Restore the selected backup …</source>
-        <translation>Gewählte Sicherung wiederherstellen …</translation>
+        <translation>Sicherung wiederherstellen …</translation>
     </message>
     <message>
         <source>Choose the folder …</source>

@@ -7128,7 +7128,7 @@ Hand and workspace sets which hand you work with, how far the tool moves when yo
     </message>
     <message>
         <source>Watch first</source>
-        <translation>Πρώτα παρακολούθηση</translation>
+        <translation>Δείτε πρώτα</translation>
     </message>
     <message>
         <source>Watch a scripted expert at this level. Nothing is counted.</source>
@@ -8386,10 +8386,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
 <context>
     <name>chiron::desktop::LevelsTable</name>
     <message>
-        <source>Difference from the reference (%)</source>
-        <translation>Διαφορά από την αναφορά (%)</translation>
-    </message>
-    <message>
         <source>Object</source>
         <translation>Αντικείμενο</translation>
     </message>
@@ -8412,6 +8408,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>There are no numbers to paste. Copy them first.</source>
         <translation>Δεν υπάρχουν αριθμοί για επικόλληση. Αντιγράψτε τους πρώτα.</translation>
+    </message>
+    <message>
+        <source>Difference (%)</source>
+        <translation>Διαφορά (%)</translation>
     </message>
 </context>
 <context>

@@ -102,7 +102,8 @@ QWidget* ExerciseSetupScreen::buildStart() {
     m_start = kit::button(theme, tr("Start"), "primary", QStringLiteral("media-playback-start"));
     m_start->setObjectName(QStringLiteral("setup.start"));
     m_start->setFont(theme.font(TextStyle::title));
-    m_start->setMinimumSize(theme.px(180), theme.px(52));
+    constexpr double kLargeScale = 1.5; // from here on "Watch first" needs the room
+    m_start->setMinimumSize(theme.px(theme.scale() > kLargeScale ? 120 : 180), theme.px(52));
     m_start->setAutoDefault(true); // Enter presses it outside a dialog too
     row->addWidget(m_start);
     connect(m_start, &QPushButton::clicked, this, &ExerciseSetupScreen::start);

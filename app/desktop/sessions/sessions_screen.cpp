@@ -64,7 +64,7 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const int arrow = theme.px(20); // any column may become the one that it is sorted by
+        const int arrow = theme.px(24); // any column may become the one that it is sorted by
         const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
         table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), head));
     }

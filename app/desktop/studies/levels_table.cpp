@@ -31,7 +31,7 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     m_table->setObjectName(name + QStringLiteral(".table"));
     m_table->setColumnCount(columns);
     m_table->setFont(theme.font(TextStyle::body));
-    m_table->setHorizontalHeaderLabels({tr("Difference from the reference (%)"), tr("Object")});
+    m_table->setHorizontalHeaderLabels({tr("Difference (%)"), tr("Object")});
     m_table->setAccessibleName(tr("Differences from the reference in per cent"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(kRow_px));
