@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/first_start/first_start_screen.h"
 
+#include "desktop/accounts/enter_key.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/first_start/administrator_page.h"
@@ -32,6 +33,7 @@ FirstStartScreen::FirstStartScreen(AppContext& context, const Place& place) : Sc
     m_scroll->column()->addStretch(1);
     m_language = form::languageChoice(context);
     m_scroll->column()->addWidget(m_language, 0, Qt::AlignHCenter);
+    form::pressFocusedByEnter(this);
     // Built anew in another language or theme while the code was shown: it must not be lost.
     if (const QString code = place.parameters.value(kCode).toString(); !code.isEmpty())
         showRecoveryCode(place.parameters.value(kName).toString(), code);

@@ -2,6 +2,7 @@
 #include "desktop/lock/lock_cover.h"
 
 #include "desktop/accounts/account_words.h"
+#include "desktop/accounts/enter_key.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/accounts/wait_countdown.h"
@@ -56,6 +57,7 @@ LockCover::LockCover(const Theme& theme, const QString& loginName, QWidget* pare
     page->column()->addStretch(1);
     page->column()->addWidget(box.frame);
     page->column()->addStretch(1);
+    form::pressFocusedByEnter(this);
     m_wait = new WaitCountdown(this);
     connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_unlock->setText(waitWords(seconds)); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {

@@ -2,6 +2,7 @@
 #include "desktop/login/login_screen.h"
 
 #include "database/accounts/account_service.h"
+#include "desktop/accounts/enter_key.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/frame/app_context.h"
@@ -58,6 +59,7 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
+    form::pressFocusedByEnter(this);
     m_site->showLoading(tr("Opening the site …"));
 }
 

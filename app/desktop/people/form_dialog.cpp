@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/people/form_dialog.h"
 
+#include "desktop/accounts/enter_key.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/widgets/kit.h"
@@ -53,6 +54,7 @@ FormDialog::FormDialog(AppContext& context, const QString& objectName, const QSt
         if (m_acceptable && !m_working)
             submit();
     });
+    form::pressFocusedByEnter(this);
     renew();
 }
 

@@ -178,7 +178,7 @@ void StorageScreen::askRestore() {
     if (!backup)
         return;
     const QString when = SessionWords::ago(SessionWords::timeOf(backup->createdUtc), QDateTime::currentDateTimeUtc(), context().locale());
-    auto* dialog = new RestoreDialog(context().theme(), when, QString::fromStdString(context().actor().name()), this);
+    auto* dialog = new RestoreDialog(context().theme(), when, QString::fromStdString(context().loginName()), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, folder = backup->folder] {
         database::RestoreRequest request;
