@@ -16,7 +16,7 @@ namespace {
 
 using Kind = RosterStep::Kind;
 
-RosterStep stepOf(const UserCsvRow& row, const Person* present, bool hasRoles, RosterExisting existing) {
+RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing) {
     RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(), 0, {}, {}};
     if (present == nullptr) {
         return step;
@@ -27,9 +27,9 @@ RosterStep stepOf(const UserCsvRow& row, const Person* present, bool hasRoles, R
     step.makesPassword = false;
     step.displayNameBefore = present->displayName;
     step.rolesBefore = present->roles;
-    // What the list does not say stays as it is.
+    // A full name that the list does not give stays as it is.
     step.displayName = updates && !row.displayName.empty() ? row.displayName : present->displayName;
-    step.roles = updates && hasRoles ? row.roles : present->roles;
+    step.roles = updates ? row.roles : present->roles;
     const bool same = step.displayName == present->displayName && step.roles == present->roles;
     step.kind = !updates ? Kind::skip : same ? Kind::same : Kind::update;
     return step;
@@ -78,7 +78,7 @@ std::vector<RosterStep> planRoster(const Roster& roster, const std::vector<Perso
     std::vector<RosterStep> steps;
     for (const UserCsvRow& row : roster.rows) {
         const auto found = byName.find(nameKey(row.name));
-        steps.push_back(stepOf(row, found == byName.end() ? nullptr : found->second, roster.hasRoles, existing));
+        steps.push_back(stepOf(row, found == byName.end() ? nullptr : found->second, existing));
     }
     return steps;
 }
@@ -130,6 +130,7 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
     for (std::size_t i = 0; i < ids->size(); ++i) {
         prepared.outcome.added[i].id = (*ids)[i];
     }
+    prepared.outcome.ignoredColumns = roster.ignoredColumns;
     prepared.outcome.updated = static_cast<int>(prepared.changes.size());
     prepared.outcome.skipped = static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
     return std::move(prepared.outcome);

@@ -54,6 +54,7 @@ struct RosterOutcome {
     std::vector<ImportedPerson> added;
     int updated = 0;
     int skipped = 0; ///< with those that were so already
+    std::vector<std::string> ignoredColumns;
 };
 
 /// One step for each line of the list, by who is there.

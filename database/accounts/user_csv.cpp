@@ -107,8 +107,13 @@ std::optional<Columns> columnsOf(const CsvRecord& header, Roster& roster) {
     if (knownHeadings(header.fields) == 0) {
         add(roster, {header.line, RosterFault::noHeadings, columns.headings.front(), 0, "", ""},
             "no heading is known; expected a first line with headings such as login name, full name, role, password");
-    } else if (!columns.has(RosterColumn::loginName)) {
-        add(roster, {header.line, RosterFault::columnMissing, "", 0, "", ""}, "no column holds the login name; expected a heading such as login name, Anmeldename or \xcf\x8c\xce\xbd\xce\xbf\xce\xbc\xce\xb1 \xcf\x87\xcf\x81\xce\xae\xcf\x83\xcf\x84\xce\xb7");
+        return std::nullopt;
+    }
+    if (!columns.has(RosterColumn::loginName)) {
+        add(roster, {header.line, RosterFault::columnMissing, "login name", 0, "", ""}, "no column holds it; expected a heading such as login name, Anmeldename or όνομα χρήστη");
+    }
+    if (!columns.has(RosterColumn::roles)) {
+        add(roster, {header.line, RosterFault::columnMissing, "role", 0, "", ""}, "no column holds it; expected a heading such as role, Rolle or ρόλος");
     }
     return roster.problems.empty() ? std::optional(columns) : std::nullopt;
 }
@@ -162,9 +167,6 @@ private:
         return whole.empty() ? simplified(cell(RosterColumn::givenName) + " " + cell(RosterColumn::familyName)) : whole;
     }
     RoleSet roles() {
-        if (!m_columns.has(RosterColumn::roles)) {
-            return {Role::trainee}; // whoever may do least; the preview says so
-        }
         const std::string words = cell(RosterColumn::roles);
         const auto set = rolesOfCell(words);
         if (!set) {
@@ -228,7 +230,6 @@ Roster readRoster(const std::string& bytes) {
     if (!columns) {
         return roster;
     }
-    roster.hasRoles = columns->has(RosterColumn::roles);
     RowReader rows(*columns, roster);
     for (std::size_t i = 1; i < records.size(); ++i) {
         rows.read(records[i]);

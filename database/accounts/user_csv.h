@@ -32,7 +32,7 @@ enum class RosterFault : std::uint8_t {
     nobody,       ///< no header line, or nobody under it
     noHeadings,   ///< no heading of the first line is known; value: the first one
     columnTwice,  ///< two columns hold the same; value: the second one's title
-    columnMissing, ///< the login name's
+    columnMissing, ///< value: what none holds, "login name" or "role"
     fieldCount, ///< a value beyond the headings; other: how many these are; value: how many fields there are
     roles,
     name,
@@ -57,13 +57,13 @@ struct Roster {
     std::vector<RosterProblem> problems;
     std::string encoding; ///< that the file was read with: "UTF-8", "UTF-16", "Windows-1252", "Windows-1253"
     char delimiter = ',';
-    bool hasRoles = true; ///< false: there is no such column, and new people become trainees
     std::vector<std::string> ignoredColumns; ///< headings of columns that are not imported
 };
 
 /// Reads the bytes of a list as a spreadsheet saves it (UTF-8, UTF-16, Windows-1252 or -1253; semicolon, comma or tab; "sep=;") and
 /// finds everything that is wrong in it; never fails as a whole. Headings may be English, German or Greek, in any order: login name,
-/// full name (or given and family name), roles, password; only the login name is needed.
+/// full name (or given and family name), roles, password; the login name and the
+/// roles are needed.
 Roster readRoster(const std::string& bytes);
 
 /// badInput that names everything wrong (at most 20 things): line, column, value and what was expected.

@@ -163,6 +163,11 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
     QString text = QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(done.added.size());
     if (done.updated > 0 || done.skipped > 0)
         text += QStringLiteral("Of those who had an account, %1 were updated and %2 left as they are.\n").arg(done.updated).arg(done.skipped);
+    QJsonArray ignored;
+    for (const std::string& title : done.ignoredColumns) {
+        ignored.append(QString::fromStdString(title));
+        text += QStringLiteral("Column not imported: %1\n").arg(printable(QString::fromStdString(title)));
+    }
     QString made;
     for (const database::ImportedPerson& person : done.added) {
         ids.append(static_cast<qint64>(person.id));
@@ -179,6 +184,7 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
                                       {QStringLiteral("ids"), ids},
                                       {QStringLiteral("updated"), done.updated},
                                       {QStringLiteral("skipped"), done.skipped},
+                                      {QStringLiteral("ignored_columns"), ignored},
                                       {QStringLiteral("passwords"), passwords}}),
             text, 0};
 }

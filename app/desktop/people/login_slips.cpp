@@ -22,8 +22,8 @@ QString words(const char* text) {
     return QCoreApplication::translate("LoginSlips", text);
 }
 
-QString text(const std::string& words) {
-    return QString::fromStdString(words);
+QString shown(const std::string& stored) {
+    return QString::fromStdString(stored);
 }
 
 /// One line of a slip: what it is, and what is written there.
@@ -41,12 +41,12 @@ QFont secretFont(const report::PlotTheme& theme) {
 }
 
 std::vector<Line> linesOf(const LoginSlips& slips, const database::ImportedPerson& person, const report::PlotTheme& theme) {
-    const QString name = text(person.displayName.empty() ? person.name : person.displayName);
+    const QString name = shown(person.displayName.empty() ? person.name : person.displayName);
     std::vector<Line> lines{{words(QT_TRANSLATE_NOOP("LoginSlips", "Name")), name, theme.font(14, true)}};
     if (!slips.site.isEmpty())
         lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Site")), slips.site, theme.font(12)});
-    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Login name")), text(person.name), secretFont(theme)});
-    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Password")), text(person.madePassword), secretFont(theme)});
+    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Login name")), shown(person.name), secretFont(theme)});
+    lines.push_back({words(QT_TRANSLATE_NOOP("LoginSlips", "Password")), shown(person.madePassword), secretFont(theme)});
     return lines;
 }
 

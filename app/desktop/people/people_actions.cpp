@@ -52,6 +52,8 @@ void askFile(QWidget* owner, const QString& title, QFileDialog::AcceptMode mode,
     dialog->setFileMode(mode == QFileDialog::AcceptSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     dialog->setDirectory(QDir::homePath());
     dialog->setNameFilter(filter);
+    if (mode == QFileDialog::AcceptSave)
+        dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
     dialog->selectFile(suggestion);
     QObject::connect(dialog, &QFileDialog::fileSelected, owner, chosen);
     dialog->open();

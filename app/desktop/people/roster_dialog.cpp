@@ -99,6 +99,7 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     if (!plan.steps.empty())
         parts->addWidget(rosterTable(theme(), plan), 1);
     parts->addStretch();
+    delete m_panel->content(); // of the choice before
     m_panel->setContent(whole);
     m_panel->showContent();
     setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes) : tr("Import"));

@@ -83,8 +83,6 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
     const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
     if (made > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n passwords would be made. They are shown once, right after the import, to be printed as slips."), made);
-    if (!plan.roster.hasRoles && added > 0)
-        lines << words(QT_TRANSLATE_NOOP("RosterWords", "The list has no column for roles: everybody new becomes a trainee."));
     if (!plan.roster.ignoredColumns.empty()) {
         QStringList titles;
         for (const std::string& title : plan.roster.ignoredColumns)

@@ -57,7 +57,8 @@ QString faultWords(const database::RosterProblem& problem) {
     case RosterFault::columnTwice:
         return words(QT_TRANSLATE_NOOP("RosterWords", "the column \"%1\" holds what another column holds already")).arg(value);
     case RosterFault::columnMissing:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "no column holds the login name; give one the heading “Login name”"));
+        return problem.value == "role" ? words(QT_TRANSLATE_NOOP("RosterWords", "no column holds the roles; give one the heading “Role”"))
+                                       : words(QT_TRANSLATE_NOOP("RosterWords", "no column holds the login name; give one the heading “Login name”"));
     case RosterFault::fieldCount:
         return words(QT_TRANSLATE_NOOP("RosterWords", "has %1 fields, and there are %2 headings; put a value that holds the separator into quotation marks")).arg(value, locale.toString(problem.other));
     case RosterFault::roles:
