@@ -12,6 +12,37 @@
     </message>
 </context>
 <context>
+    <name>RosterWords</name>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+                <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
+                <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be updated; their passwords remain valid.</source>
+        <translation>
+                <numerusform>%n person would be updated; their password remains valid.</numerusform>
+                <numerusform>%n people would be updated; their passwords remain valid.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people have an account already and would be left as they are.</source>
+        <translation>
+                <numerusform>%n person has an account already and would be left as it is.</numerusform>
+                <numerusform>%n people have an account already and would be left as they are.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
+        <translation>
+                <numerusform>%n password would be made. It is shown once, right after the import, to be printed as a slip.</numerusform>
+                <numerusform>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</numerusform>
+            </translation>
+    </message>
+</context>
+<context>
     <name>SessionWords</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>
@@ -418,13 +449,6 @@
 <context>
     <name>chiron::desktop::RosterDialog</name>
     <message numerus="yes">
-        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
-        <translation>
-            <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
-            <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Import %n people</source>
         <translation>
             <numerusform>Import %n person</numerusform>
@@ -446,11 +470,18 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Adding %n people …</source>
+        <source>Importing %n people …</source>
         <translation>
-            <numerusform>Adding %n person …</numerusform>
-            <numerusform>Adding %n people …</numerusform>
-        </translation>
+                <numerusform>Importing %n person …</numerusform>
+                <numerusform>Importing %n people …</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were updated.</source>
+        <translation>
+                <numerusform>%n person was updated.</numerusform>
+                <numerusform>%n people were updated.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
