@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/screen_catalogue.h"
 
+#include "desktop/account/account_screen.h"
 #include "desktop/debrief/debrief_screen.h"
 #include "desktop/exercise_setup/exercise_setup_screen.h"
 #include "desktop/first_start/first_start_screen.h"
@@ -63,6 +64,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},
         {"debrief", QT_TRANSLATE_NOOP("Screens", "Debrief"), "view-statistics", {}, true, &make<DebriefScreen>},
         {"playback", QT_TRANSLATE_NOOP("Screens", "Playback"), "media-playback-start", {}, true, &make<PlaybackScreen>},
+        {"account", QT_TRANSLATE_NOOP("Screens", "My account"), "user-identity", {}, true, &make<AccountScreen>},
         {"settings", QT_TRANSLATE_NOOP("Screens", "Settings"), "configure", everybody, true, &make<SettingsScreen>},
     };
     return entries;

@@ -179,10 +179,17 @@ QJsonObject personExportJson(const database::PersonExport& everything) {
                                  {QStringLiteral("target"), text(entry.target)},
                                  {QStringLiteral("target_id"), static_cast<qint64>(entry.targetId)},
                                  {QStringLiteral("detail"), parsed(entry.detailJson)}});
+    QJsonArray earlier;
+    for (const database::EarlierName& before : everything.earlierNames)
+        earlier.append(QJsonObject{{QStringLiteral("name"), text(before.name)},
+                                   {QStringLiteral("display_name"), text(before.displayName)},
+                                   {QStringLiteral("until_utc"), text(before.untilUtc)},
+                                   {QStringLiteral("changed_by"), static_cast<qint64>(before.changedBy)}});
     QJsonArray participations;
     for (const database::PersonParticipation& held : everything.participations)
         participations.append(participationJson(held));
     return {{QStringLiteral("person"), personJson(everything.person)},
+            {QStringLiteral("earlier_names"), earlier},
             {QStringLiteral("has_password"), everything.hasPassword},
             {QStringLiteral("failed_logins"), everything.failedLogins},
             {QStringLiteral("sessions"), sessions},

@@ -13,7 +13,7 @@ std::string wordsFor(Action action) {
         const bool capital = c >= 'A' && c <= 'Z';
         words += capital ? std::string{' ', static_cast<char>(c - 'A' + 'a')} : std::string(1, c);
     }
-    for (const char* thing : {"person", "session", "trials", "events", "second", "comments", "score", "study", "sealed", "condition",
+    for (const char* thing : {"person", "earlier", "session", "trials", "events", "second", "comments", "score", "study", "sealed", "condition",
                               "participant", "runs", "questionnaire"}) {
         if (words.starts_with(thing)) {
             return "read " + words;

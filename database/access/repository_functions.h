@@ -20,6 +20,9 @@
     X(AccountRepository, personByName)                                                                       \
     X(AccountRepository, setEnabled)                                                                         \
     X(AccountRepository, setRoles)                                                                           \
+    X(AccountRepository, changeNames)                                                                        \
+    X(AccountRepository, changeDisplayName)                                                                  \
+    X(AccountRepository, earlierNames)                                                                       \
     X(AccountRepository, changePassword)                                                                     \
     X(AccountRepository, resetPassword)                                                                      \
     X(PrivacyRepository, exportPerson)                                                                       \

@@ -77,6 +77,11 @@ core::Result<void> checkText(const std::string& field, const std::string& text, 
     return {};
 }
 
+core::Result<void> checkNames(const std::string& name, const std::string& displayName) {
+    auto good = checkName(name);
+    return good ? checkText("display name", displayName, kMaximumDisplayNameCharacters) : good;
+}
+
 std::string nameKey(const std::string& name) {
     return QString::fromStdString(name)
         .normalized(QString::NormalizationForm_KC)

@@ -11,6 +11,7 @@ inline constexpr int kMinimumPasswordCharacters = 10;
 inline constexpr int kMaximumPasswordBytes = 1024;
 inline constexpr int kMinimumDifferentCharacters = 4;
 inline constexpr int kMaximumNameCharacters = 64;
+inline constexpr int kMaximumDisplayNameCharacters = 200;
 
 /// Each password rule by itself, for a form that tells while somebody types.
 struct PasswordCheck {
@@ -30,6 +31,9 @@ core::Result<void> checkPassword(const std::string& name, const std::string& pas
 /// Login names: 1..64 characters, valid UTF-8, no control characters, no leading or trailing space, not
 /// "simulated", no comma. Anything else is allowed: names are bound, never pasted into SQL.
 core::Result<void> checkName(const std::string& name);
+
+/// Login name and display name.
+core::Result<void> checkNames(const std::string& name, const std::string& displayName);
 
 /// Free text: valid UTF-8 without NUL, at most the given number of characters.
 core::Result<void> checkText(const std::string& field, const std::string& text, int maximumCharacters);

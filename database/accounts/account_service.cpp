@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/accounts/account_service.h"
 
-#include "database/access/authorise.h"
 #include "database/accounts/account_rules.h"
 #include "database/accounts/password_hasher.h"
 #include "database/accounts/recovery_code.h"
 #include "database/query.h"
 #include "database/repositories/account_repository.h"
 #include "database/repositories/privacy_repository.h"
-
-#include <algorithm>
-#include <set>
 
 namespace chiron::database {
 namespace {
@@ -85,77 +81,57 @@ core::Result<PersonId> AccountService::createPerson(const Actor& actor, const Pe
     });
 }
 
-core::Result<Roster> AccountService::previewCsv(const Actor& actor, const std::string& csvText) {
-    auto reader = m_database.openReader();
-    if (!reader) {
-        return tl::unexpected(reader.error());
-    }
-    if (const auto scope = authorise(**reader, actor, Action::importPeople); !scope) {
-        return tl::unexpected(scope.error());
-    }
-    const auto people = AccountRepository(**reader, actor).listPeople();
-    if (!people) {
-        return tl::unexpected(people.error());
-    }
-    std::set<std::string> taken;
-    for (const Person& person : *people) {
-        taken.insert(nameKey(person.name));
-    }
-    Roster roster = readRoster(csvText);
-    for (UserCsvRow& row : roster.rows) {
-        row.password.clear(); // whoever looks at the preview has no need of it
-        if (taken.contains(nameKey(row.name))) {
-            roster.problems.push_back({row.line, RosterFault::nameTaken, row.name, 0,
-                                       "name \"" + row.name + "\": somebody has it already"});
-        }
-    }
-    std::stable_sort(roster.problems.begin(), roster.problems.end(),
-                     [](const RosterProblem& a, const RosterProblem& b) { return a.line < b.line; });
-    return roster;
-}
-
-core::Result<std::vector<PersonId>>
-AccountService::importCsv(const Actor& actor, const std::string& csvText,
-                          const std::function<bool(int done, int of)>& step) {
-    const auto rows = parseUserCsv(csvText);
-    if (!rows) {
-        return tl::unexpected(rows.error());
-    }
-    const PasswordHasher hasher(m_database.options().passwordCost);
-    std::vector<NewPerson> people;
-    for (const UserCsvRow& row : *rows) {
-        if (step && !step(static_cast<int>(people.size()), static_cast<int>(rows->size()))) {
-            return core::fail(core::ErrorCode::cancelled, "the import was stopped; nobody was added");
-        }
-        const auto hash = hasher.hash(row.password);
-        if (!hash) {
-            return tl::unexpected(hash.error());
-        }
-        people.push_back({row.name, row.displayName, row.roles, *hash, true});
-    }
+core::Result<void> AccountService::changeNames(const Actor& actor, PersonId person, const std::string& name,
+                                               const std::string& displayName) {
     return m_database.write([&](WriteContext& writing) {
-        return AccountRepository(writing.connection(), actor).importPeople(people);
+        return AccountRepository(writing.connection(), actor).changeNames(person, name, displayName);
     });
 }
 
-core::Result<void> AccountService::changePassword(const Actor& actor, const std::string& oldPassword,
-                                                  const std::string& newPassword) {
-    if (auto good = checkPassword(actor.name(), newPassword); !good) {
-        return good;
+core::Result<void> AccountService::changeDisplayName(const Actor& actor, const std::string& displayName) {
+    return m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).changeDisplayName(actor.personId(), displayName);
+    });
+}
+
+core::Result<std::vector<EarlierName>> AccountService::earlierNames(const Actor& actor, PersonId person) {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, actor).earlierNames(person) : tl::unexpected(reader.error());
+}
+
+core::Result<Person> AccountService::self(const Actor& actor) {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, actor).person(actor.personId()) : tl::unexpected(reader.error());
+}
+
+tl::expected<void, Refusal> AccountService::tryChangePassword(const Actor& actor, const std::string& oldPassword,
+                                                              const std::string& newPassword) {
+    const auto failed = [](const core::Error& error) {
+        return tl::unexpected(Refusal{Refusal::Kind::failed, 0, error});
+    };
+    if (auto good = checkPassword(nameNow(actor), newPassword); !good) {
+        return failed(good.error());
     }
     if (oldPassword == newPassword) {
-        return core::fail(core::ErrorCode::badInput, "the new password is the old one");
+        return failed({core::ErrorCode::badInput, "the new password is the old one"});
     }
-    if (auto confirmed = confirm(actor, oldPassword); !confirmed) {
+    if (auto confirmed = tryConfirm(actor, oldPassword); !confirmed) {
         return tl::unexpected(confirmed.error());
     }
     const auto hash = PasswordHasher(m_database.options().passwordCost).hash(newPassword);
     if (!hash) {
-        return tl::unexpected(hash.error());
+        return failed(hash.error());
     }
-    return m_database.write([&](WriteContext& writing) {
+    const auto stored = m_database.write([&](WriteContext& writing) {
         return AccountRepository(writing.connection(), actor).changePassword(actor.personId(), *hash);
     });
+    return stored ? tl::expected<void, Refusal>() : failed(stored.error());
+}
+
+core::Result<void> AccountService::changePassword(const Actor& actor, const std::string& oldPassword,
+                                                  const std::string& newPassword) {
+    const auto changed = tryChangePassword(actor, oldPassword, newPassword);
+    return changed ? core::Result<void>() : tl::unexpected(changed.error().error);
 }
 
 core::Result<void> AccountService::resetPassword(const Actor& actor, PersonId person,

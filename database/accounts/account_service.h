@@ -3,7 +3,7 @@
 
 #include "core/result.h"
 #include "database/accounts/person.h"
-#include "database/accounts/user_csv.h"
+#include "database/accounts/roster_import.h"
 #include "database/database.h"
 #include "database/privacy/erasure.h"
 #include "database/repositories/study_types.h"
@@ -63,23 +63,36 @@ public:
                                                   const std::string& newPassword);
 
     core::Result<PersonId> createPerson(const Actor& actor, const PersonRequest& request);
-    /// CSV with a header line: name,display_name,roles,password (roles separated by ';' or quoted commas).
-    /// All or nothing; every wrong row is named (line, column, value, expectation). People must change these
-    /// passwords at first login.
+    /// A list of people (readRoster): adds those who are new and leaves or changes those who are here already.
+    /// All or nothing; everything wrong is named (line, column, value, expectation). Passwords that the list does
+    /// not give are made; whoever is new must change theirs at the first login.
     /// `step` hears how many passwords are hashed, of how many (that is what takes long); false from it ends
-    /// the import with cancelled, and nobody was added.
-    core::Result<std::vector<PersonId>> importCsv(const Actor& actor, const std::string& csvText,
-                                                  const std::function<bool(int done, int of)>& step = {});
-    /// What importCsv would do, without doing it: people to be added (without their passwords) and everything
-    /// wrong, by line; also names that are taken. Failure: notAllowed, storage.
-    core::Result<Roster> previewCsv(const Actor& actor, const std::string& csvText);
+    /// the import with cancelled, and nothing was changed.
+    core::Result<RosterOutcome> importCsv(const Actor& actor, const std::string& csv,
+                                          RosterExisting existing = RosterExisting::skip,
+                                          const std::function<bool(int done, int of)>& step = {});
+    /// What importCsv would do, without doing it, and without passwords. Failure: notAllowed, storage.
+    core::Result<RosterPlan> previewCsv(const Actor& actor, const std::string& csv,
+                                        RosterExisting existing = RosterExisting::skip);
+    /// Failure: badInput when the login name is taken or not allowed.
+    core::Result<void> changeNames(const Actor& actor, PersonId person, const std::string& name,
+                                   const std::string& displayName);
+    /// One's own.
+    core::Result<void> changeDisplayName(const Actor& actor, const std::string& displayName);
+    /// What somebody was called before, latest first.
+    core::Result<std::vector<EarlierName>> earlierNames(const Actor& actor, PersonId person);
     core::Result<void> changePassword(const Actor& actor, const std::string& oldPassword,
                                       const std::string& newPassword);
+    /// The same for a screen: a wrong old password is counted and throttled like a login.
+    tl::expected<void, Refusal> tryChangePassword(const Actor& actor, const std::string& oldPassword,
+                                                  const std::string& newPassword);
     /// By an administrator: the person must change it at the next login.
     core::Result<void> resetPassword(const Actor& actor, PersonId person, const std::string& newPassword);
     core::Result<void> setEnabled(const Actor& actor, PersonId person, bool enabled);
     core::Result<void> setRoles(const Actor& actor, PersonId person, const RoleSet& roles);
     core::Result<std::vector<Person>> listPeople(const Actor& actor);
+    /// The actor's own account, as it is now.
+    core::Result<Person> self(const Actor& actor);
     core::Result<Person> personByName(const Actor& actor, const std::string& name);
     /// Erases a person (data.md, Proof): the administrator's own password confirms it. Overwrites, then
     /// VACUUMs. withdrawRecordings also overwrites their samples. Where it stopped half-way (disk full,
@@ -98,6 +111,7 @@ private:
     core::Result<LoginAttempt> begin(const std::string& name, bool recovery);
     core::Result<Actor> finish(const LoginAttempt& attempt);
     core::Result<Actor> confirm(const Actor& actor, const std::string& password);
+    std::string nameNow(const Actor& actor);
     Database& m_database;
 };
 

@@ -124,8 +124,14 @@ core::Result<std::string> AccountService::recover(const std::string& name, const
     return newCode ? core::Result<std::string>(*newCode) : tl::unexpected(newCode.error().error);
 }
 
+// An administrator may have given them another one since they logged in.
+std::string AccountService::nameNow(const Actor& actor) {
+    const auto person = self(actor);
+    return person ? person->name : actor.name();
+}
+
 tl::expected<Actor, Refusal> AccountService::tryConfirm(const Actor& actor, const std::string& password) {
-    auto confirmed = tryLogin(actor.name(), password);
+    auto confirmed = tryLogin(nameNow(actor), password);
     if (confirmed && confirmed->personId() != actor.personId()) {
         return tl::unexpected(wrongSecret("password")); // somebody else has the name by now
     }

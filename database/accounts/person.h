@@ -20,6 +20,15 @@ struct Person {
     std::string createdUtc;
 };
 
+/// What somebody was called until a change of name.
+struct EarlierName {
+    std::int64_t id = 0;
+    std::string name;
+    std::string displayName;
+    std::string untilUtc;
+    PersonId changedBy = 0;
+};
+
 /// Whom the login screen offers: no e-mail, no roles, no code.
 struct LoginName {
     PersonId id = 0;
@@ -35,6 +44,14 @@ struct NewPerson {
     RoleSet roles;
     std::string passwordHash;
     bool mustChangePassword = false;
+};
+
+/// What a list of people changes about somebody who has an account already; the login name and the password
+/// stay as they are.
+struct PersonChange {
+    PersonId id = 0;
+    std::string displayName;
+    RoleSet roles;
 };
 
 /// One stored attempt to log in, between beginLogin and finishLogin.

@@ -2,205 +2,259 @@
 #include "database/accounts/user_csv.h"
 
 #include "database/accounts/account_rules.h"
+#include "database/accounts/csv_records.h"
+#include "database/accounts/roster_words.h"
+#include "database/accounts/table_text.h"
 
+#include <QString>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
 namespace chiron::database {
 namespace {
 
-struct Record {
-    int line = 1;
-    std::vector<std::string> fields;
-};
-
 constexpr std::size_t kMaximumRecords = 10000;
 constexpr std::size_t kMaximumNamedErrors = 20;
+constexpr std::array kDelimiters{',', ';', '\t'};
 
-// One pass over the text; quotes double inside quotes, line ends may be LF or CRLF.
-class CsvReader {
+void add(Roster& roster, RosterProblem problem, const std::string& expectation) {
+    problem.words = "line " + std::to_string(problem.line);
+    problem.words += problem.column.empty() ? "" : ", " + problem.column;
+    problem.words += problem.value.empty() ? "" : " \"" + problem.value + "\"";
+    problem.words += ": " + expectation;
+    roster.problems.push_back(std::move(problem));
+}
+
+void addTextProblem(Roster& roster, const TextProblem& problem) {
+    using Kind = TextProblem::Kind;
+    const auto add = [&](RosterFault fault, const std::string& words) { roster.problems.push_back({problem.line, fault, "", 0, words}); };
+    const std::string line = "line " + std::to_string(problem.line) + ": ";
+    const std::string saveAs = "; expected a CSV file: open it in the spreadsheet program and save it as CSV";
+    switch (problem.kind) {
+    case Kind::excel:
+        return add(RosterFault::excelFile, "this is an Excel workbook (.xlsx)" + saveAs);
+    case Kind::openDocument:
+        return add(RosterFault::openDocumentFile, "this is an OpenDocument spreadsheet (.ods)" + saveAs);
+    case Kind::oldExcel:
+        return add(RosterFault::oldExcelFile, "this is an old Excel workbook (.xls)" + saveAs);
+    case Kind::pdf:
+        return add(RosterFault::pdfFile, "this is a PDF; expected a CSV file: save the list as CSV in the program that it comes from");
+    case Kind::archive:
+        return add(RosterFault::archiveFile, "this is a ZIP archive; expected the CSV file itself");
+    case Kind::binary:
+        return add(RosterFault::notText, line + "control characters; expected a text file (CSV)");
+    case Kind::damaged:
+        return add(RosterFault::notReadable, line + "bytes that are no text in UTF-8, UTF-16, Windows-1252 or Windows-1253; save the list as CSV once more");
+    }
+}
+
+// The delimiter that makes most headings known; what stands in quotes delimits nothing.
+char delimiterOf(const std::string& text, int firstLine) {
+    char best = kDelimiters.front();
+    std::pair<int, std::size_t> most{-1, 0};
+    for (const char delimiter : kDelimiters) {
+        const CsvRecords first = readCsvRecords(text, delimiter, 0, firstLine);
+        if (first.records.empty()) {
+            continue;
+        }
+        const std::vector<std::string>& headings = first.records.front().fields;
+        const std::pair<int, std::size_t> now{knownHeadings(headings), headings.size()};
+        if (now > most) {
+            most = now;
+            best = delimiter;
+        }
+    }
+    return best;
+}
+
+/// Where what stands; npos: nowhere.
+struct Columns {
+    std::map<RosterColumn, std::size_t> places;
+    std::vector<std::string> headings;
+    std::size_t count = 0; ///< without those at the end that have no heading
+
+    bool has(RosterColumn column) const { return places.contains(column); }
+    std::string heading(RosterColumn column) const { return has(column) ? headings[places.at(column)] : std::string(); }
+};
+
+std::string trimmed(const std::string& text) {
+    return QString::fromStdString(text).trimmed().toStdString();
+}
+
+// Line breaks and double spaces within a cell are how it was laid out.
+std::string simplified(const std::string& text) {
+    return QString::fromStdString(text).simplified().toStdString();
+}
+
+std::optional<Columns> columnsOf(const CsvRecord& header, Roster& roster) {
+    Columns columns;
+    const std::vector<RosterColumn> kinds = rosterColumns(header.fields);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::string title = simplified(header.fields[i]);
+        columns.headings.push_back(title);
+        columns.count = kinds[i] == RosterColumn::empty ? columns.count : i + 1;
+        if (kinds[i] == RosterColumn::empty) {
+            continue;
+        }
+        if (kinds[i] == RosterColumn::unknown || kinds[i] == RosterColumn::group) {
+            roster.ignoredColumns.push_back(title);
+        } else if (!columns.places.emplace(kinds[i], i).second) {
+            add(roster, {header.line, RosterFault::columnTwice, title, 0, "", "column"}, "another column holds the same; expected it once");
+        }
+    }
+    if (knownHeadings(header.fields) == 0) {
+        add(roster, {header.line, RosterFault::noHeadings, columns.headings.front(), 0, "", ""},
+            "no heading is known; expected a first line with headings such as login name, full name, role, password");
+        return std::nullopt;
+    }
+    if (!columns.has(RosterColumn::loginName)) {
+        add(roster, {header.line, RosterFault::columnMissing, "login name", 0, "", ""}, "no column holds it; expected a heading such as login name, Anmeldename or όνομα χρήστη");
+    }
+    if (!columns.has(RosterColumn::roles)) {
+        add(roster, {header.line, RosterFault::columnMissing, "role", 0, "", ""}, "no column holds it; expected a heading such as role, Rolle or ρόλος");
+    }
+    return roster.problems.empty() ? std::optional(columns) : std::nullopt;
+}
+
+class RowReader {
 public:
-    explicit CsvReader(const std::string& text) : m_text(text) {}
-    std::vector<Record> read(Roster& roster) {
-        for (std::size_t i = 0; i < m_text.size(); ++i) {
-            m_line += m_text[i] == '\n' ? 1 : 0;
-            m_quoted ? inside(i) : outside(m_text[i]);
-            if (m_records.size() > kMaximumRecords) {
-                roster.problems.push_back({m_line, RosterFault::tooManyLines, std::to_string(kMaximumRecords),
-                                           0, "more than " + std::to_string(kMaximumRecords) + " lines"});
-                return {};
-            }
+    RowReader(const Columns& columns, Roster& roster) : m_columns(columns), m_roster(roster) {}
+
+    void read(const CsvRecord& record) {
+        m_record = &record;
+        if (holdsMore()) {
+            return;
         }
-        if (m_quoted) {
-            roster.problems.push_back(
-                {m_record.line, RosterFault::notClosed, "", 0,
-                 "line " + std::to_string(m_record.line) + ": a quotation mark is not closed"});
-            return {};
-        }
-        if (!m_field.empty() || !m_record.fields.empty()) {
-            endRecord();
-        }
-        return std::move(m_records);
+        UserCsvRow row;
+        row.line = record.line;
+        row.name = trimmed(cell(RosterColumn::loginName));
+        row.displayName = displayName();
+        row.password = trimmed(cell(RosterColumn::password)).empty() ? std::string() : cell(RosterColumn::password);
+        row.roles = roles();
+        check(row);
+        m_roster.rows.push_back(std::move(row));
     }
 
 private:
-    void inside(std::size_t& i) {
-        const bool quote = m_text[i] == '"';
-        if (quote && i + 1 < m_text.size() && m_text[i + 1] == '"') {
-            m_field.push_back(m_text[++i]);
-        } else if (quote) {
-            m_quoted = false;
-        } else {
-            m_field.push_back(m_text[i]);
+    // A spreadsheet leaves out what is empty at a line's end, so a line may be short but never long.
+    bool holdsMore() {
+        std::size_t filled = 0;
+        for (std::size_t i = 0; i < m_record->fields.size(); ++i) {
+            filled = trimmed(m_record->fields[i]).empty() ? filled : i + 1;
         }
-    }
-    void outside(char c) {
-        if (c == '"' && m_field.empty()) {
-            m_quoted = true;
-        } else if (c == ',') {
-            endField();
-        } else if (c == '\n') {
-            endRecord();
-        } else if (c != '\r') {
-            m_field.push_back(c);
+        const bool untitled = filled <= m_columns.count && [&] {
+            for (std::size_t i = 0; i < filled; ++i) {
+                if (m_columns.headings[i].empty() && !trimmed(m_record->fields[i]).empty()) {
+                    return true;
+                }
+            }
+            return false;
+        }();
+        if (filled > m_columns.count || untitled) {
+            add(m_roster, {m_record->line, RosterFault::fieldCount, std::to_string(filled), static_cast<int>(m_columns.count), "", "fields"},
+                untitled ? "a value stands in a column without a heading" : "expected " + std::to_string(m_columns.count) + "; quote a value that holds the delimiter");
         }
+        return filled > m_columns.count || untitled;
     }
-    void endField() {
-        m_record.fields.push_back(std::move(m_field));
-        m_field.clear();
+    std::string cell(RosterColumn column) const {
+        const auto place = m_columns.places.find(column);
+        return place == m_columns.places.end() || place->second >= m_record->fields.size() ? std::string() : m_record->fields[place->second];
     }
-    void endRecord() {
-        endField();
-        if (m_record.fields.size() > 1 || !m_record.fields.front().empty()) {
-            m_records.push_back(std::move(m_record));
+    std::string displayName() const {
+        const std::string whole = simplified(cell(RosterColumn::displayName));
+        return whole.empty() ? simplified(cell(RosterColumn::givenName) + " " + cell(RosterColumn::familyName)) : whole;
+    }
+    RoleSet roles() {
+        const std::string words = cell(RosterColumn::roles);
+        const auto set = rolesOfCell(words);
+        if (!set) {
+            add(m_roster, {m_record->line, RosterFault::roles, simplified(words), 0, "", m_columns.heading(RosterColumn::roles)},
+                "expected trainee, trainer, researcher or admin, separated by ;");
         }
-        m_record = Record{m_line, {}};
+        return set.value_or(RoleSet{});
+    }
+    void check(const UserCsvRow& row) {
+        if (const auto good = checkName(row.name); !good) {
+            add(m_roster, {row.line, RosterFault::name, row.name, 0, "", m_columns.heading(RosterColumn::loginName)}, good.error().message);
+        }
+        if (const auto good = checkText("display name", row.displayName, kMaximumDisplayNameCharacters); !good) {
+            const RosterColumn column = m_columns.has(RosterColumn::displayName) ? RosterColumn::displayName : m_columns.has(RosterColumn::familyName) ? RosterColumn::familyName : RosterColumn::givenName;
+            add(m_roster, {row.line, RosterFault::displayName, "", 0, "", m_columns.heading(column)}, good.error().message);
+        }
+        if (const auto good = checkPassword(row.name, row.password); !row.password.empty() && !good) {
+            add(m_roster, {row.line, RosterFault::password, "", 0, "", m_columns.heading(RosterColumn::password)}, good.error().message);
+        }
+        const auto [other, isNew] = m_lineOfName.emplace(nameKey(row.name), row.line);
+        if (!isNew && !row.name.empty()) {
+            add(m_roster, {row.line, RosterFault::nameTwice, row.name, other->second, "", m_columns.heading(RosterColumn::loginName)},
+                "given already in line " + std::to_string(other->second));
+        }
     }
 
-    const std::string& m_text;
-    std::vector<Record> m_records;
-    Record m_record;
-    std::string m_field;
-    bool m_quoted = false;
-    int m_line = 1;
+    const Columns& m_columns;
+    Roster& m_roster;
+    const CsvRecord* m_record = nullptr;
+    std::map<std::string, int> m_lineOfName;
 };
 
-struct Columns {
-    std::optional<std::size_t> name, displayName, roles, password;
-};
-
-std::optional<Columns> headerOf(const Record& header, Roster& roster) {
-    Columns columns;
-    for (std::size_t i = 0; i < header.fields.size(); ++i) {
-        const std::string& title = header.fields[i];
-        std::optional<std::size_t>* column = title == "name"           ? &columns.name
-                                             : title == "display_name" ? &columns.displayName
-                                             : title == "roles"        ? &columns.roles
-                                             : title == "password"     ? &columns.password
-                                                                       : nullptr;
-        if (column == nullptr || column->has_value()) {
-            roster.problems.push_back(
-                {1, RosterFault::unknownColumn, title, 0,
-                 "line 1: column \"" + title +
-                     "\" is unknown or given twice; expected name,display_name,roles,password"});
-            return std::nullopt;
-        }
-        *column = i;
+std::vector<CsvRecord> recordsOf(std::string text, Roster& roster) {
+    const auto said = takeSeparatorLine(text);
+    const int firstLine = said ? 2 : 1;
+    roster.delimiter = said.value_or(delimiterOf(text, firstLine));
+    CsvRecords read = readCsvRecords(text, roster.delimiter, kMaximumRecords, firstLine);
+    if (read.tooMany) {
+        const std::string most = std::to_string(kMaximumRecords);
+        roster.problems.push_back({read.records.back().line, RosterFault::tooManyLines, most, 0, "more than " + most + " lines"});
+    } else if (read.notClosed) {
+        roster.problems.push_back({*read.notClosed, RosterFault::notClosed, "", 0, "line " + std::to_string(*read.notClosed) + ": a quotation mark is not closed"});
+    } else if (read.records.size() < 2) {
+        roster.problems.push_back({firstLine, RosterFault::nobody, "", 0, "expected a header line and at least one person"});
     }
-    if (!columns.name || !columns.roles || !columns.password) {
-        roster.problems.push_back({1, RosterFault::columnMissing, "", 0,
-                                   "line 1: expected the columns name,display_name,roles,password"});
-        return std::nullopt;
-    }
-    return columns;
-}
-
-void add(Roster& roster, int line, RosterFault fault, const std::string& column, const std::string& value,
-         const std::string& expectation, int other = 0) {
-    roster.problems.push_back({line, fault, value, other,
-                               "line " + std::to_string(line) + ", " + column +
-                                   (value.empty() ? "" : " \"" + value + "\"") + ": " + expectation});
-}
-
-UserCsvRow rowOf(const Record& record, const Columns& columns, Roster& roster) {
-    UserCsvRow row;
-    row.line = record.line;
-    row.name = record.fields[*columns.name];
-    row.displayName = columns.displayName ? record.fields[*columns.displayName] : "";
-    row.password = record.fields[*columns.password];
-    std::string roles = record.fields[*columns.roles];
-    std::replace(roles.begin(), roles.end(), ';', ',');
-    if (const auto set = rolesFromList(roles)) {
-        row.roles = *set;
-    } else {
-        add(roster, row.line, RosterFault::roles, "roles", record.fields[*columns.roles],
-            "expected trainee, trainer, researcher or admin, separated by ;");
-    }
-    if (const auto good = checkName(row.name); !good) {
-        add(roster, row.line, RosterFault::name, "name", row.name, good.error().message);
-    }
-    if (const auto good = checkText("display name", row.displayName, 200); !good) {
-        add(roster, row.line, RosterFault::displayName, "display_name", "", good.error().message);
-    }
-    if (const auto good = checkPassword(row.name, row.password); !good) {
-        add(roster, row.line, RosterFault::password, "password", "", good.error().message);
-    }
-    return row;
+    return std::move(read.records);
 }
 
 } // namespace
 
-Roster readRoster(const std::string& text) {
+Roster readRoster(const std::string& bytes) {
     Roster roster;
-    const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
-    const auto records = CsvReader(body).read(roster);
-    if (!roster.problems.empty()) {
+    auto text = readTableText(bytes);
+    if (!text) {
+        addTextProblem(roster, text.error());
         return roster;
     }
-    if (records.size() < 2) {
-        roster.problems.push_back(
-            {1, RosterFault::nobody, "", 0, "expected a header line and at least one person"});
-        return roster;
-    }
-    const auto columns = headerOf(records.front(), roster);
+    roster.encoding = text->encoding;
+    const auto records = recordsOf(std::move(text->text), roster);
+    const auto columns = roster.problems.empty() ? columnsOf(records.front(), roster) : std::nullopt;
     if (!columns) {
         return roster;
     }
-    const int expected = static_cast<int>(records.front().fields.size());
-    std::map<std::string, int> lineOfName;
+    RowReader rows(*columns, roster);
     for (std::size_t i = 1; i < records.size(); ++i) {
-        const Record& record = records[i];
-        if (static_cast<int>(record.fields.size()) != expected) {
-            add(roster, record.line, RosterFault::fieldCount, "fields", std::to_string(record.fields.size()),
-                "expected " + std::to_string(expected), expected);
-            continue;
-        }
-        roster.rows.push_back(rowOf(record, *columns, roster));
-        const UserCsvRow& row = roster.rows.back();
-        const auto [other, isNew] = lineOfName.emplace(nameKey(row.name), record.line);
-        if (!isNew) {
-            add(roster, record.line, RosterFault::nameTwice, "name", row.name,
-                "given already in line " + std::to_string(other->second), other->second);
-        }
+        rows.read(records[i]);
     }
     return roster;
 }
 
-core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& text) {
-    Roster roster = readRoster(text);
+core::Error rosterError(const std::vector<RosterProblem>& problems) {
+    std::string words;
+    const std::size_t named = std::min(problems.size(), kMaximumNamedErrors);
+    for (std::size_t i = 0; i < named; ++i) {
+        words += (words.empty() ? "" : "\n") + problems[i].words;
+    }
+    if (named < problems.size()) {
+        words += "\nand " + std::to_string(problems.size() - named) + " more";
+    }
+    return {core::ErrorCode::badInput, words};
+}
+
+core::Result<std::vector<UserCsvRow>> parseUserCsv(const std::string& bytes) {
+    Roster roster = readRoster(bytes);
     if (roster.problems.empty()) {
         return std::move(roster.rows);
     }
-    std::string words;
-    const std::size_t named = std::min(roster.problems.size(), kMaximumNamedErrors);
-    for (std::size_t i = 0; i < named; ++i) {
-        words += (words.empty() ? "" : "\n") + roster.problems[i].words;
-    }
-    if (named < roster.problems.size()) {
-        words += "\nand " + std::to_string(roster.problems.size() - named) + " more";
-    }
-    return core::fail(core::ErrorCode::badInput, words);
+    return tl::unexpected(rosterError(roster.problems));
 }
 
 } // namespace chiron::database

@@ -23,6 +23,17 @@ std::vector<DigestedTable> peopleTables() {
     };
 }
 
+DigestedTable namesTable() {
+    DigestedTable table{"person_name",
+                        {"id"},
+                        {"id", "person_id", "until_utc", "changed_by", "names_hash"},
+                        "names_json",
+                        "names_hash",
+                        "EXISTS (SELECT 1 FROM erasure WHERE person_id = person_name.person_id)"};
+    table.since = kNamesVersion;
+    return table;
+}
+
 DigestedTable sessionTable() {
     return {"session",
             {"id"},
@@ -124,6 +135,7 @@ std::vector<DigestedTable> makeTables() {
         table.since = kStudyVersion;
         tables.push_back(std::move(table));
     }
+    tables.push_back(namesTable());
     return tables;
 }
 

@@ -33,6 +33,7 @@ struct DigestedTable {
 };
 
 inline constexpr int kStudyVersion = 3; ///< the schema that brought studies
+inline constexpr int kNamesVersion = 4; ///< and the one that brought earlier names of people
 /// The schema of a file that is verified; an older one lacks later tables.
 int schemaVersionOf(Connection& connection);
 

@@ -74,15 +74,15 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 
 } // namespace
 
-// What the file says, but never less than what it holds: else a study's tables could be passed over by a number. If the schema cannot be
+// What the file says, but never less than what it holds: else later tables could be passed over by a number. If the schema cannot be
 // read, the newest is assumed, so that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
-    const auto studies = selectInteger(connection, "SELECT count(*) FROM sqlite_schema WHERE name = 'study_trial'");
-    if (!version || !studies)
-        return kStudyVersion;
-    const int said = static_cast<int>(version->value_or(0));
-    return studies->value_or(0) > 0 ? std::max(said, kStudyVersion) : said;
+    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? ELSE 0 END) FROM sqlite_schema",
+                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}});
+    if (!version || !held)
+        return kNamesVersion;
+    return static_cast<int>(std::max(version->value_or(0), held->value_or(0)));
 }
 
 VerifyReport verifySnapshot(const std::string& file, const SiteKey* key, const std::optional<AuditHead>& head,

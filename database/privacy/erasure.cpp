@@ -63,8 +63,9 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
                                {id, id});
     auto reasons = Query::run(
         connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
-    if (!comments || !reasons) {
-        return tl::unexpected(!comments ? comments.error() : reasons.error());
+    auto names = Query::run(connection, "UPDATE person_name SET names_json = '' WHERE person_id = ?", {id});
+    if (!comments || !reasons || !names) {
+        return tl::unexpected(!comments ? comments.error() : !reasons ? reasons.error() : names.error());
     }
     // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule
     // is simpler.

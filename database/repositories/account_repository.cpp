@@ -14,7 +14,7 @@ namespace chiron::database {
 namespace {
 
 // 8 symbols of 32 without look-alikes: 40 bits, checked for uniqueness by the table.
-std::string randomCode() {
+std::string newPersonCode() {
     static constexpr char kSymbols[] = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
     std::string code = "P-";
     for (int i = 0; i < 8; ++i) {
@@ -74,7 +74,8 @@ core::Result<PersonId> AccountRepository::createPerson(const NewPerson& person) 
     return insertPerson(person);
 }
 
-core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::vector<NewPerson>& people) {
+core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::vector<NewPerson>& people,
+                                                                    const std::vector<PersonChange>& changes) {
     if (auto allowed = writeAllowed(m_connection, m_actor, Action::importPeople); !allowed) {
         return tl::unexpected(allowed.error());
     }
@@ -86,29 +87,35 @@ core::Result<std::vector<PersonId>> AccountRepository::importPeople(const std::v
         }
         ids.push_back(*id);
     }
-    return ids;
+    for (const PersonChange& change : changes) {
+        const auto before = selectText(m_connection, "SELECT roles FROM person WHERE id = ?", {change.id});
+        if (!before) {
+            return tl::unexpected(before.error());
+        }
+        auto done = storeNames("importNames", change.id, std::nullopt, change.displayName);
+        done = done && before->value_or("") != change.roles.list() ? storeRoles(change.id, change.roles) : done;
+        if (!done) {
+            return tl::unexpected(done.error());
+        }
+    }
+    auto kept = changes.empty() ? core::Result<void>() : keepsAnAdministrator();
+    return kept ? core::Result<std::vector<PersonId>>(std::move(ids)) : tl::unexpected(kept.error());
 }
 
 core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) {
-    if (auto good = checkName(person.name); !good) {
-        return tl::unexpected(good.error());
-    }
-    if (auto good = checkText("display name", person.displayName, 200); !good) {
+    if (auto good = checkNames(person.name, person.displayName); !good) {
         return tl::unexpected(good.error());
     }
     if (person.roles.empty() || person.passwordHash.empty()) {
         return core::fail(core::ErrorCode::badInput,
                           person.name + ": at least one role and a password are needed");
     }
-    const auto taken =
-        selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ?", {nameKey(person.name)});
-    const auto last = selectInteger(m_connection, "SELECT max(id) FROM person");
-    if (!taken || !last) {
-        return tl::unexpected(!taken ? taken.error() : last.error());
+    if (auto free = nameIsFree(person.name, 0); !free) {
+        return tl::unexpected(free.error());
     }
-    if (*taken) {
-        return core::fail(core::ErrorCode::badInput,
-                          "the name \"" + person.name + "\" is taken (names differ by more than case)");
+    const auto last = selectInteger(m_connection, "SELECT max(id) FROM person");
+    if (!last) {
+        return tl::unexpected(last.error());
     }
     const PersonId id = last->value_or(0) + 1;
     const auto row = insertRow(m_connection, "person",
@@ -123,7 +130,7 @@ core::Result<PersonId> AccountRepository::insertPerson(const NewPerson& person) 
     if (!row) {
         return tl::unexpected(row.error());
     }
-    const auto code = insertRow(m_connection, "person_code", {{"person_id", id}, {"code", randomCode()}});
+    const auto code = insertRow(m_connection, "person_code", {{"person_id", id}, {"code", newPersonCode()}});
     const auto credential = insertRow(m_connection, "credential",
                                       {{"person_id", id},
                                        {"password_hash", person.passwordHash},
@@ -165,6 +172,13 @@ core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles
     if (auto found = exists(m_connection, id); !found) {
         return found;
     }
+    if (auto stored = storeRoles(id, roles); !stored) {
+        return stored;
+    }
+    return keepsAnAdministrator();
+}
+
+core::Result<void> AccountRepository::storeRoles(PersonId id, const RoleSet& roles) {
     if (roles.empty()) {
         return core::fail(core::ErrorCode::badInput,
                           "at least one role is needed (disable the account instead)");
@@ -172,9 +186,6 @@ core::Result<void> AccountRepository::setRoles(PersonId id, const RoleSet& roles
     const auto row = updateRow(m_connection, "person", {{"id", id}}, {{"roles", roles.list()}});
     if (!row) {
         return tl::unexpected(row.error());
-    }
-    if (auto kept = keepsAnAdministrator(); !kept) {
-        return kept;
     }
     return appendAudit(m_connection, m_actor,
                        {"setRoles", "person", id, *row, "{\"roles\":\"" + roles.list() + "\"}"});

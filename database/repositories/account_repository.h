@@ -5,6 +5,7 @@
 #include "database/accounts/person.h"
 #include "database/connection.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,19 +35,29 @@ public:
                                       const std::string& newRecoveryCodeHash);
 
     core::Result<PersonId> createPerson(const NewPerson& person);
-    core::Result<std::vector<PersonId>>
-    importPeople(const std::vector<NewPerson>& people); ///< all or nothing
+    /// Adds people and changes others, all or nothing.
+    core::Result<std::vector<PersonId>> importPeople(const std::vector<NewPerson>& people,
+                                                     const std::vector<PersonChange>& changes = {});
     core::Result<std::vector<Person>> listPeople();     ///< never the simulated account, never the erased
     core::Result<Person> person(PersonId id);
     core::Result<Person> personByName(const std::string& name);
     core::Result<void> setEnabled(PersonId id, bool enabled);       ///< not the last enabled administrator
     core::Result<void> setRoles(PersonId id, const RoleSet& roles); ///< not the last enabled administrator
+    /// Login name and display name. What they were is kept (earlierNames). Failure: badInput when the login
+    /// name is taken or not allowed.
+    core::Result<void> changeNames(PersonId id, const std::string& name, const std::string& displayName);
+    core::Result<void> changeDisplayName(PersonId id, const std::string& displayName);
+    core::Result<std::vector<EarlierName>> earlierNames(PersonId id); ///< latest first
     core::Result<void> changePassword(PersonId id, const std::string& newHash);
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);
 
 private:
     core::Result<bool> anybody();
     core::Result<PersonId> insertPerson(const NewPerson& person);
+    core::Result<void> nameIsFree(const std::string& name, PersonId otherThan); ///< 0: than nobody
+    core::Result<void> storeNames(const char* action, PersonId id, const std::optional<std::string>& newName,
+                                  const std::string& displayName);
+    core::Result<void> storeRoles(PersonId id, const RoleSet& roles);
     core::Result<void> keepsAnAdministrator();
     core::Result<void> storePassword(PersonId id, const std::string& hash, bool mustChange);
     core::Result<Actor> actorFor(PersonId id);

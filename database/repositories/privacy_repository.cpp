@@ -135,6 +135,7 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     }
     PersonExport held;
     auto person = AccountRepository(m_connection, m_actor).person(id);
+    auto earlier = AccountRepository(m_connection, m_actor).earlierNames(id);
     SessionFilter all;
     all.person = id;
     all.includeArchived = true;
@@ -143,14 +144,16 @@ core::Result<PersonExport> PrivacyRepository::exportPerson(PersonId id) {
     auto audit = auditOf(m_connection, id);
     auto credential = Query::run(
         m_connection, "SELECT password_hash <> '', failures FROM credential WHERE person_id = ?", {id});
-    if (!person || !sessions || !comments || !audit || !credential) {
+    if (!person || !earlier || !sessions || !comments || !audit || !credential) {
         return tl::unexpected(!person     ? person.error()
+                              : !earlier  ? earlier.error()
                               : !sessions ? sessions.error()
                               : !comments ? comments.error()
                               : !audit    ? audit.error()
                                           : credential.error());
     }
     held.person = *std::move(person);
+    held.earlierNames = *std::move(earlier);
     held.commentsWritten = *std::move(comments);
     held.audit = *std::move(audit);
     if (auto withheld = withholdEnds(m_connection, m_actor, held.audit); !withheld) {

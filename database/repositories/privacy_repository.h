@@ -42,6 +42,7 @@ struct PersonParticipation {
 /// secrets, only their presence is told.
 struct PersonExport {
     Person person;
+    std::vector<EarlierName> earlierNames;
     std::vector<PersonSession> sessions;
     std::vector<SessionComment> commentsWritten; ///< on anybody's sessions
     std::vector<AuditEntry> audit;               ///< by or about them; what ended sittings and runs of a blinded study without its time

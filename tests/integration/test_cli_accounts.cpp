@@ -16,6 +16,8 @@ private slots:
     void passwordsChange();
     void aForgottenPasswordIsRecovered();
     void rosterIsAllOrNothing();
+    void rosterOfASpreadsheet();
+    void renaming();
     void aWrongPasswordIsRefused();
     void theWritersLockIsNamed();
 
@@ -163,6 +165,42 @@ void TestCliAccounts::rosterIsAllOrNothing() {
                                           "1\ngina,Gina,trainee;trainer,long enough 2\n");
     QCOMPARE(object(as("alice", kAlice, {"user", "import-csv", good}))["imported"].toInt(),
              2); // fred was not there yet
+}
+
+void TestCliAccounts::rosterOfASpreadsheet() {
+    const QString german = file("Kurs.csv", "Nachname;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nFred;Fritz;FRED;Ausbilder/in;A\r\n");
+    const QJsonObject done = object(as("alice", kAlice, {"user", "import-csv", german}));
+    QCOMPARE(done["imported"].toInt(), 1);
+    QCOMPARE(done["skipped"].toInt(), 1); // fred is there
+    QCOMPARE(done["ignored_columns"].toArray(), QJsonArray{"Gruppe"});
+    const QJsonObject made = done["passwords"].toArray().at(0).toObject();
+    QCOMPARE(made["name"].toString(), QStringLiteral("mueller"));
+    QCOMPARE(object(as("mueller", made["initial_password"].toString(), {"user", "passwd"}, kBob))["changed"].toBool(), true);
+    const QJsonObject updated = object(as("alice", kAlice, {"user", "import-csv", german, "--existing", "update"}));
+    QCOMPARE(updated["updated"].toInt(), 1);
+    QCOMPARE(updated["imported"].toInt(), 0);
+    const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
+    const auto fred = std::find_if(people.begin(), people.end(), [](const QJsonValue& person) { return person["name"] == QStringLiteral("fred"); });
+    QVERIFY(fred != people.end());
+    QCOMPARE((*fred)["display_name"].toString(), QStringLiteral("Fritz Fred"));
+    QCOMPARE((*fred)["roles"].toArray(), QJsonArray{"trainer"});
+    QCOMPARE(as("alice", kAlice, {"user", "import-csv", german, "--existing", "replace"}).exitCode, 2);
+    const CliRun excel = as("alice", kAlice, {"user", "import-csv", file("Kurs.xlsx", QByteArray("PK\x03\x04", 4) + "[Content_Types].xml")});
+    QCOMPARE(excel.exitCode, 3);
+    QVERIFY2(excel.err.contains("Kurs.xlsx") && excel.err.contains("save it as CSV"), excel.err.constData());
+}
+
+void TestCliAccounts::renaming() {
+    const QJsonObject renamed = object(as("alice", kAlice, {"user", "rename", "fred", "--name", "frederic", "--display-name", "Frédéric"}));
+    QCOMPARE(renamed["name"].toString(), QStringLiteral("frederic"));
+    QCOMPARE(renamed["display_name"].toString(), QStringLiteral("Frédéric"));
+    const QJsonObject held = object(as("alice", kAlice, {"person", "export", "frederic"}));
+    QVERIFY2(held["earlier_names"].toArray().size() >= 1, qPrintable(QString::fromUtf8(QJsonDocument(held).toJson().left(400))));
+    QCOMPARE(held["earlier_names"].toArray().at(0)["name"].toString(), QStringLiteral("fred"));
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "fred", "--name", "fritz"}).exitCode, 3);            // nobody has that name now
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic", "--name", "ALICE"}).exitCode, 3);        // taken
+    QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic"}).exitCode, 2);                           // to what?
+    QCOMPARE(as("bob", kBob, {"user", "rename", "bob", "--name", "robert"}).exitCode, 2);                // not one's own
 }
 
 void TestCliAccounts::aWrongPasswordIsRefused() {

@@ -53,6 +53,7 @@ void TestCliRefusesPeople::protectedCommands() {
         {"user role", {"user", "role", "bob", "--role", "trainee"}},
         {"user passwd", {"user", "passwd"}},
         {"user import-csv", {"user", "import-csv", roster}},
+        {"user rename", {"user", "rename", "bob", "--name", "robert"}},
         {"person export", {"person", "export", "bob"}},
         {"person erase", {"person", "erase", "bob", "--reason", "x"}},
         {"migrate", {"migrate"}},

@@ -104,6 +104,7 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, con
             {"people", "ada", place("people")},
             {"storage", "ada", place("storage")},
             {"station", "ada", place("station")},
+            {"account", "tina", place("account")},
             {"settings", "tina", place("settings")}};
     const auto add = [&](const char* name, database::SessionId session, const char* screen) {
         if (session != 0)

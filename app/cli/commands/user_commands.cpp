@@ -149,26 +149,81 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
                       password.generated ? QString::fromStdString(password.value) : QString());
 }
 
+core::Result<database::RosterExisting> existingPeople(const Arguments& arguments) {
+    const auto word = arguments.choice(QStringLiteral("existing"), {QStringLiteral("skip"), QStringLiteral("update")}, QStringLiteral("skip"));
+    if (!word)
+        return tl::unexpected(word.error());
+    return *word == QLatin1String("update") ? database::RosterExisting::update : database::RosterExisting::skip;
+}
+
+// Passwords that were made are told here, this once.
+CommandOutput importOutput(const database::RosterOutcome& done) {
+    QJsonArray ids;
+    QJsonArray passwords;
+    QString text = QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(done.added.size());
+    if (done.updated > 0 || done.skipped > 0)
+        text += QStringLiteral("Of those who had an account, %1 were updated and %2 left as they are.\n").arg(done.updated).arg(done.skipped);
+    QJsonArray ignored;
+    for (const std::string& title : done.ignoredColumns) {
+        ignored.append(QString::fromStdString(title));
+        text += QStringLiteral("Column not imported: %1\n").arg(printable(QString::fromStdString(title)));
+    }
+    QString made;
+    for (const database::ImportedPerson& person : done.added) {
+        ids.append(static_cast<qint64>(person.id));
+        if (person.madePassword.empty())
+            continue;
+        const QString name = QString::fromStdString(person.name);
+        const QString password = QString::fromStdString(person.madePassword);
+        passwords.append(QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("initial_password"), password}});
+        made += QStringLiteral("%1  %2\n").arg(password, printable(name));
+    }
+    if (!made.isEmpty())
+        text += QStringLiteral("Initial passwords, shown this once:\n") + made;
+    return {QJsonDocument(QJsonObject{{QStringLiteral("imported"), static_cast<qint64>(done.added.size())},
+                                      {QStringLiteral("ids"), ids},
+                                      {QStringLiteral("updated"), done.updated},
+                                      {QStringLiteral("skipped"), done.skipped},
+                                      {QStringLiteral("ignored_columns"), ignored},
+                                      {QStringLiteral("passwords"), passwords}}),
+            text, 0};
+}
+
 core::Result<CommandOutput> importCsv(const Arguments& arguments) {
     constexpr qint64 kLargest = 16 << 20;
+    const auto existing = existingPeople(arguments);
+    if (!existing)
+        return tl::unexpected(existing.error());
     const auto bytes = readInputFile(arguments.operand(0), kLargest);
     if (!bytes)
         return tl::unexpected(bytes.error());
     auto site = openAsPerson(arguments, Opening::forWriting);
     if (!site)
         return tl::unexpected(site.error());
-    const auto ids = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString());
-    if (!ids) // the data layer knows lines and columns, we know the file
-        return core::fail(ids.error().code, arguments.operand(0).toStdString() + ": " + ids.error().message);
-    QJsonArray imported;
-    for (const database::PersonId id : *ids)
-        imported.append(static_cast<qint64>(id));
-    return CommandOutput{
-        QJsonDocument(QJsonObject{{QStringLiteral("imported"), static_cast<qint64>(ids->size())},
-                                  {QStringLiteral("ids"), imported}}),
-        QStringLiteral("%1 people imported; each must change the password at the first login.\n")
-            .arg(ids->size()),
-        0};
+    const auto done = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString(), *existing);
+    if (!done) // the data layer knows lines and columns, we know the file
+        return core::fail(done.error().code, arguments.operand(0).toStdString() + ": " + done.error().message);
+    return importOutput(*done);
+}
+
+core::Result<CommandOutput> rename(const Arguments& arguments) {
+    if (!arguments.has(QStringLiteral("name")) && !arguments.has(QStringLiteral("display-name")))
+        return wrongUse(QStringLiteral("nothing to change: expected --name, --display-name or both"));
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    database::AccountService accounts(*site->database);
+    const auto person = accounts.personByName(site->actor, arguments.operand(0).toStdString());
+    if (!person)
+        return tl::unexpected(person.error());
+    const auto given = [&](const char* option, const std::string& before) {
+        const QString name = QLatin1String(option);
+        return arguments.has(name) ? arguments.value(name).toStdString() : before;
+    };
+    const std::string name = given("name", person->name);
+    if (auto done = accounts.changeNames(site->actor, person->id, name, given("display-name", person->displayName)); !done)
+        return tl::unexpected(done.error());
+    return accountNow(*site, accounts, name);
 }
 
 core::Result<CommandOutput> recover(const Arguments& arguments) {
@@ -235,9 +290,17 @@ std::vector<CommandSpec> userCommands() {
                                "chiron-cli user passwd --as bob", passwd);
     setting.operands = {{QStringLiteral("NAME"), QStringLiteral("login name; default: one's own"), false}};
     CommandSpec importing =
-        spec("import-csv", "make accounts from a CSV file (name,display_name,roles,password), all or none",
+        spec("import-csv",
+             "make accounts from a CSV file as a spreadsheet saves it (login name, full name, role, password), all or none",
              "chiron-cli user import-csv roster.csv --as alice", importCsv);
     importing.operands = {{QStringLiteral("FILE.csv"), QStringLiteral("the roster")}};
+    importing.options = {{QStringLiteral("existing"), QStringLiteral("skip|update"),
+                          QStringLiteral("what happens with people who have an account already (default: skip)")}};
+    CommandSpec renaming = spec("rename", "change a person's login name or full name; what they were is kept",
+                                "chiron-cli user rename bob --name robert --as alice", rename);
+    renaming.operands = {name};
+    renaming.options = {{QStringLiteral("name"), QStringLiteral("NEW"), QStringLiteral("the new login name")},
+                        {QStringLiteral("display-name"), QStringLiteral("TEXT"), QStringLiteral("the name that others see")}};
     CommandSpec recovering = spec(
         "recover", "set a new password with the recovery code (CHIRON_RECOVERY_CODE, CHIRON_NEW_PASSWORD)",
         "chiron-cli user recover alice --password-stdin < secrets.txt", recover);
@@ -245,7 +308,7 @@ std::vector<CommandSpec> userCommands() {
     return {adding,    spec("list", "the accounts", "chiron-cli user list --as alice --json", list),
             disabling, enabling,
             changing,  setting,
-            importing, recovering};
+            importing, renaming, recovering};
 }
 
 } // namespace chiron::cli

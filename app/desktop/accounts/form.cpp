@@ -51,8 +51,7 @@ QComboBox* languageChoice(AppContext& context) {
     QObject::connect(
         choice, &QComboBox::activated, &context,
         [&context, choice] {
-            context.settings().setLanguage(choice->currentData().toString());
-            context.applyAppearance();
+            context.setStationLanguage(choice->currentData().toString());
         },
         Qt::QueuedConnection);
     return choice;

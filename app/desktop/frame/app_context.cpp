@@ -6,6 +6,8 @@
 namespace chiron::desktop {
 
 namespace {
+const QString kLanguage = QStringLiteral("language"); // of a person, in the settings
+
 /// The token file is part of the program and checked by a test for each theme: a failure here is a programmer's mistake.
 Theme themeOf(const Settings& settings) {
     return Theme::load(settings.theme(), settings.scale()).value();
@@ -53,10 +55,47 @@ void AppContext::takeSite(std::unique_ptr<database::Database> database, catalogu
     emit siteOpened();
 }
 
-void AppContext::logIn(const database::Actor& actor) {
+QString AppContext::ownLanguage() const {
+    const QString own = loggedIn() ? m_settings.ofPerson(m_actor.personId(), kLanguage, QString()).toString() : QString();
+    return Settings::isLanguage(own) ? own : QString();
+}
+
+QString AppContext::language() const {
+    const QString own = ownLanguage();
+    return own.isEmpty() ? m_settings.language() : own;
+}
+
+void AppContext::setOwnLanguage(const QString& language) {
+    const QString before = this->language();
+    m_settings.setOfPerson(m_actor.personId(), kLanguage, language);
+    if (this->language() != before)
+        applyAppearance();
+}
+
+void AppContext::setStationLanguage(const QString& language) {
+    m_settings.setLanguage(language);
+    if (!ownLanguage().isEmpty())
+        m_settings.setOfPerson(m_actor.personId(), kLanguage, language);
+    applyAppearance();
+}
+
+void AppContext::setLoginName(const std::string& name) {
+    m_loginName = name;
+    emit loginNameChanged();
+}
+
+void AppContext::setActor(const database::Actor& actor) {
+    const QString before = language();
     m_actor = actor;
     m_unread = 0;
+    m_loginName = actor.name();
     emit actorChanged();
+    if (language() != before)
+        applyAppearance();
+}
+
+void AppContext::logIn(const database::Actor& actor) {
+    setActor(actor);
     m_navigator.replace({QStringLiteral("home"), {}});
     m_navigator.forget();
 }
@@ -65,14 +104,12 @@ void AppContext::logOut() {
     m_navigator.replace({QStringLiteral("login"), {}});
     if (m_navigator.current().screen != QLatin1String("login"))
         return; // the screen may not be left now
-    m_actor = database::Actor::anonymous();
     m_navigator.forget();
-    emit actorChanged();
+    setActor(database::Actor::anonymous());
 }
 
 void AppContext::logOutNow() {
-    m_actor = database::Actor::anonymous();
-    emit actorChanged();
+    setActor(database::Actor::anonymous());
     m_navigator.replaceNow({QStringLiteral("login"), {}});
     m_navigator.forget();
 }

@@ -25,12 +25,19 @@ public:
     Messages& messages() noexcept { return m_messages; }
     Background& background() noexcept { return m_background; }
     const Theme& theme() const noexcept { return m_theme; }
-    QLocale locale() const { return m_settings.locale(); }
-    QString language() const { return m_settings.language(); }
+    QLocale locale() const { return Settings::localeOf(language()); }
+    /// Of whoever is logged in, where they have chosen one; otherwise the station's.
+    QString language() const;
+    QString ownLanguage() const;                   ///< empty: none was chosen
+    void setOwnLanguage(const QString& language);  ///< remembered with the person on this station; empty: the station's again
+    void setStationLanguage(const QString& language); ///< and, so that it is seen, the person's own where they have one
 
     /// Who is logged in; anonymous before login. Copy it into the work that is handed to Background.
     const database::Actor& actor() const noexcept { return m_actor; }
     bool loggedIn() const noexcept { return m_actor.kind() == database::ActorKind::person; }
+    /// The login name as it is now: it may have been changed since the login.
+    const std::string& loginName() const noexcept { return m_loginName; }
+    void setLoginName(const std::string& name);
     bool has(database::Role role) const { return m_actor.roles().contains(role); }
     /// Opens the site's database on a worker (what a crash left behind is brought in) and loads the content; siteOpened()
     /// or siteFailed() follows.
@@ -61,6 +68,7 @@ signals:
     void siteFailed(const chiron::core::Error& error);
     void appearanceChanged();
     void actorChanged();
+    void loginNameChanged();
     void trialRunsChanged(bool runs);
     void unreadChanged(int sessions);
     void activity();
@@ -69,6 +77,8 @@ signals:
     void backupEnded(); ///< the schedule's, made or failed: what tells of backups reads again
 
 private:
+    void setActor(const database::Actor& actor);
+
     DesktopSite& m_site;
     Settings& m_settings;
     Navigator m_navigator;
@@ -76,6 +86,7 @@ private:
     Background m_background;
     Theme m_theme;
     database::Actor m_actor = database::Actor::anonymous();
+    std::string m_loginName;
     bool m_trialRuns = false;
     int m_unread = 0;
 };

@@ -54,8 +54,7 @@ void addLook(AppContext& context, std::vector<ScreenCommand>& list) {
     // Each language in its own words.
     for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Language: %1")).arg(QString::fromUtf8(name)), {}, [&context, language = QLatin1String(id)] {
-                            context.settings().setLanguage(language);
-                            context.applyAppearance();
+                            context.setStationLanguage(language);
                         }});
 }
 
@@ -67,6 +66,7 @@ std::vector<ScreenCommand> program(AppContext& context, const WindowActions& win
         {words(QT_TRANSLATE_NOOP("Commands", "About Chiron")), {}, window.about},
         {words(QT_TRANSLATE_NOOP("Commands", "Back")), QKeySequence(Qt::ALT | Qt::Key_Left), [&context] { context.navigator().back(); }}};
     if (context.loggedIn()) {
+        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "My account")), {}, [&context] { context.navigator().go(QStringLiteral("account")); }});
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Lock")), QKeySequence(Qt::CTRL | Qt::Key_L), [&context] { emit context.lockAsked(); }});
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Switch user")), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
                         [&context] { context.logOut(); }});

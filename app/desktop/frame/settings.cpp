@@ -38,11 +38,14 @@ void Settings::setLanguage(const QString& language) {
     m_file.setValue(QStringLiteral("language"), language);
 }
 
-QLocale Settings::locale() const {
-    const QString now = language();
-    if (now == QLatin1String("de"))
+bool Settings::isLanguage(const QString& language) {
+    return kLanguages.contains(language);
+}
+
+QLocale Settings::localeOf(const QString& language) {
+    if (language == QLatin1String("de"))
         return QLocale(QLocale::German, QLocale::Germany);
-    if (now == QLatin1String("el"))
+    if (language == QLatin1String("el"))
         return QLocale(QLocale::Greek, QLocale::Greece);
     return QLocale(QLocale::English, QLocale::UnitedKingdom);
 }

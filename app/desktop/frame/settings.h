@@ -18,7 +18,8 @@ public:
 
     QString language() const; ///< "en", "de", "el"; the system's where it is one of them
     void setLanguage(const QString& language);
-    QLocale locale() const;   ///< numbers and dates of that language
+    static bool isLanguage(const QString& language);
+    static QLocale localeOf(const QString& language); ///< its numbers and dates
     ThemeName theme() const;
     void setTheme(ThemeName theme);
     double scale() const; ///< 1..2

@@ -103,9 +103,12 @@ QWidget* SideBar::personArea() {
     auto* column = new QVBoxLayout(area);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(m_context.theme().px(4));
-    auto* name = kit::label(m_context.theme(), QString::fromStdString(m_context.actor().name()), TextStyle::strong);
+    auto* name = kit::label(m_context.theme(), QString::fromStdString(m_context.loginName()), TextStyle::strong);
     name->setObjectName(QStringLiteral("nav.person"));
+    connect(&m_context, &AppContext::loginNameChanged, name, [this, name] { name->setText(QString::fromStdString(m_context.loginName())); });
     column->addWidget(name);
+    auto* account = entry(QStringLiteral("user-identity"), tr("My account"), QStringLiteral("nav.account"));
+    connect(account, &QPushButton::clicked, this, [this] { m_context.navigator().go(QStringLiteral("account")); });
     auto* search = entry(QStringLiteral("search"), tr("Find a command"), QStringLiteral("nav.palette"));
     connect(search, &QPushButton::clicked, this, &SideBar::paletteAsked);
     auto* help = entry(QStringLiteral("help-contents"), tr("Help"), QStringLiteral("nav.help"));
@@ -114,7 +117,7 @@ QWidget* SideBar::personArea() {
     connect(lock, &QPushButton::clicked, &m_context, &AppContext::lockAsked);
     auto* leave = entry(QStringLiteral("system-switch-user"), tr("Switch user"), QStringLiteral("nav.switch_user"));
     connect(leave, &QPushButton::clicked, this, [this] { m_context.logOut(); });
-    column->addLayout(inOnePlace({search, help, lock, leave}));
+    column->addLayout(inOnePlace({account, search, help, lock, leave}));
     return area;
 }
 

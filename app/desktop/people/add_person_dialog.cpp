@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/people/add_person_dialog.h"
 
-#include "database/accounts/account_rules.h"
 #include "database/accounts/account_service.h"
 #include "desktop/accounts/form.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/people/login_name_field.h"
 #include "desktop/people/password_choice.h"
 #include "desktop/people/role_choice.h"
 #include "desktop/widgets/kit.h"
@@ -15,38 +15,29 @@ namespace chiron::desktop {
 
 AddPersonDialog::AddPersonDialog(AppContext& context, QWidget* parent)
     : FormDialog(context, QStringLiteral("add_person"), tr("Add a person"), parent) {
-    m_name = form::textField(theme(), column(), tr("Login name"), QStringLiteral("add_person.name"));
-    m_nameRule = kit::label(theme(), tr("No commas. It cannot be changed later."), TextStyle::small, "muted");
-    column()->addWidget(m_nameRule);
+    m_name = new LoginNameField(theme(), QStringLiteral("add_person"));
+    column()->addWidget(m_name);
     m_fullName = form::textField(theme(), column(), tr("Full name (may be left empty)"), QStringLiteral("add_person.full_name"));
     m_roles = new RoleChoice(theme(), QStringLiteral("add_person"), {database::Role::trainee});
     column()->addWidget(m_roles);
     m_password = new PasswordChoice(theme(), QStringLiteral("add_person"));
     column()->addWidget(m_password);
     setAccept(tr("Add"));
-    connect(m_name, &QLineEdit::textChanged, this, [this] { m_password->setLoginName(m_name->text()); });
-    connect(m_name, &QLineEdit::textChanged, this, &AddPersonDialog::renew);
+    connect(m_name, &LoginNameField::changed, this, [this] { m_password->setLoginName(m_name->name()); });
+    connect(m_name, &LoginNameField::changed, this, &AddPersonDialog::renew);
     connect(m_roles, &RoleChoice::changed, this, &AddPersonDialog::renew);
     connect(m_password, &PasswordChoice::changed, this, &AddPersonDialog::renew);
-    m_name->setFocus();
+    m_name->focusField();
     renew();
 }
 
 void AddPersonDialog::renew() {
-    const bool good = database::checkName(m_name->text().toStdString()).has_value();
-    const bool bad = !good && !m_name->text().isEmpty();
-    form::setKind(m_name, bad ? "bad" : "");
-    form::setKind(m_nameRule, bad ? "bad" : "muted");
-    m_nameRule->setText(bad ? tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
-                                 "reserved for the program.")
-                                  .arg(QLocale().toString(database::kMaximumNameCharacters))
-                            : tr("No commas. It cannot be changed later."));
-    setAcceptable(good && !m_roles->roles().empty() && m_password->isGood());
+    setAcceptable(m_name->isGood() && !m_roles->roles().empty() && m_password->isGood());
 }
 
 void AddPersonDialog::submit() {
     setWorking(true);
-    const QString name = m_name->text();
+    const QString name = m_name->name();
     const std::string password = m_password->password();
     const database::PersonRequest request{name.toStdString(), m_fullName->text().trimmed().toStdString(), m_roles->roles(), password, true};
     database::Database* database = &context().site().database();
@@ -60,7 +51,10 @@ void AddPersonDialog::added(const core::Result<database::PersonId>& id, const QS
     setWorking(false);
     if (!id) {
         // Name and password were checked while they were typed, so what is left of bad input is a name that is taken.
-        say("bad", id.error().code == core::ErrorCode::badInput
+        const bool taken = id.error().code == core::ErrorCode::badInput;
+        if (taken)
+            m_name->showTaken();
+        say("bad", taken
                        ? tr("%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.").arg(name)
                        : tr("%1 was not added.\n%2").arg(name, inWords(id.error())));
         return;

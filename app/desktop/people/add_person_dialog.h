@@ -7,11 +7,11 @@
 
 #include <string>
 
-class QLabel;
 class QLineEdit;
 
 namespace chiron::desktop {
 
+class LoginNameField;
 class PasswordChoice;
 class RoleChoice;
 
@@ -28,8 +28,7 @@ private:
     void renew();
     void added(const core::Result<database::PersonId>& id, const QString& name, const std::string& password);
 
-    QLineEdit* m_name;
-    QLabel* m_nameRule;
+    LoginNameField* m_name;
     QLineEdit* m_fullName;
     RoleChoice* m_roles;
     PasswordChoice* m_password;

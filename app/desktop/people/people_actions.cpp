@@ -4,12 +4,14 @@
 #include "database/repositories/privacy_repository.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/people/add_person_dialog.h"
+#include "desktop/people/edit_person_dialog.h"
 #include "desktop/people/erase_dialog.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/people_screen.h"
 #include "desktop/people/reset_password_dialog.h"
 #include "desktop/people/roles_dialog.h"
 #include "desktop/people/roster_dialog.h"
+#include "desktop/people/roster_template.h"
 #include "session/person_json.h"
 
 #include <QDir>
@@ -50,6 +52,8 @@ void askFile(QWidget* owner, const QString& title, QFileDialog::AcceptMode mode,
     dialog->setFileMode(mode == QFileDialog::AcceptSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     dialog->setDirectory(QDir::homePath());
     dialog->setNameFilter(filter);
+    if (mode == QFileDialog::AcceptSave)
+        dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
     dialog->selectFile(suggestion);
     QObject::connect(dialog, &QFileDialog::fileSelected, owner, chosen);
     dialog->open();
@@ -60,6 +64,7 @@ void askFile(QWidget* owner, const QString& title, QFileDialog::AcceptMode mode,
 std::vector<ScreenCommand> PeopleScreen::commands() {
     std::vector<ScreenCommand> list{{tr("Add a person"), QKeySequence(Qt::CTRL | Qt::Key_N), [this] { addPerson(); }},
                                     {tr("Import roster"), {}, [this] { askRoster(); }},
+                                    {tr("Save a template for a roster"), {}, [this] { askTemplate(); }},
                                     {tr("Find a person"), QKeySequence::Find, [this] { m_search->setFocus(); }}};
     const auto withPerson = [this, &list](const QString& text, void (PeopleScreen::*act)()) {
         list.push_back({text, {}, [this, act] {
@@ -69,6 +74,7 @@ std::vector<ScreenCommand> PeopleScreen::commands() {
                                 context().messages().information(tr("Choose a person in the list first."));
                         }});
     };
+    withPerson(tr("Edit name and login name"), &PeopleScreen::editPerson);
     withPerson(tr("Change roles"), &PeopleScreen::editRoles);
     withPerson(tr("Reset password"), &PeopleScreen::resetPassword);
     withPerson(tr("Disable or enable"), &PeopleScreen::toggleEnabled);
@@ -84,6 +90,10 @@ void PeopleScreen::open(FormDialog* dialog) {
 
 void PeopleScreen::addPerson() {
     open(new AddPersonDialog(context(), this));
+}
+
+void PeopleScreen::editPerson() {
+    open(new EditPersonDialog(context(), *chosen(), this));
 }
 
 void PeopleScreen::editRoles() {
@@ -157,6 +167,19 @@ void PeopleScreen::exportTo(const QString& file) {
 void PeopleScreen::askRoster() {
     askFile(this, tr("Import people from a CSV file"), QFileDialog::AcceptOpen, {}, tr("CSV (*.csv);;All files (*)"),
             [this](const QString& file) { importRoster(file); });
+}
+
+void PeopleScreen::askTemplate() {
+    askFile(this, tr("Save a template for a roster"), QFileDialog::AcceptSave, tr("roster") + QStringLiteral(".csv"), tr("CSV (*.csv)"),
+            [this](const QString& file) { saveTemplate(file); });
+}
+
+void PeopleScreen::saveTemplate(const QString& file) {
+    const auto done = writeRosterTemplate(file, context().locale());
+    if (done)
+        context().messages().done(tr("The template was saved to %1. Replace the example lines, save the file as CSV, then import it here.").arg(QDir::toNativeSeparators(file)));
+    else
+        context().messages().error(tr("The template was not saved."), done.error());
 }
 
 void PeopleScreen::importRoster(const QString& name) {

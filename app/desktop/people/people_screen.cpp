@@ -10,6 +10,7 @@
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QDateTime>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
@@ -41,8 +42,10 @@ QString PeopleScreen::title() const {
 QString PeopleScreen::help() const {
     return tr("Everybody who has an account on this site.\n\nChoose a person in the list, then an action below it. Changing roles and "
               "disabling take effect at once and can be undone. A person who gets a new password has to change it at the next "
-              "login.\n\n\"Import roster\" reads a CSV file with the columns name, display_name, roles and password, and first shows what "
-              "will happen: either everybody in the file is added, or nobody.\n\n\"Export all data\" writes all data about a person to one "
+              "login.\n\n\"Edit\" changes a person's name or login name; the earlier ones stay in the history.\n\n\"Import roster\" reads a "
+              "CSV file as a spreadsheet saves it, with headings such as login name, full name and role (\"Save a template\" makes one), and "
+              "first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be "
+              "printed as slips.\n\n\"Export all data\" writes all data about a person to one "
               "file. \"Erase\" permanently removes a person's identity.");
 }
 
@@ -62,7 +65,11 @@ QWidget* PeopleScreen::headRow() {
     roster->setObjectName(QStringLiteral("people.import"));
     connect(roster, &QPushButton::clicked, this, &PeopleScreen::askRoster);
     row->addWidget(add);
+    auto* empty = kit::button(theme, tr("Save a template …"), "", QStringLiteral("document-save"));
+    empty->setObjectName(QStringLiteral("people.template"));
+    connect(empty, &QPushButton::clicked, this, &PeopleScreen::askTemplate);
     row->addWidget(roster);
+    row->addWidget(empty);
     column->addWidget(buttons);
     m_search = new QLineEdit;
     m_search->setObjectName(QStringLiteral("people.search"));
@@ -122,6 +129,10 @@ QWidget* PeopleScreen::actionPart() {
     m_chosenWords = kit::label(theme, {}, TextStyle::body, "muted");
     box.layout->addWidget(m_chosenName);
     box.layout->addWidget(m_chosenWords);
+    m_earlier = kit::label(theme, {}, TextStyle::small, "muted");
+    m_earlier->setObjectName(QStringLiteral("people.earlier"));
+    m_earlier->hide();
+    box.layout->addWidget(m_earlier);
     auto* buttons = new QWidget;
     auto* row = new FlowLayout(theme.px(8), buttons);
     const auto add = [&](const QString& text, const QString& icon, const char* name, void (PeopleScreen::*act)(), const char* kind = "") {
@@ -131,6 +142,7 @@ QWidget* PeopleScreen::actionPart() {
         row->addWidget(button);
         return button;
     };
+    m_edit = add(tr("Edit"), QStringLiteral("document-edit"), "people.edit", &PeopleScreen::editPerson);
     m_roles = add(tr("Change roles"), QStringLiteral("user-properties"), "people.roles", &PeopleScreen::editRoles);
     m_reset = add(tr("Reset password"), QStringLiteral("dialog-password"), "people.reset", &PeopleScreen::resetPassword);
     m_enable = add(tr("Disable"), QStringLiteral("dialog-cancel"), "people.enable", &PeopleScreen::toggleEnabled);
@@ -191,9 +203,32 @@ const database::Person* PeopleScreen::chosen() const {
     return m_model->find(m_chosen);
 }
 
+void PeopleScreen::showEarlierNames() {
+    m_earlier->hide();
+    if (!chosen())
+        return;
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this, [database, actor = context().actor(), id = m_chosen](WorkToken&) { return database::AccountService(*database).earlierNames(actor, id); },
+        [this, id = m_chosen](const core::Result<std::vector<database::EarlierName>>& names) {
+            if (id != m_chosen || !names || names->empty())
+                return; // somebody else is chosen by now; whoever has no others needs no line
+            QStringList lines;
+            for (const database::EarlierName& before : *names) {
+                const QString name = QString::fromStdString(before.name);
+                const QString full = QString::fromStdString(before.displayName);
+                const QDateTime until = QDateTime::fromString(QString::fromStdString(before.untilUtc), Qt::ISODateWithMs).toLocalTime();
+                lines << tr("Until %1: %2").arg(context().locale().toString(until, QLocale::ShortFormat), full.isEmpty() ? name : tr("%1 (%2)").arg(full, name));
+            }
+            m_earlier->setText(lines.join(QLatin1Char('\n')));
+            m_earlier->show();
+        });
+}
+
 void PeopleScreen::renewActions() {
     const database::Person* person = chosen();
-    for (QPushButton* button : {m_roles, m_reset, m_enable, m_export, m_erase})
+    showEarlierNames();
+    for (QPushButton* button : {m_edit, m_roles, m_reset, m_enable, m_export, m_erase})
         button->setEnabled(person != nullptr);
     if (!person) {
         m_chosenName->setText(tr("Nobody is chosen"));

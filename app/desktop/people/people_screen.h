@@ -19,7 +19,7 @@ class FormDialog;
 class PeopleModel;
 class StatePanel;
 
-/// The administrator's people: find, add, import, change roles, disable, reset a password, export what is held, erase. Every
+/// The administrator's people: find, add, import, rename, change roles, disable, reset a password, export what is held, erase. Every
 /// action goes through AccountService, which checks and audits it.
 class PeopleScreen final : public Screen {
     Q_OBJECT
@@ -33,6 +33,8 @@ public:
 
     /// The dialog for a file that was chosen; also without a file dialog (tests).
     void importRoster(const QString& file);
+    /// An empty list with headings, to be filled in a spreadsheet.
+    void saveTemplate(const QString& file);
     /// Writes everything held about the chosen person to this file.
     void exportTo(const QString& file);
 
@@ -51,6 +53,7 @@ private:
     void renewActions();
     void open(FormDialog* dialog);
     void addPerson();
+    void editPerson();
     void editRoles();
     void toggleEnabled();
     void setEnabledOf(const database::Person& person, bool enabled);
@@ -58,6 +61,8 @@ private:
     void askExport();
     void erase();
     void askRoster();
+    void askTemplate();
+    void showEarlierNames();
 
     QLineEdit* m_search = nullptr;
     StatePanel* m_panel = nullptr;
@@ -66,6 +71,8 @@ private:
     QSortFilterProxyModel* m_found = nullptr;
     QLabel* m_chosenName = nullptr;
     QLabel* m_chosenWords = nullptr;
+    QLabel* m_earlier = nullptr;
+    QPushButton* m_edit = nullptr;
     QPushButton* m_roles = nullptr;
     QPushButton* m_enable = nullptr;
     QPushButton* m_reset = nullptr;

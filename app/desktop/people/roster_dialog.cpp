@@ -3,122 +3,174 @@
 
 #include "database/accounts/account_service.h"
 #include "desktop/frame/app_context.h"
-#include "desktop/people/people_model.h"
+#include "desktop/people/roster_preview.h"
+#include "desktop/people/slips_panel.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
-#include <QHeaderView>
-#include <QTableWidget>
+#include <QRadioButton>
 
 namespace chiron::desktop {
 
 namespace {
+
+using Kind = database::RosterStep::Kind;
+
 constexpr std::size_t kMostProblems_shown = 50;
-constexpr double kTableHeight = 260;
+constexpr double kPanelHeight = 260;
+
 } // namespace
 
-RosterDialog::RosterDialog(AppContext& context, const QString& fileName, std::string text, QWidget* parent)
-    : FormDialog(context, QStringLiteral("roster"), tr("Import people"), parent), m_text(std::move(text)) {
+RosterDialog::RosterDialog(AppContext& context, const QString& fileName, std::string bytes, QWidget* parent)
+    : FormDialog(context, QStringLiteral("roster"), tr("Import people"), parent), m_bytes(std::move(bytes)) {
     column()->addWidget(kit::label(theme(), tr("From %1. Nothing is changed before you press Import.").arg(fileName), TextStyle::body, "muted"));
+    m_read = kit::label(theme(), {}, TextStyle::small, "muted");
+    m_read->setObjectName(QStringLiteral("roster.read"));
+    m_read->hide();
+    column()->addWidget(m_read);
+    m_existing = existingChoice();
+    column()->addWidget(m_existing);
     m_panel = new StatePanel(theme());
     m_panel->setObjectName(QStringLiteral("roster.panel"));
-    m_panel->setMinimumHeight(theme().px(kTableHeight));
+    m_panel->setMinimumHeight(theme().px(kPanelHeight));
     column()->addWidget(m_panel);
     setAccept(tr("Import"));
     load();
 }
 
+/// Seen where somebody in the list has an account already.
+QWidget* RosterDialog::existingChoice() {
+    auto* choice = new QWidget;
+    auto* rows = new QVBoxLayout(choice);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(theme().px(4));
+    rows->addWidget(kit::label(theme(), tr("People who have an account already"), TextStyle::label));
+    auto* skip = new QRadioButton(tr("Leave them as they are"));
+    skip->setObjectName(QStringLiteral("roster.skip"));
+    skip->setChecked(true);
+    m_update = new QRadioButton(tr("Update full name and roles"));
+    m_update->setObjectName(QStringLiteral("roster.update"));
+    rows->addWidget(skip);
+    rows->addWidget(m_update);
+    connect(m_update, &QRadioButton::toggled, this, &RosterDialog::load);
+    choice->hide();
+    return choice;
+}
+
+database::RosterExisting RosterDialog::existing() const {
+    return m_update->isChecked() ? database::RosterExisting::update : database::RosterExisting::skip;
+}
+
 void RosterDialog::load() {
+    setAcceptable(false);
     m_panel->showLoading(tr("Reading the list …"));
     database::Database* database = &context().site().database();
+    const database::RosterExisting chosen = existing();
     context().background().run(
         this,
-        [database, actor = context().actor(), text = m_text](WorkToken&) { return database::AccountService(*database).previewCsv(actor, text); },
-        [this](core::Result<database::Roster> roster) {
-            if (roster)
-                showRoster(*roster);
+        [database, actor = context().actor(), bytes = m_bytes, chosen](WorkToken&) { return database::AccountService(*database).previewCsv(actor, bytes, chosen); },
+        [this, chosen](core::Result<database::RosterPlan> plan) {
+            if (chosen != existing())
+                return; // the choice has changed meanwhile: another answer follows
+            if (plan)
+                showPlan(*plan);
             else
-                m_panel->showError(tr("The list could not be compared with the people on this site."), roster.error(), [this] { load(); });
+                m_panel->showError(tr("The list could not be compared with the people on this site."), plan.error(), [this] { load(); });
         });
 }
 
-void RosterDialog::showRoster(const database::Roster& roster) {
-    m_people = static_cast<int>(roster.rows.size());
+void RosterDialog::showPlan(const database::RosterPlan& plan) {
+    const database::Roster& roster = plan.roster;
+    m_changes = plan.count(Kind::add) + plan.count(Kind::update);
+    m_read->setText(rosterReadWords(roster));
+    m_read->setVisible(!m_read->text().isEmpty());
+    m_existing->setVisible(static_cast<int>(plan.steps.size()) > plan.count(Kind::add) && roster.problems.empty());
     auto* whole = new QWidget;
     auto* parts = new QVBoxLayout(whole);
     parts->setContentsMargins(0, 0, 0, 0);
     parts->setSpacing(theme().px(12));
-    if (!roster.problems.empty())
+    if (!roster.problems.empty()) {
         parts->addWidget(problemList(roster));
-    else
-        parts->addWidget(kit::notice(theme(), "good", tr("%n people would be added. Each must choose a password of their own at the first login.", nullptr, m_people)));
-    if (!roster.rows.empty())
-        parts->addWidget(peopleTable(roster), 1);
+    } else {
+        QFrame* notice = kit::notice(theme(), m_changes > 0 ? "good" : "info", rosterPlanWords(plan).join(QLatin1Char('\n')));
+        notice->setObjectName(QStringLiteral("roster.summary"));
+        parts->addWidget(notice);
+    }
+    if (!plan.steps.empty())
+        parts->addWidget(rosterTable(theme(), plan), 1);
     parts->addStretch();
+    delete m_panel->content(); // of the choice before
     m_panel->setContent(whole);
     m_panel->showContent();
-    setAcceptable(roster.problems.empty());
-    if (roster.problems.empty())
-        setAccept(tr("Import %n people", nullptr, m_people));
+    setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes) : tr("Import"));
+    setAcceptable(roster.problems.empty() && m_changes > 0);
 }
 
 QWidget* RosterDialog::problemList(const database::Roster& roster) const {
-    QStringList lines{tr("Nothing can be imported yet: correct these lines in the file, then choose it again.")};
+    QStringList lines;
     for (std::size_t i = 0; i < std::min(roster.problems.size(), kMostProblems_shown); ++i)
         lines << rosterProblemWords(roster.problems[i]);
     if (roster.problems.size() > kMostProblems_shown)
         lines << tr("and %n more", nullptr, static_cast<int>(roster.problems.size() - kMostProblems_shown));
+    lines.prepend(roster.encoding.empty() ? tr("Nothing can be imported from this file.") : tr("Nothing can be imported yet: correct these lines in the file, then choose it again."));
     QFrame* notice = kit::notice(theme(), "bad", lines.join(QLatin1Char('\n')));
     notice->setObjectName(QStringLiteral("roster.problems"));
     return notice;
 }
 
-QWidget* RosterDialog::peopleTable(const database::Roster& roster) const {
-    auto* table = new QTableWidget(m_people, 4);
-    table->setObjectName(QStringLiteral("roster.people"));
-    table->setAccessibleName(tr("People in the list"));
-    table->setHorizontalHeaderLabels({tr("Line"), tr("Login name"), tr("Full name"), tr("Roles")});
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setTabKeyNavigation(false);
-    table->verticalHeader()->hide();
-    table->setMinimumHeight(theme().px(kTableHeight));
-    int row = 0;
-    for (const database::UserCsvRow& person : roster.rows) {
-        table->setItem(row, 0, new QTableWidgetItem(QLocale().toString(person.line)));
-        table->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(person.name)));
-        table->setItem(row, 2, new QTableWidgetItem(QString::fromStdString(person.displayName)));
-        table->setItem(row, 3, new QTableWidgetItem(rolesInWords(person.roles).join(QStringLiteral(", "))));
-        ++row;
-    }
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setStretchLastSection(true);
-    return table;
-}
-
 void RosterDialog::submit() {
     setWorking(true, true);
+    m_existing->setEnabled(false);
     database::Database* database = &context().site().database();
     auto token = context().background().run(
         this,
-        [database, actor = context().actor(), text = m_text](WorkToken& work) {
-            return database::AccountService(*database).importCsv(actor, text, [&work](int done, int of) {
+        [database, actor = context().actor(), bytes = m_bytes, chosen = existing()](WorkToken& work) {
+            return database::AccountService(*database).importCsv(actor, bytes, chosen, [&work](int done, int of) {
                 work.setProgress(done, of);
                 return !work.cancelled();
             });
         },
-        [this](core::Result<std::vector<database::PersonId>> ids) {
+        [this](core::Result<database::RosterOutcome> outcome) {
             setWorking(false);
-            if (!ids) {
-                m_panel->showContent();
-                say(ids.error().code == core::ErrorCode::cancelled ? "info" : "bad", tr("Nobody was added.\n%1").arg(inWords(ids.error())));
+            m_existing->setEnabled(true);
+            if (outcome) {
+                showDone(*std::move(outcome));
                 return;
             }
-            emit changed();
-            context().messages().done(tr("%n people were added.", nullptr, static_cast<int>(ids->size())));
-            accept();
+            m_panel->showContent();
+            const bool last = outcome.error().code == core::ErrorCode::wrongUse; // the one rule that a faultless list can break
+            say(outcome.error().code == core::ErrorCode::cancelled ? "info" : "bad",
+                last ? tr("Nothing was changed: the site needs at least one administrator who can log in, and the list would leave none.")
+                     : tr("Nothing was changed.\n%1").arg(inWords(outcome.error())));
         });
-    m_panel->showLoading(tr("Adding %n people …", nullptr, m_people), token);
+    m_panel->showLoading(tr("Importing %n people …", nullptr, m_changes), token);
+}
+
+void RosterDialog::showDone(database::RosterOutcome outcome) {
+    emit changed();
+    QStringList words;
+    if (!outcome.added.empty())
+        words << tr("%n people were added.", nullptr, static_cast<int>(outcome.added.size()));
+    if (outcome.updated > 0)
+        words << tr("%n people were updated.", nullptr, outcome.updated);
+    std::erase_if(outcome.added, [](const database::ImportedPerson& person) { return person.madePassword.empty(); });
+    if (outcome.added.empty()) {
+        context().messages().done(words.join(QLatin1Char(' ')));
+        accept();
+        return;
+    }
+    m_slips = new SlipsPanel(context(), words.join(QLatin1Char(' ')), std::move(outcome.added));
+    showResult(m_slips);
+}
+
+void RosterDialog::reject() {
+    if (m_slips && !m_slips->isTaken() && !m_warned) {
+        m_warned = true;
+        say("warning", tr("The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set "
+                          "new ones, one by one."));
+        return;
+    }
+    FormDialog::reject();
 }
 
 } // namespace chiron::desktop

@@ -2,37 +2,48 @@
 #pragma once
 
 #include "core/result.h"
-#include "database/accounts/user_csv.h"
+#include "database/accounts/roster_import.h"
 #include "desktop/people/form_dialog.h"
 
 #include <string>
 
 class QLabel;
+class QRadioButton;
 
 namespace chiron::desktop {
 
+class SlipsPanel;
 class StatePanel;
 
-/// Imports a list of people from CSV: shows first who would be added and what is wrong in which line; then all are added,
-/// or nobody. GUI thread.
+/// Imports a list of people from CSV: shows first what would become of each line and what is wrong in which; then all of it is
+/// done, or nothing. Passwords that were made are shown once, to be printed. GUI thread.
 class RosterDialog final : public FormDialog {
     Q_OBJECT
 public:
-    /// `text` is the file's content, `fileName` what people call it.
-    RosterDialog(AppContext& context, const QString& fileName, std::string text, QWidget* parent);
+    /// `bytes` is the file's content, `fileName` what people call it.
+    RosterDialog(AppContext& context, const QString& fileName, std::string bytes, QWidget* parent);
+
+    void reject() override; ///< passwords that nobody has taken: only when asked twice
 
 protected:
     void submit() override;
 
 private:
+    QWidget* existingChoice();
+    database::RosterExisting existing() const;
     void load();
-    void showRoster(const database::Roster& roster);
-    QWidget* peopleTable(const database::Roster& roster) const;
+    void showPlan(const database::RosterPlan& plan);
+    void showDone(database::RosterOutcome outcome);
     QWidget* problemList(const database::Roster& roster) const;
 
-    std::string m_text;
-    int m_people = 0;
+    std::string m_bytes;
+    int m_changes = 0;
+    QLabel* m_read;
+    QWidget* m_existing;
+    QRadioButton* m_update = nullptr;
     StatePanel* m_panel;
+    SlipsPanel* m_slips = nullptr;
+    bool m_warned = false;
 };
 
 /// One thing that is wrong in a list of people, in words.

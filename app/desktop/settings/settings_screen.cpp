@@ -66,10 +66,7 @@ QWidget* SettingsScreen::languageBox() {
                                    {QStringLiteral("de"), QStringLiteral("Deutsch")},
                                    {QStringLiteral("el"), QStringLiteral("Ελληνικά")}};
     return choices(context().theme(), this, QStringLiteral("language"), tr("Language"), list, context().language(),
-                   [this](const QString& id) {
-                       context().settings().setLanguage(id);
-                       context().applyAppearance();
-                   });
+                   [this](const QString& id) { context().setStationLanguage(id); });
 }
 
 QWidget* SettingsScreen::themeBox() {

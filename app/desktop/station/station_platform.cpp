@@ -71,7 +71,7 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
 }
 
 CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device) const {
-    return {QString::fromStdString(context().actor().name()), at.when, QSysInfo::machineHostName(), device, {}, QString::fromStdString(core::buildId()), at.entry};
+    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, {}, QString::fromStdString(core::buildId()), at.entry};
 }
 
 core::Result<void> StationScreen::writePlatformRecord(const QString& path) const {

@@ -99,7 +99,7 @@ void RestoreDialog::check() {
 void RestoreDialog::ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
                         std::function<void(database::RestoreRequest)> restore) {
     const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
-    const QString administrator = replaces == Replaces::working ? QString::fromStdString(context.actor().name()) : QString();
+    const QString administrator = replaces == Replaces::working ? QString::fromStdString(context.loginName()) : QString();
     auto* dialog = new RestoreDialog(context.theme(), when, administrator, parent, replaces);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, parent, [dialog, folder = backup.folder, file = context.site().file().toStdString(), restore = std::move(restore)] {

@@ -2,8 +2,12 @@
 #include "people_hands.h"
 
 #include "database/privacy/erasure.h"
+#include "database/repositories/session_reader.h"
+#include "desktop/people/slips_panel.h"
 
 #include <QCheckBox>
+#include <QDirIterator>
+#include <QFileDialog>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -24,7 +28,15 @@ private slots:
     void resetWithATypedPassword();
     void exportHoldsThePerson();
     void erase();
+    void editNames();
+    void renamingOneselfIsSeenAtOnce();
     void importRoster();
+    void germanExcelIsImportedAndSlipsArePrinted();
+    void whoExistsIsUpdatedWhenAsked();
+    void otherFilesAreNamed();
+    void templateCanBeImported_data();
+    void templateCanBeImported();
+    void enterPressesTheFocusedButton();
     void fitsAtEveryScale_data();
     void fitsAtEveryScale();
 
@@ -175,8 +187,9 @@ void TestPeople::importRoster() {
     screen->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), 10000);
     const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
-    QVERIFY2(words.contains(QStringLiteral("Line 3: \"TINA\" already exists at this site")), qPrintable(words));
-    QVERIFY2(words.contains(QStringLiteral("Line 4: roles \"wizard\"")) && words.contains(QStringLiteral("Line 4: the password")), qPrintable(words));
+    QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is no role")) && words.contains(QStringLiteral("Line 4, column “password”: the password")),
+             qPrintable(words));
+    QVERIFY2(!words.contains(QStringLiteral("Line 3")), qPrintable(words)); // who has an account is no fault
     QVERIFY(!desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_wrong"));
     desk.click("roster.cancel");
@@ -190,6 +203,197 @@ void TestPeople::importRoster() {
     desk.click("roster.accept");
     QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 7, 10000);
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainer, Researcher"));
+}
+
+void TestPeople::editNames() {
+    PeopleDesk desk;
+    const database::SessionId session = desk.addSession("tina", 1, "expert", 1, 1);
+    desk.choose(QStringLiteral("tina"));
+    desk.click("people.edit");
+    QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+    QVERIFY(!desk.isEnabled("edit_person.accept")); // nothing is changed yet
+    const auto rule = [&] { return desk.find<QLabel>(QStringLiteral("edit_person.name_rule"))->text(); };
+    desk.set("edit_person.name", QString());
+    QVERIFY(!desk.isEnabled("edit_person.accept") && rule().contains(QStringLiteral("is needed")));
+    desk.set("edit_person.name", QStringLiteral("tina,two"));
+    QVERIFY(!desk.isEnabled("edit_person.accept") && rule().contains(QStringLiteral("cannot be used")));
+    desk.set("edit_person.name", QStringLiteral("THEO"));
+    desk.click("edit_person.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(rule().contains(QStringLiteral("already")), 10000); // at the field, and what was typed is kept
+    QCOMPARE(focusName(), QStringLiteral("edit_person.name"));
+    picture(desk.dialog("edit_person"), QStringLiteral("people_edit_taken"));
+    desk.set("edit_person.name", QStringLiteral("christina"));
+    desk.set("edit_person.full_name", QStringLiteral("Christina Weiß"));
+    VERIFY_READABLE(desk.dialog("edit_person"));
+    desk.click("edit_person.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("christina")) >= 0, 10000);
+    QCOMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Christina Weiß"));
+    // Still chosen, with what she was called before.
+    auto* earlier = desk.find<QLabel>(QStringLiteral("people.earlier"));
+    QTRY_VERIFY_WITH_TIMEOUT(earlier->isVisible() && earlier->text().contains(QStringLiteral("Tina Trainee (tina)")), 10000);
+    desk.choose(QStringLiteral("theo"));
+    QTRY_VERIFY(!earlier->isVisible());
+    auto reader = desk.database().openReader();
+    const auto past = database::SessionReader(**reader, desk.actor("ada")).session(session);
+    QVERIFY(past && past->summary.personName == "christina"); // her past session says who it was
+    QVERIFY(database::AccountService(desk.database()).login("christina", kTestPassword).has_value());
+}
+
+void TestPeople::renamingOneselfIsSeenAtOnce() {
+    PeopleDesk desk;
+    desk.choose(QStringLiteral("ada"));
+    desk.click("people.edit");
+    desk.set("edit_person.name", QStringLiteral("augusta"));
+    desk.click("edit_person.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("augusta")) >= 0, 10000);
+    QCOMPARE(desk.find<QLabel>(QStringLiteral("nav.person"))->text(), QStringLiteral("augusta"));
+    desk.choose(QStringLiteral("tina")); // she still may, under her present login
+    desk.click("people.enable");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), 10000);
+}
+
+void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
+    PeopleDesk desk;
+    const QString file = desk.folder() + QStringLiteral("/Kurs.csv");
+    write(file, "Name;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nGro\xdf;Uwe;gross;Ausbilder/in;A\r\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QVERIFY(desk.find<QLabel>(QStringLiteral("roster.read"))->text().contains(QStringLiteral("Windows-1252, separated by semicolons")));
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QVERIFY2(summary.contains(QStringLiteral("Gruppe")) && summary.contains(QStringLiteral("shown once")), qPrintable(summary));
+    QVERIFY(!desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible()); // nobody in the list is here yet: no question
+    QVERIFY(desk.isEnabled("roster.accept"));
+    picture(desk.dialog("roster"), QStringLiteral("people_roster_german"));
+    desk.click("roster.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("slips.people")), 10000);
+    auto* table = desk.find<QTableWidget>(QStringLiteral("slips.people"));
+    QCOMPARE(table->rowCount(), 2);
+    QCOMPARE(table->item(0, 0)->text(), QStringLiteral("Jörg Müller"));
+    const QString password = table->item(0, 2)->text();
+    const auto joerg = database::AccountService(desk.database()).login("mueller", password.toStdString());
+    QVERIFY(joerg && joerg->mustChangePassword());
+    VERIFY_READABLE(desk.dialog("roster"));
+    picture(desk.dialog("roster"), QStringLiteral("people_slips"));
+    // Closing is asked about once while nobody has the passwords on paper.
+    desk.click("roster.cancel");
+    QVERIFY(desk.dialog("roster")->isVisible() && desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
+    desk.set("slips.site", QStringLiteral("Skills lab"));
+    const QString pdf = desk.folder() + QStringLiteral("/slips.pdf");
+    auto* slips = desk.find<desktop::SlipsPanel>(QString());
+    slips->saveTo(desk.folder() + QStringLiteral("/nowhere/slips.pdf"));
+    QVERIFY(!slips->isTaken() && desk.notice("slips.notice").contains(QStringLiteral("not saved")));
+    slips->saveTo(pdf);
+    QVERIFY(slips->isTaken() && QFileInfo(pdf).size() > 1000);
+    QVERIFY((QFileInfo(pdf).permissions() & (QFile::ReadGroup | QFile::ReadOther)) == QFile::Permissions());
+    desk.click("slips.save"); // asks for a file
+    QTRY_VERIFY(desk.find<QFileDialog>(QString()));
+    QCOMPARE(desk.find<QFileDialog>(QString())->defaultSuffix(), QStringLiteral("pdf"));
+    desk.find<QFileDialog>(QString())->reject();
+    desk.click("roster.cancel");
+    QTRY_VERIFY(!desk.dialog("roster"));
+    QCOMPARE(desk.table()->model()->rowCount(), 7);
+    // It is on the paper that was asked for, and in nothing that the program keeps.
+    QDirIterator files(desk.folder(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile stored(files.next());
+        QVERIFY(stored.open(QIODevice::ReadOnly));
+        QVERIFY2(!stored.readAll().contains(password.toUtf8()), qPrintable(stored.fileName()));
+    }
+}
+
+void TestPeople::whoExistsIsUpdatedWhenAsked() {
+    PeopleDesk desk;
+    const QString file = desk.folder() + QStringLiteral("/roster.csv");
+    write(file, "login name;full name;role\nTina;Christina;trainer\ntheo;Theo Trainee;trainee\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QTRY_VERIFY(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible());
+    QVERIFY(!desk.isEnabled("roster.accept")); // both are left as they are: nothing to do
+    desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Updated"));
+    QCOMPARE(table->item(0, 3)->text(), QStringLiteral("Tina Trainee → Christina"));
+    QCOMPARE(table->item(0, 4)->text(), QStringLiteral("Trainee → Trainer"));
+    QCOMPARE(table->item(1, 1)->text(), QStringLiteral("Nothing to change"));
+    VERIFY_READABLE(desk.dialog("roster"));
+    picture(desk.dialog("roster"), QStringLiteral("people_roster_update"));
+    desk.click("roster.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000); // no passwords: no slips
+    QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"));
+    QCOMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
+    QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
+}
+
+void TestPeople::otherFilesAreNamed() {
+    PeopleDesk desk;
+    const QString file = desk.folder() + QStringLiteral("/roster.xlsx");
+    write(file, QByteArray("PK\x03\x04\x14\x00\x06\x00", 8) + QByteArray(22, '\1') + "[Content_Types].xml");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), 10000);
+    const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QVERIFY2(words.contains(QStringLiteral("Save As")) && words.contains(QStringLiteral("CSV UTF-8")), qPrintable(words));
+    QVERIFY(!desk.isEnabled("roster.accept"));
+    VERIFY_READABLE(desk.dialog("roster"));
+}
+
+void TestPeople::templateCanBeImported_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<char>("separator");
+    QTest::newRow("English") << "en" << ',';
+    QTest::newRow("German") << "de" << ';';
+    QTest::newRow("Greek") << "el" << ';';
+}
+
+void TestPeople::templateCanBeImported() {
+    QFETCH(QString, language);
+    QFETCH(char, separator);
+    PeopleDesk desk;
+    desk.context.setStationLanguage(language);
+    settle();
+    const QString file = desk.folder() + QStringLiteral("/template.csv");
+    desk.screen<desktop::PeopleScreen>()->saveTemplate(file);
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const database::Roster roster = database::readRoster(written.readAll().toStdString());
+    QVERIFY2(roster.problems.empty(), roster.problems.empty() ? "" : roster.problems[0].words.c_str());
+    QCOMPARE(roster.delimiter, separator);
+    QCOMPARE(roster.rows.size(), std::size_t{2});
+    QVERIFY(roster.rows[0].roles.contains(database::Role::trainee) && roster.rows[1].roles.contains(database::Role::trainer));
+    QVERIFY(!roster.rows[0].displayName.empty() && roster.ignoredColumns.empty());
+    desk.context.setStationLanguage(QStringLiteral("en"));
+}
+
+void TestPeople::enterPressesTheFocusedButton() {
+    PeopleDesk desk;
+    desk.choose(QStringLiteral("tina"));
+    for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"}, std::pair{"people.roles", "roles"},
+                                         std::pair{"people.reset", "reset"}, std::pair{"people.erase", "erase"}}) {
+        desk.click(button);
+        QTRY_VERIFY(desk.dialog(dialog) && desk.dialog(dialog)->isActiveWindow());
+        auto* cancel = desk.find<QPushButton>(QLatin1String(dialog) + QStringLiteral(".cancel"));
+        auto* accept = desk.find<QPushButton>(QLatin1String(dialog) + QStringLiteral(".accept"));
+        QVERIFY2(accept->isDefault(), dialog);
+        cancel->setFocus();
+        press(Qt::Key_Return);
+        QTRY_VERIFY2(!desk.dialog(dialog), dialog); // left, not sent
+    }
+    QCOMPARE(desk.table()->model()->rowCount(), 5);
+    // In a field Enter sends what is complete.
+    desk.click("people.edit");
+    QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+    desk.set("edit_person.full_name", QStringLiteral("Tina Tester"));
+    press(Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Tester"), 10000);
+    // The one that copies copies, although closing is the default.
+    desk.choose(QStringLiteral("theo"));
+    desk.click("people.reset");
+    desk.click("reset.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("handed.copy")), 10000);
+    desk.find<QPushButton>(QStringLiteral("handed.copy"))->setFocus();
+    press(Qt::Key_Enter);
+    QVERIFY(desk.dialog("reset"));
+    QCOMPARE(desk.find<QPushButton>(QStringLiteral("handed.copy"))->text(), QStringLiteral("Copied"));
 }
 
 void TestPeople::fitsAtEveryScale_data() {
@@ -211,8 +415,8 @@ void TestPeople::fitsAtEveryScale() {
     desk.choose(QStringLiteral("tina"));
     VERIFY_READABLE(desk.window->screen());
     picture(desk.window.get(), QStringLiteral("people_%1").arg(scale));
-    for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.roles", "roles"}, std::pair{"people.reset", "reset"},
-                                         std::pair{"people.erase", "erase"}}) {
+    for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"}, std::pair{"people.roles", "roles"},
+                                         std::pair{"people.reset", "reset"}, std::pair{"people.erase", "erase"}}) {
         desk.click(button);
         QTest::qWait(50);
         VERIFY_READABLE(desk.dialog(dialog));

@@ -61,6 +61,12 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setEnabled(id, false); });
     add(Action::setRoles, person, true,
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setRoles(id, {Role::trainer}); });
+    add(Action::changeNames, person, true,
+        [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changeNames(id, "renamed", "Renamed"); });
+    add(Action::changeDisplayName, person, true,
+        [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changeDisplayName(id, "Renamed"); });
+    add(Action::earlierNames, person, false,
+        [](C& c, A a, std::int64_t id) { return drop(AccountRepository(c, a).earlierNames(id)); });
     add(Action::changePassword, person, true,
         [=](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changePassword(id, hash); });
     add(Action::resetPassword, person, true,

@@ -56,7 +56,7 @@ void TestAccessRules::whatMattersMostIsSpeltOut() {
     using K = ActorKind;
     for (const Role role : {Role::trainee, Role::trainer, Role::researcher}) {
         for (const Action action : {Action::createPerson, Action::importPeople, Action::setRoles,
-                                    Action::setEnabled, Action::resetPassword, Action::erasePerson,
+                                    Action::setEnabled, Action::resetPassword, Action::erasePerson, Action::changeNames,
                                     Action::backup, Action::setBackupPlan, Action::dailyBackup, Action::restore, Action::exportSite, Action::listAudit}) {
             QCOMPARE(scopeOf(action, K::person, {role}), Scope::none);
         }

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/account/account_screen.h"
+
+#include "database/accounts/account_rules.h"
+#include "database/accounts/account_service.h"
+#include "desktop/accounts/account_words.h"
+#include "desktop/accounts/form.h"
+#include "desktop/accounts/notice_area.h"
+#include "desktop/accounts/password_fields.h"
+#include "desktop/accounts/wait_countdown.h"
+#include "desktop/frame/app_context.h"
+#include "desktop/widgets/kit.h"
+#include "desktop/widgets/scroll_page.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QButtonGroup>
+#include <QLineEdit>
+#include <QRadioButton>
+
+namespace chiron::desktop {
+
+AccountScreen::AccountScreen(AppContext& context, const Place& place) : Screen(context, place) {
+    auto* page = new ScrollPage(context.theme(), 720);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(page);
+    page->column()->addWidget(kit::label(context.theme(), title(), TextStyle::heading));
+    m_panel = new StatePanel(context.theme());
+    m_panel->setObjectName(QStringLiteral("account.panel"));
+    m_panel->setContent(nameBox());
+    page->column()->addWidget(m_panel);
+    page->column()->addWidget(languageBox());
+    page->column()->addWidget(passwordBox());
+    page->column()->addStretch();
+    m_panel->showLoading(tr("Reading your account …"));
+}
+
+QString AccountScreen::title() const {
+    return tr("My account");
+}
+
+QString AccountScreen::help() const {
+    return tr("Your own name, language and password.\n\nThe full name is what others see in lists and reports; your earlier names stay in the "
+              "site's history. The login name can be changed by an administrator.\n\nThe language takes effect at once. It comes back whenever "
+              "you log in on this station and changes nothing for others.\n\nTo change your password, first enter the one that you have now.");
+}
+
+QWidget* AccountScreen::nameBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Name"), TextStyle::title));
+    m_loginName = kit::label(theme, {});
+    m_loginName->setObjectName(QStringLiteral("account.login_name"));
+    box.layout->addWidget(m_loginName);
+    m_fullName = form::textField(theme, box.layout, tr("Full name (may be left empty)"), QStringLiteral("account.full_name"));
+    m_nameNotice = new NoticeArea(theme);
+    m_nameNotice->setObjectName(QStringLiteral("account.name_notice"));
+    box.layout->addWidget(m_nameNotice);
+    m_saveName = kit::button(theme, tr("Save the name"), "primary");
+    m_saveName->setObjectName(QStringLiteral("account.save_name"));
+    box.layout->addWidget(m_saveName, 0, Qt::AlignLeft);
+    connect(m_fullName, &QLineEdit::textChanged, this, &AccountScreen::renewName);
+    connect(m_fullName, &QLineEdit::returnPressed, this, &AccountScreen::saveName);
+    connect(m_saveName, &QPushButton::clicked, this, &AccountScreen::saveName);
+    return box.frame;
+}
+
+QWidget* AccountScreen::languageBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Language"), TextStyle::title));
+    auto* group = new QButtonGroup(this);
+    const QString own = context().ownLanguage();
+    // Each language in its own words: who cannot read the present one must find theirs.
+    const std::vector<std::pair<QString, QString>> list{{QString(), tr("As on this station")},
+                                                        {QStringLiteral("en"), QStringLiteral("English")},
+                                                        {QStringLiteral("de"), QStringLiteral("Deutsch")},
+                                                        {QStringLiteral("el"), QStringLiteral("Ελληνικά")}};
+    for (const auto& [id, text] : list) {
+        auto* radio = new QRadioButton(text);
+        radio->setObjectName(QStringLiteral("account.language.") + (id.isEmpty() ? QStringLiteral("station") : id));
+        radio->setChecked(id == own);
+        m_languageNow = id == own ? radio : m_languageNow;
+        group->addButton(radio);
+        box.layout->addWidget(radio);
+        connect(radio, &QRadioButton::clicked, this, [this, language = id] { chooseLanguage(language); }, Qt::QueuedConnection);
+    }
+    box.layout->addWidget(kit::label(theme, tr("It comes back whenever you log in on this station and changes nothing for others."), TextStyle::small, "muted"));
+    return box.frame;
+}
+
+QWidget* AccountScreen::passwordBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Password"), TextStyle::title));
+    m_oldPassword = form::passwordField(theme, box.layout, tr("Current password"), QStringLiteral("account.old_password"));
+    m_newPassword = new PasswordFields(theme, QStringLiteral("account"));
+    m_newPassword->setLoginName(QString::fromStdString(context().loginName()));
+    box.layout->addWidget(m_newPassword);
+    m_passwordNotice = new NoticeArea(theme);
+    m_passwordNotice->setObjectName(QStringLiteral("account.password_notice"));
+    box.layout->addWidget(m_passwordNotice);
+    m_changePassword = kit::button(theme, tr("Change the password"), "primary");
+    m_changePassword->setObjectName(QStringLiteral("account.change_password"));
+    box.layout->addWidget(m_changePassword, 0, Qt::AlignLeft);
+    m_wait = new WaitCountdown(this);
+    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { m_changePassword->setText(waitWords(seconds)); });
+    connect(m_wait, &WaitCountdown::finished, this, &AccountScreen::renewPassword);
+    connect(m_oldPassword, &QLineEdit::textChanged, this, &AccountScreen::renewPassword);
+    connect(m_oldPassword, &QLineEdit::returnPressed, m_newPassword, &PasswordFields::focusFirst);
+    connect(m_newPassword, &PasswordFields::changed, this, &AccountScreen::renewPassword);
+    connect(m_newPassword, &PasswordFields::submitted, this, &AccountScreen::changePassword);
+    connect(m_changePassword, &QPushButton::clicked, this, &AccountScreen::changePassword);
+    renewPassword();
+    return box.frame;
+}
+
+void AccountScreen::enter() {
+    if (place().parameters.value(QStringLiteral("focus")).toString() == QLatin1String("language"))
+        m_languageNow->setFocus();
+    load();
+}
+
+std::vector<ScreenCommand> AccountScreen::commands() {
+    return {{tr("Change my password"), {}, [this] { m_oldPassword->setFocus(); }}};
+}
+
+void AccountScreen::load() {
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this, [database, actor = context().actor()](WorkToken&) { return database::AccountService(*database).self(actor); },
+        [this](const core::Result<database::Person>& person) { loaded(person); });
+}
+
+void AccountScreen::loaded(const core::Result<database::Person>& person) {
+    if (!person) {
+        m_panel->showError(tr("Your account could not be read."), person.error(), [this] {
+            m_panel->showLoading(tr("Reading your account …"));
+            load();
+        });
+        return;
+    }
+    m_storedName = QString::fromStdString(person->displayName);
+    m_loginName->setText(tr("Login name: %1. An administrator can change it.").arg(QString::fromStdString(person->name)));
+    m_newPassword->setLoginName(QString::fromStdString(person->name));
+    m_fullName->setText(m_storedName);
+    m_panel->showContent();
+    renewName();
+    if (!isAncestorOf(window()->focusWidget()))
+        m_fullName->setFocus();
+}
+
+void AccountScreen::renewName() {
+    const QString name = m_fullName->text().trimmed();
+    const bool good = name.toUcs4().size() <= database::kMaximumDisplayNameCharacters;
+    form::setKind(m_fullName, good ? "" : "bad");
+    if (!good)
+        m_nameNotice->say("bad", tr("The full name is too long: use at most %1 characters.").arg(context().locale().toString(database::kMaximumDisplayNameCharacters)));
+    else if (!m_savesName)
+        m_nameNotice->clear();
+    m_fullName->setEnabled(!m_savesName);
+    m_saveName->setEnabled(!m_savesName && good && name != m_storedName);
+}
+
+void AccountScreen::saveName() {
+    if (!m_saveName->isEnabled())
+        return;
+    m_savesName = true;
+    m_nameNotice->say("info", tr("Saving …"));
+    renewName();
+    database::Database* database = &context().site().database();
+    const QString name = m_fullName->text().trimmed();
+    context().background().run(
+        this,
+        [database, actor = context().actor(), name = name.toStdString()](WorkToken&) { return database::AccountService(*database).changeDisplayName(actor, name); },
+        [this, name](const core::Result<void>& done) {
+            m_savesName = false;
+            m_storedName = done ? name : m_storedName;
+            renewName();
+            m_fullName->setFocus();
+            if (done)
+                m_nameNotice->say("good", name.isEmpty() ? tr("You are now shown with your login name alone.") : tr("Your name is now %1.").arg(name));
+            else
+                m_nameNotice->say("bad", tr("Your name was not changed.\n%1").arg(inWords(done.error())));
+        });
+}
+
+void AccountScreen::chooseLanguage(const QString& language) {
+    context().navigator().note({{QStringLiteral("focus"), QStringLiteral("language")}});
+    context().setOwnLanguage(language);
+}
+
+void AccountScreen::renewPassword() {
+    const bool free = !m_changesPassword && !m_wait->isRunning();
+    m_oldPassword->setEnabled(free);
+    m_newPassword->setEnabled(!m_changesPassword);
+    m_changePassword->setEnabled(free && !m_oldPassword->text().isEmpty() && m_newPassword->isGood());
+    if (!m_wait->isRunning())
+        m_changePassword->setText(m_changesPassword ? tr("Checking …") : tr("Change the password"));
+}
+
+void AccountScreen::changePassword() {
+    if (!m_changePassword->isEnabled())
+        return;
+    const std::string old = m_oldPassword->text().toStdString();
+    const std::string fresh = m_newPassword->password();
+    if (old == fresh) {
+        m_passwordNotice->say("bad", tr("This is the password that you have now. Choose another one."));
+        m_newPassword->focusFirst();
+        return;
+    }
+    m_changesPassword = true;
+    m_passwordNotice->clear();
+    renewPassword();
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this,
+        [database, actor = context().actor(), old, fresh](WorkToken&) { return database::AccountService(*database).tryChangePassword(actor, old, fresh); },
+        [this](const tl::expected<void, database::Refusal>& done) { passwordChanged(done); });
+}
+
+void AccountScreen::passwordChanged(const tl::expected<void, database::Refusal>& done) {
+    m_changesPassword = false;
+    m_oldPassword->clear();
+    if (done) {
+        m_newPassword->clear();
+        m_passwordNotice->say("good", tr("Your password is changed. From your next login, only the new one is valid."));
+    } else if (done.error().kind == database::Refusal::Kind::wrong) {
+        m_passwordNotice->say("warning", tr("The current password is wrong. Nothing was changed. Passwords are case-sensitive; check Caps Lock."));
+    } else {
+        m_passwordNotice->say(done.error().kind == database::Refusal::Kind::failed ? "bad" : "warning",
+                              tr("The password was not changed.\n%1").arg(refusalWords(done.error())));
+    }
+    m_wait->start(done ? 0 : done.error().wait_ns);
+    renewPassword();
+    if (m_oldPassword->isEnabled())
+        m_oldPassword->setFocus();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/people/roster_preview.h"
+
+#include "desktop/people/people_model.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <QLocale>
+#include <QTableWidget>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+namespace {
+
+using Kind = database::RosterStep::Kind;
+
+constexpr double kTableHeight = 240;
+constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
+
+QString words(const char* text) {
+    return QCoreApplication::translate("RosterWords", text);
+}
+
+QString counted(const char* text, int count) {
+    return QCoreApplication::translate("RosterWords", text, nullptr, count);
+}
+
+QString delimiterWords(char delimiter) {
+    switch (delimiter) {
+    case ';':
+        return words(QT_TRANSLATE_NOOP("RosterWords", "semicolons"));
+    case ',':
+        return words(QT_TRANSLATE_NOOP("RosterWords", "commas"));
+    case '\t':
+        return words(QT_TRANSLATE_NOOP("RosterWords", "tabs"));
+    default:
+        return QStringLiteral("“%1”").arg(QLatin1Char(delimiter));
+    }
+}
+
+QString kindWords(Kind kind) {
+    switch (kind) {
+    case Kind::add:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Added"));
+    case Kind::skip:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Left as it is"));
+    case Kind::update:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Updated"));
+    case Kind::same:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Nothing to change"));
+    }
+    return {};
+}
+
+QString rolesWords(const database::RoleSet& roles) {
+    return rolesInWords(roles).join(QStringLiteral(", "));
+}
+
+/// "Bob → Robert" where something changes.
+QString change(bool changes, const QString& before, const QString& after) {
+    return changes && before != after ? words(QT_TRANSLATE_NOOP("RosterWords", "%1 → %2")).arg(before, after) : after;
+}
+
+} // namespace
+
+QString rosterReadWords(const database::Roster& roster) {
+    return roster.encoding.empty() ? QString()
+                                   : words(QT_TRANSLATE_NOOP("RosterWords", "Read as %1, separated by %2.")).arg(QString::fromStdString(roster.encoding), delimiterWords(roster.delimiter));
+}
+
+QStringList rosterPlanWords(const database::RosterPlan& plan) {
+    QStringList lines;
+    const int added = plan.count(Kind::add);
+    const int updated = plan.count(Kind::update);
+    const int left = plan.count(Kind::skip) + plan.count(Kind::same);
+    if (added > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be added. Each must choose a password of their own at the first login."), added);
+    if (updated > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be updated; their passwords remain valid."), updated);
+    if (left > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
+    const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
+    if (made > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n passwords would be made. They are shown once, right after the import, to be printed as slips."), made);
+    if (!plan.roster.ignoredColumns.empty()) {
+        QStringList titles;
+        for (const std::string& title : plan.roster.ignoredColumns)
+            titles << QString::fromStdString(title);
+        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Columns that are not imported: %1.")).arg(titles.join(QStringLiteral(", ")));
+    }
+    return lines;
+}
+
+QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
+    auto* table = new QTableWidget(static_cast<int>(plan.steps.size()), 5);
+    table->setObjectName(QStringLiteral("roster.people"));
+    table->setAccessibleName(words(QT_TRANSLATE_NOOP("RosterWords", "People in the list")));
+    table->setHorizontalHeaderLabels({words(QT_TRANSLATE_NOOP("RosterWords", "Line")), words(QT_TRANSLATE_NOOP("RosterWords", "What happens")),
+                                      words(QT_TRANSLATE_NOOP("RosterWords", "Login name")), words(QT_TRANSLATE_NOOP("RosterWords", "Full name")),
+                                      words(QT_TRANSLATE_NOOP("RosterWords", "Roles"))});
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setTabKeyNavigation(false);
+    table->verticalHeader()->hide();
+    table->setMinimumHeight(theme.px(kTableHeight));
+    int row = 0;
+    for (const database::RosterStep& step : plan.steps) {
+        const bool updates = step.kind == Kind::update;
+        const QString cells[] = {QLocale().toString(step.line), kindWords(step.kind), QString::fromStdString(step.name),
+                                 change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
+                                 change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
+        for (int column = 0; column < static_cast<int>(std::size(cells)); ++column)
+            table->setItem(row, column, new QTableWidgetItem(cells[column]));
+        ++row;
+    }
+    table->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setStretchLastSection(true);
+    return table;
+}
+
+} // namespace chiron::desktop

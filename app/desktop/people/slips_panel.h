@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/people/login_slips.h"
+
+#include <QWidget>
+
+class QLineEdit;
+
+namespace chiron::desktop {
+
+class AppContext;
+class NoticeArea;
+
+/// The passwords that an import has made, shown once: to be printed as slips or saved as a PDF. Kept nowhere. GUI thread.
+class SlipsPanel final : public QWidget {
+    Q_OBJECT
+public:
+    SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people, QWidget* parent = nullptr);
+
+    bool isTaken() const { return m_taken; } ///< printed or saved at least once
+    void saveTo(const QString& file);
+
+private:
+    QWidget* peopleTable() const;
+    LoginSlips slips();
+    void print();
+    void askFile();
+
+    AppContext& m_context;
+    std::vector<database::ImportedPerson> m_people;
+    QLineEdit* m_site;
+    NoticeArea* m_notice;
+    bool m_taken = false;
+};
+
+} // namespace chiron::desktop

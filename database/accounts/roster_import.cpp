@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/accounts/roster_import.h"
+
+#include "database/access/authorise.h"
+#include "database/accounts/account_rules.h"
+#include "database/accounts/account_service.h"
+#include "database/accounts/generated_password.h"
+#include "database/accounts/password_hasher.h"
+#include "database/repositories/account_repository.h"
+
+#include <algorithm>
+#include <map>
+
+namespace chiron::database {
+namespace {
+
+using Kind = RosterStep::Kind;
+
+RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing) {
+    RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(), 0, {}, {}};
+    if (present == nullptr) {
+        return step;
+    }
+    const bool updates = existing == RosterExisting::update;
+    step.person = present->id;
+    step.name = present->name;
+    step.makesPassword = false;
+    step.displayNameBefore = present->displayName;
+    step.rolesBefore = present->roles;
+    // A full name that the list does not give stays as it is.
+    step.displayName = updates && !row.displayName.empty() ? row.displayName : present->displayName;
+    step.roles = updates ? row.roles : present->roles;
+    const bool same = step.displayName == present->displayName && step.roles == present->roles;
+    step.kind = !updates ? Kind::skip : same ? Kind::same : Kind::update;
+    return step;
+}
+
+core::Result<std::vector<Person>> peopleFor(Database& database, const Actor& actor) {
+    auto reader = database.openReader();
+    if (!reader) {
+        return tl::unexpected(reader.error());
+    }
+    if (const auto scope = authorise(**reader, actor, Action::importPeople); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return AccountRepository(**reader, actor).listPeople();
+}
+
+/// What the writer stores, and what is told afterwards.
+struct Prepared {
+    std::vector<NewPerson> people;
+    std::vector<PersonChange> changes;
+    RosterOutcome outcome;
+};
+
+core::Result<void> prepareNew(Prepared& prepared, const RosterStep& step, const std::string& given, const PasswordHasher& hasher) {
+    const std::string password = given.empty() ? generatedPassword() : given;
+    const auto hash = hasher.hash(password);
+    if (!hash) {
+        return tl::unexpected(hash.error());
+    }
+    prepared.people.push_back({step.name, step.displayName, step.roles, *hash, true});
+    prepared.outcome.added.push_back({0, step.name, step.displayName, given.empty() ? password : std::string()});
+    return {};
+}
+
+} // namespace
+
+int RosterPlan::count(RosterStep::Kind kind) const {
+    return static_cast<int>(std::count_if(steps.begin(), steps.end(), [kind](const RosterStep& step) { return step.kind == kind; }));
+}
+
+std::vector<RosterStep> planRoster(const Roster& roster, const std::vector<Person>& people, RosterExisting existing) {
+    std::map<std::string, const Person*> byName;
+    for (const Person& person : people) {
+        byName.emplace(nameKey(person.name), &person);
+    }
+    std::vector<RosterStep> steps;
+    for (const UserCsvRow& row : roster.rows) {
+        const auto found = byName.find(nameKey(row.name));
+        steps.push_back(stepOf(row, found == byName.end() ? nullptr : found->second, existing));
+    }
+    return steps;
+}
+
+core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv, RosterExisting existing) {
+    const auto people = peopleFor(m_database, actor);
+    if (!people) {
+        return tl::unexpected(people.error());
+    }
+    RosterPlan plan{readRoster(csv), {}};
+    plan.steps = planRoster(plan.roster, *people, existing);
+    for (UserCsvRow& row : plan.roster.rows) {
+        row.password.clear(); // whoever looks at the preview has no need of it
+    }
+    return plan;
+}
+
+core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const std::string& csv, RosterExisting existing,
+                                                      const std::function<bool(int done, int of)>& step) {
+    const Roster roster = readRoster(csv);
+    if (!roster.problems.empty()) {
+        return tl::unexpected(rosterError(roster.problems));
+    }
+    const auto people = peopleFor(m_database, actor);
+    if (!people) {
+        return tl::unexpected(people.error());
+    }
+    const PasswordHasher hasher(m_database.options().passwordCost);
+    const std::vector<RosterStep> steps = planRoster(roster, *people, existing);
+    Prepared prepared;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (step && !step(static_cast<int>(i), static_cast<int>(steps.size()))) {
+            return core::fail(core::ErrorCode::cancelled, "the import was stopped; nobody was added");
+        }
+        if (steps[i].kind == Kind::update) {
+            prepared.changes.push_back({steps[i].person, steps[i].displayName, steps[i].roles});
+        } else if (steps[i].kind == Kind::add) {
+            if (auto done = prepareNew(prepared, steps[i], roster.rows[i].password, hasher); !done) {
+                return tl::unexpected(done.error());
+            }
+        }
+    }
+    const auto ids = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).importPeople(prepared.people, prepared.changes);
+    });
+    if (!ids) {
+        return tl::unexpected(ids.error());
+    }
+    for (std::size_t i = 0; i < ids->size(); ++i) {
+        prepared.outcome.added[i].id = (*ids)[i];
+    }
+    prepared.outcome.ignoredColumns = roster.ignoredColumns;
+    prepared.outcome.updated = static_cast<int>(prepared.changes.size());
+    prepared.outcome.skipped = static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
+    return std::move(prepared.outcome);
+}
+
+} // namespace chiron::database

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/accounts/person.h"
+#include "database/accounts/user_csv.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace chiron::database {
+
+/// What an import does with people of the list who have an account already. Their login name and password stay in either case.
+enum class RosterExisting : std::uint8_t {
+    skip,
+    update ///< full name and roles become those of the list, where it gives them
+};
+
+/// What becomes of one line of the list.
+struct RosterStep {
+    enum class Kind : std::uint8_t {
+        add,
+        skip,   ///< has an account already
+        update, ///< and becomes what the list says
+        same    ///< and is that already
+    };
+    int line = 0;
+    Kind kind = Kind::add;
+    std::string name; ///< as the site has it where the person exists
+    std::string displayName; ///< afterwards
+    RoleSet roles;
+    bool makesPassword = false;    ///< none is given
+    PersonId person = 0;           ///< who exists
+    std::string displayNameBefore; ///< of them
+    RoleSet rolesBefore;
+};
+
+/// What an import would do.
+struct RosterPlan {
+    Roster roster; ///< as read, without passwords; with problems nothing can be done
+    std::vector<RosterStep> steps;
+    int count(RosterStep::Kind kind) const;
+};
+
+/// Who was added; a password that was made is here and nowhere else.
+struct ImportedPerson {
+    PersonId id = 0;
+    std::string name;
+    std::string displayName;
+    std::string madePassword; ///< empty where the list gave one
+};
+
+struct RosterOutcome {
+    std::vector<ImportedPerson> added;
+    int updated = 0;
+    int skipped = 0; ///< with those that were so already
+    std::vector<std::string> ignoredColumns;
+};
+
+/// One step for each line of the list, by who is there.
+std::vector<RosterStep> planRoster(const Roster& roster, const std::vector<Person>& people, RosterExisting existing);
+
+} // namespace chiron::database

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace chiron::database {
+
+/// A text file as UTF-8, and how it was written.
+struct TableText {
+    std::string text;     ///< without a byte order mark
+    std::string encoding; ///< "UTF-8", "UTF-16", "Windows-1252", "Windows-1253"
+};
+
+/// Why a file is no text.
+struct TextProblem {
+    enum class Kind : std::uint8_t {
+        excel,        ///< .xlsx
+        openDocument, ///< .ods
+        oldExcel,     ///< .xls
+        pdf,
+        archive, ///< another ZIP
+        binary,  ///< control characters
+        damaged  ///< bytes that none of the encodings has
+    };
+    Kind kind = Kind::damaged;
+    int line = 1; ///< of the first such byte
+};
+
+/// Reads a text as spreadsheets save it: UTF-8 or UTF-16 with or without a byte order mark, or the Windows code page of
+/// Western Europe or Greece, told apart by what the bytes can mean.
+tl::expected<TableText, TextProblem> readTableText(const std::string& bytes);
+
+} // namespace chiron::database

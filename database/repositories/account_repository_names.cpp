@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/clock.h"
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/integrity/digested_row.h"
+#include "database/repositories/account_repository.h"
+#include "database/repositories/study_rules.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+// What people are called, and were called before.
+namespace chiron::database {
+namespace {
+
+// The names are covered through their hash, so that an erasure can overwrite them and the chain stays as it is.
+core::Result<void> keepNames(Connection& connection, const Actor& actor, PersonId person, const std::string& name,
+                             const std::string& displayName) {
+    const auto last = selectInteger(connection, "SELECT max(id) FROM person_name");
+    if (!last) {
+        return tl::unexpected(last.error());
+    }
+    const QJsonObject names{{"display_name", QString::fromStdString(displayName)},
+                            {"name", QString::fromStdString(name)},
+                            {"nonce", QString::fromStdString(randomNonce())}};
+    const std::string json = QJsonDocument(names).toJson(QJsonDocument::Compact).toStdString();
+    const std::int64_t id = last->value_or(0) + 1;
+    const auto row = insertRow(connection, "person_name",
+                               {{"id", id},
+                                {"person_id", person},
+                                {"until_utc", core::utcNowIso8601()},
+                                {"changed_by", actor.personId()},
+                                {"names_json", json},
+                                {"names_hash", toBlob(textDigest(json))}});
+    return row ? appendAudit(connection, actor, {"keepNames", "person_name", id, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+} // namespace
+
+core::Result<void> AccountRepository::nameIsFree(const std::string& name, PersonId otherThan) {
+    const auto taken = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ? AND id <> ?",
+                                     {nameKey(name), otherThan});
+    if (!taken) {
+        return tl::unexpected(taken.error());
+    }
+    return *taken ? core::fail(core::ErrorCode::badInput,
+                               "the name \"" + name + "\" is taken (names differ by more than case)")
+                  : core::Result<void>();
+}
+
+core::Result<void> AccountRepository::changeNames(PersonId id, const std::string& name,
+                                                  const std::string& displayName) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::changeNames); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    return storeNames("changeNames", id, name, displayName);
+}
+
+core::Result<void> AccountRepository::changeDisplayName(PersonId id, const std::string& displayName) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::changeDisplayName, id); !allowed) {
+        return allowed;
+    }
+    return storeNames("changeDisplayName", id, std::nullopt, displayName);
+}
+
+core::Result<void> AccountRepository::storeNames(const char* action, PersonId id,
+                                                 const std::optional<std::string>& newName,
+                                                 const std::string& displayName) {
+    const auto before = selectText(m_connection, "SELECT name FROM person WHERE id = ? AND kind = 'person'", {id});
+    const auto shown = selectText(m_connection, "SELECT display_name FROM person WHERE id = ?", {id});
+    if (!before || !shown) {
+        return tl::unexpected(!before ? before.error() : shown.error());
+    }
+    if (!*before) {
+        return core::fail(core::ErrorCode::notFound, "there is no person " + std::to_string(id));
+    }
+    const std::string name = newName.value_or(**before);
+    auto good = checkNames(name, displayName);
+    good = good ? nameIsFree(name, id) : good;
+    if (!good || (**before == name && shown->value_or("") == displayName)) {
+        return good;
+    }
+    if (auto kept = keepNames(m_connection, m_actor, id, **before, shown->value_or("")); !kept) {
+        return kept;
+    }
+    const auto row = updateRow(m_connection, "person", {{"id", id}},
+                               {{"name", name}, {"name_key", nameKey(name)}, {"display_name", displayName}});
+    return row ? appendAudit(m_connection, m_actor, {action, "person", id, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId id) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::earlierNames, id); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    auto query = Query::run(m_connection,
+                            "SELECT id, names_json, until_utc, changed_by FROM person_name WHERE person_id = ? "
+                            "AND names_json <> '' ORDER BY id DESC",
+                            {id});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<EarlierName> names;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(1))).object();
+        names.push_back({query->integer(0), json["name"].toString().toStdString(),
+                         json["display_name"].toString().toStdString(), query->text(2), query->integer(3)});
+    }
+    return row ? core::Result<std::vector<EarlierName>>(std::move(names)) : tl::unexpected(row.error());
+}
+
+} // namespace chiron::database

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hands.h"
+#include "support/desktop_fixture.h"
+
+#include "desktop/accounts/notice_area.h"
+#include "desktop/widgets/state_panel.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QRadioButton>
+
+using namespace chiron;
+using namespace chiron::tests;
+
+namespace {
+
+/// "My account" of somebody, with what is stored on it.
+class AccountDesk : public DesktopFixture {
+public:
+    explicit AccountDesk(const std::string& person = "tina") {
+        logIn(person);
+        find<QPushButton>(QStringLiteral("nav.account"))->click();
+        settle();
+        if (!QTest::qWaitFor([this] { return panel()->state() == desktop::StatePanel::State::content; }, 10000))
+            qFatal("the account was not read");
+    }
+    desktop::StatePanel* panel() { return find<desktop::StatePanel>(QStringLiteral("account.panel")); }
+    void set(const char* field, const char* text) { find<QLineEdit>(QLatin1String(field))->setText(QString::fromUtf8(text)); }
+    bool isEnabled(const char* name) { return find<QPushButton>(QLatin1String(name))->isEnabled(); }
+    QString notice(const char* name) { return find<desktop::NoticeArea>(QLatin1String(name))->text(); }
+    void setNewPassword(const char* old, const char* fresh) {
+        set("account.old_password", old);
+        set("account.password", fresh);
+        set("account.repeat", fresh);
+    }
+    void choose(const char* language) {
+        find<QRadioButton>(QStringLiteral("account.language.") + QLatin1String(language))->click();
+        settle();
+    }
+};
+
+} // namespace
+
+/// What everybody may change about themselves.
+class TestAccount : public QObject {
+    Q_OBJECT
+private slots:
+    void everybodyGetsThere_data();
+    void everybodyGetsThere();
+    void changesTheFullName();
+    void changesThePassword();
+    void aWrongOldPasswordChangesNothing();
+    void anotherPasswordIsNeeded();
+    void theLanguageIsThePersons();
+    void theStationsLanguageIsOthers();
+    void enterDoesWhatHasTheFocus();
+    void fitsAtEveryScale_data();
+    void fitsAtEveryScale();
+};
+
+void TestAccount::everybodyGetsThere_data() {
+    QTest::addColumn<QString>("person");
+    for (const char* person : {"tina", "tom", "rhea", "ada"})
+        QTest::newRow(person) << QString::fromLatin1(person);
+}
+
+void TestAccount::everybodyGetsThere() {
+    QFETCH(QString, person);
+    AccountDesk desk(person.toStdString());
+    QVERIFY(desk.find<QLabel>(QStringLiteral("account.login_name"))->text().contains(person));
+    desk.go(QStringLiteral("home"));
+    settle();
+    press(Qt::Key_K, Qt::ControlModifier); // and from the command palette
+    QTRY_COMPARE(focusName(), QStringLiteral("palette.field"));
+    type(QStringLiteral("my account"));
+    press(Qt::Key_Return);
+    QTRY_COMPARE(desk.window->screen()->objectName(), QStringLiteral("screen.account"));
+}
+
+void TestAccount::changesTheFullName() {
+    AccountDesk desk;
+    QCOMPARE(desk.find<QLineEdit>(QStringLiteral("account.full_name"))->text(), QStringLiteral("Tina Trainee"));
+    QVERIFY(!desk.isEnabled("account.save_name"));
+    desk.set("account.full_name", "Τίνα Weiß");
+    QVERIFY(desk.isEnabled("account.save_name"));
+    desk.find<QPushButton>(QStringLiteral("account.save_name"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Τίνα Weiß")), 10000);
+    QVERIFY(!desk.isEnabled("account.save_name"));
+    database::AccountService accounts(desk.database());
+    const auto ada = desk.actor("ada");
+    const auto tina = accounts.personByName(ada, "tina");
+    QVERIFY(tina && tina->displayName == "Τίνα Weiß" && tina->name == "tina");
+    QCOMPARE(accounts.earlierNames(ada, tina->id)->front().displayName, std::string("Tina Trainee"));
+    desk.find<QLineEdit>(QStringLiteral("account.full_name"))->setText(QString(201, QLatin1Char('x')));
+    QVERIFY(!desk.isEnabled("account.save_name") && desk.notice("account.name_notice").contains(QStringLiteral("200")));
+}
+
+void TestAccount::changesThePassword() {
+    AccountDesk desk;
+    QVERIFY(!desk.isEnabled("account.change_password"));
+    desk.setNewPassword(kTestPassword, "twelve-fine-horses");
+    desk.set("account.repeat", "twelve-fine-hors");
+    QVERIFY(!desk.isEnabled("account.change_password"));
+    desk.set("account.repeat", "twelve-fine-horses");
+    desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+    QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty() && desk.find<QLineEdit>(QStringLiteral("account.password"))->text().isEmpty());
+    database::AccountService accounts(desk.database());
+    QVERIFY(accounts.login("tina", "twelve-fine-horses").has_value());
+    QVERIFY(!accounts.login("tina", kTestPassword).has_value());
+}
+
+void TestAccount::aWrongOldPasswordChangesNothing() {
+    AccountDesk desk;
+    for (int i = 0; i < 3; ++i) {
+        desk.setNewPassword("eleven-grey-horses", "twelve-fine-horses");
+        desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is wrong")), 10000);
+        QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty());
+    }
+    // As at the login: after the third one somebody has to wait, and the button says how long.
+    QVERIFY(!desk.isEnabled("account.change_password"));
+    QVERIFY(desk.find<QPushButton>(QStringLiteral("account.change_password"))->text().contains(QStringLiteral("Try again")));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->isEnabled(), 20000);
+    desk.setNewPassword(kTestPassword, "twelve-fine-horses");
+    desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+}
+
+void TestAccount::anotherPasswordIsNeeded() {
+    AccountDesk desk;
+    desk.setNewPassword(kTestPassword, kTestPassword);
+    desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
+    QVERIFY(desk.notice("account.password_notice").contains(QStringLiteral("that you have now")));
+    QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
+}
+
+void TestAccount::theLanguageIsThePersons() {
+    AccountDesk desk;
+    desk.choose("de");
+    QTRY_COMPARE(desk.window->screen()->title(), QStringLiteral("Mein Konto"));
+    QCOMPARE(focusName(), QStringLiteral("account.language.de")); // where it was before the screen was built anew
+    QCOMPARE(desk.settings.language(), QStringLiteral("en"));
+    QCOMPARE(QLocale().language(), QLocale::German);
+    desk.context.logOut();
+    settle();
+    QCOMPARE(desk.window->screen()->title(), QStringLiteral("Log in")); // the station's again
+    desk.logIn("theo");
+    settle();
+    QCOMPARE(desk.context.language(), QStringLiteral("en"));
+    desk.logIn("tina");
+    settle();
+    QCOMPARE(desk.context.language(), QStringLiteral("de"));
+    QCOMPARE(desk.window->screen()->title(), QStringLiteral("Start"));
+    desk.go(QStringLiteral("account"));
+    settle();
+    desk.choose("station");
+    QTRY_COMPARE(desk.window->screen()->title(), QStringLiteral("My account"));
+}
+
+void TestAccount::theStationsLanguageIsOthers() {
+    AccountDesk desk;
+    desk.context.setStationLanguage(QStringLiteral("el")); // as the settings screen does: she has none of her own
+    QCOMPARE(desk.settings.language(), QStringLiteral("el"));
+    QVERIFY(desk.context.ownLanguage().isEmpty());
+    desk.context.setOwnLanguage(QStringLiteral("de"));
+    desk.context.setStationLanguage(QStringLiteral("en")); // what she chooses is what she sees
+    QCOMPARE(desk.context.language(), QStringLiteral("en"));
+    QCOMPARE(desk.context.ownLanguage(), QStringLiteral("en"));
+    desk.settings.setOfPerson(desk.context.actor().personId(), QStringLiteral("language"), QStringLiteral("tlh"));
+    QCOMPARE(desk.context.language(), QStringLiteral("en")); // a broken setting gives the station's
+}
+
+void TestAccount::enterDoesWhatHasTheFocus() {
+    AccountDesk desk;
+    desk.set("account.full_name", "Tina Tester");
+    desk.find<QLineEdit>(QStringLiteral("account.full_name"))->setFocus();
+    press(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Tina Tester")), 10000);
+    desk.setNewPassword(kTestPassword, "twelve-fine-horses");
+    QVERIFY(tabTo(QStringLiteral("account.change_password")));
+    press(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+}
+
+void TestAccount::fitsAtEveryScale_data() {
+    QTest::addColumn<double>("scale");
+    QTest::addColumn<QString>("language");
+    QTest::newRow("100 %") << 1.0 << "en";
+    QTest::newRow("200 % German") << 2.0 << "de";
+    QTest::newRow("200 % Greek") << 2.0 << "el";
+}
+
+void TestAccount::fitsAtEveryScale() {
+    QFETCH(double, scale);
+    QFETCH(QString, language);
+    AccountDesk desk;
+    desk.settings.setScale(scale);
+    desk.context.setStationLanguage(language);
+    settle();
+    QTRY_COMPARE_WITH_TIMEOUT(desk.panel()->state(), desktop::StatePanel::State::content, 10000);
+    VERIFY_READABLE(desk.window->screen());
+    picture(desk.window.get(), QStringLiteral("account_%1_%2").arg(language).arg(scale));
+    desk.context.setStationLanguage(QStringLiteral("en"));
+}
+
+QTEST_MAIN(TestAccount)
+#include "test_account.moc"
