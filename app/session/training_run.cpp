@@ -106,6 +106,7 @@ core::Result<database::SessionId> beginSession(database::Database& database, con
     session.operatorName = request.station.operatorName;
     session.familiarisation = request.familiarisation;
     session.realtime = request.realtime;
+    session.studyRun = request.studyRun;
     session.channelTable = table->encode();
     session.ringFile = request.ringFolder.string();
     return database.write([&](database::WriteContext& context) {

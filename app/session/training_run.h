@@ -27,6 +27,7 @@ struct TrainingRequest {
     Station station;
     bool realtime = false; ///< false: as fast as the machine can, with the same result
     bool familiarisation = false;
+    std::int64_t studyRun = 0;                ///< run of a study that it is recorded for; 0: none
     std::filesystem::path ringFolder;         ///< of the crash ring; recording::defaultRingFolder()
     core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
     const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session ends as *stopped*

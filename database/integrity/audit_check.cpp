@@ -85,7 +85,7 @@ struct VouchedTable {
     std::string_view name;
     int since = 1;
 };
-constexpr std::array<VouchedTable, 12> kVouchedTables{{{"person"},
+constexpr std::array<VouchedTable, 13> kVouchedTables{{{"person"},
                                                        {"session"},
                                                        {"score_set"},
                                                        {"session_comment"},
@@ -96,7 +96,8 @@ constexpr std::array<VouchedTable, 12> kVouchedTables{{{"person"},
                                                        {"study_run", 3},
                                                        {"questionnaire_answer", 3},
                                                        {"participant_erasure", 3},
-                                                       {"person_name", 4}}};
+                                                       {"person_name", kNamesVersion},
+                                                       {"study_sitting", kSittingsVersion}}};
 
 // A row that was changed together with its digest by somebody without the key shows here.
 void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows,

@@ -34,6 +34,12 @@ DigestedTable namesTable() {
     return table;
 }
 
+DigestedTable sittingsTable() {
+    DigestedTable table{"study_sitting", {"id"}, {"id", "run_id"}};
+    table.since = kSittingsVersion;
+    return table;
+}
+
 DigestedTable sessionTable() {
     return {"session",
             {"id"},
@@ -80,7 +86,9 @@ DigestedTable sessionTable() {
             0,
             1,
             "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
-            "ON t.run_id = r.id WHERE t.session_id = session.id)"};
+            "ON t.run_id = r.id WHERE t.session_id = session.id)",
+            "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_sitting t "
+            "ON t.run_id = r.id WHERE t.id = session.id)"};
 }
 
 std::vector<DigestedTable> recordTables() {
@@ -118,7 +126,9 @@ std::vector<DigestedTable> recordTables() {
          1,
          1,
          "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_trial t "
-         "ON t.run_id = r.id WHERE t.session_id = session_comment.session_id)"},
+         "ON t.run_id = r.id WHERE t.session_id = session_comment.session_id)",
+         "EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON r.participant_id = e.id JOIN study_sitting t "
+         "ON t.run_id = r.id WHERE t.id = session_comment.session_id)"},
         {"erasure",
          {"person_id"},
          {"person_id", "utc", "reason", "administrator_id", "recordings_withdrawn", "digests_json"}},
@@ -136,6 +146,7 @@ std::vector<DigestedTable> makeTables() {
         tables.push_back(std::move(table));
     }
     tables.push_back(namesTable());
+    tables.push_back(sittingsTable());
     return tables;
 }
 

@@ -30,10 +30,12 @@ struct DigestedTable {
     std::size_t laterColumns = 0;
     int since = 1; ///< version of the schema that brought the table
     std::string_view erasedWithStudiesSql{}; ///< or where this is 1, which asks tables of kStudyVersion
+    std::string_view erasedWithSittingsSql{}; ///< or this, of kSittingsVersion
 };
 
 inline constexpr int kStudyVersion = 3; ///< the schema that brought studies
 inline constexpr int kNamesVersion = 4; ///< and the one that brought earlier names of people
+inline constexpr int kSittingsVersion = 5; ///< and the one that says what run a session was recorded for
 /// The schema of a file that is verified; an older one lacks later tables.
 int schemaVersionOf(Connection& connection);
 

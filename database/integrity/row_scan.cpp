@@ -47,8 +47,12 @@ std::string RowScan::sql() const {
     if (!m_table.hashedColumn.empty()) {
         text += ", CAST(" + std::string(m_table.hashedColumn) + " AS BLOB), " +
                 std::string(m_table.hashColumn) + ", " + std::string(m_table.erasedSql);
-        if (!m_table.erasedWithStudiesSql.empty() && schemaVersionOf(m_connection) >= kStudyVersion) {
+        const int version = schemaVersionOf(m_connection);
+        if (!m_table.erasedWithStudiesSql.empty() && version >= kStudyVersion) {
             text += " OR " + std::string(m_table.erasedWithStudiesSql);
+        }
+        if (!m_table.erasedWithSittingsSql.empty() && version >= kSittingsVersion) {
+            text += " OR " + std::string(m_table.erasedWithSittingsSql);
         }
     }
     return text + " FROM " + std::string(m_table.name) + " NOT INDEXED WHERE rowid > ? ORDER BY rowid";

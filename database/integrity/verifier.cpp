@@ -78,10 +78,11 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 // read, the newest is assumed, so that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
-    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? ELSE 0 END) FROM sqlite_schema",
-                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}});
+    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? WHEN 'study_sitting' THEN ? ELSE 0 END) "
+                                    "FROM sqlite_schema WHERE type = 'table'",
+                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}, std::int64_t{kSittingsVersion}});
     if (!version || !held)
-        return kNamesVersion;
+        return kSittingsVersion;
     return static_cast<int>(std::max(version->value_or(0), held->value_or(0)));
 }
 

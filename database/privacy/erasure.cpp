@@ -91,7 +91,7 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, Erasure& erasure) {
     const auto sessions = idsOf(connection,
                                 "SELECT id FROM session WHERE person_id = ? AND id NOT IN (SELECT session_id FROM "
-                                "study_trial WHERE session_id IS NOT NULL)",
+                                "recorded_sitting)",
                                 erasure.person);
     if (!sessions) {
         return tl::unexpected(sessions.error());

@@ -43,8 +43,8 @@ core::Result<void> overwriteTexts(Connection& connection, std::int64_t participa
 
 // What was said of the participant's sittings, whoever said it: free text, which may name who it was. Covered through its hash, too.
 core::Result<void> overwriteRemarks(Connection& connection, std::int64_t participant) {
-    const std::string sittings = "(SELECT t.session_id FROM study_trial t JOIN study_run r ON r.id = t.run_id WHERE "
-                                 "r.participant_id = ? AND t.session_id IS NOT NULL)";
+    const std::string sittings = "(SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE "
+                                 "r.participant_id = ?)";
     auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE session_id IN " + sittings, {participant});
     auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
     if (!comments || !reasons) {
@@ -56,8 +56,8 @@ core::Result<void> overwriteRemarks(Connection& connection, std::int64_t partici
 core::Result<void> overwriteRecordings(Connection& connection, const Actor& byWhom, std::int64_t participant,
                                        std::string& digests) {
     const auto sessions = idsOf(connection,
-                                "SELECT DISTINCT t.session_id FROM study_trial t JOIN study_run r ON r.id = t.run_id "
-                                "WHERE r.participant_id = ? AND t.session_id IS NOT NULL ORDER BY t.session_id",
+                                "SELECT t.session_id FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id "
+                                "WHERE r.participant_id = ? ORDER BY t.session_id",
                                 participant);
     if (!sessions) {
         return tl::unexpected(sessions.error());

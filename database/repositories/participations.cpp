@@ -94,7 +94,7 @@ core::Result<Erasure> PrivacyRepository::eraseParticipant(ParticipantNumber part
     const auto state = selectText(m_connection, "SELECT state FROM study_participant WHERE id = ?", {participant});
     const auto running = selectInteger(m_connection,
                                        "SELECT count(*) FROM session WHERE state = 'running' AND id IN (SELECT t.session_id "
-                                       "FROM study_trial t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
+                                       "FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id WHERE r.participant_id = ?)",
                                        {participant});
     if (!state || !running) {
         return tl::unexpected(!state ? state.error() : running.error());

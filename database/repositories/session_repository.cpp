@@ -104,6 +104,25 @@ std::vector<Column> columnsOf(SessionId id, const NewSession& setup, std::int64_
             {"void_reason", std::string()}};
 }
 
+core::Result<void> mayRecordFor(Connection& connection, const Actor& actor, std::int64_t run) {
+    if (auto allowed = authoriseForStudy(connection, actor, Action::storeStudyTrial, StudyPart::run, run); !allowed) {
+        return allowed;
+    }
+    const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ?", {run});
+    if (!state) {
+        return tl::unexpected(state.error());
+    }
+    return state->value_or("") == "open"
+               ? core::Result<void>()
+               : core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run) + " has ended: nothing more is recorded for it");
+}
+
+core::Result<void> storeSitting(Connection& connection, const Actor& actor, SessionId session, std::int64_t run) {
+    const auto row = insertRow(connection, "study_sitting", {{"id", session}, {"run_id", run}});
+    return row ? appendAudit(connection, actor, {"beginSession", "study_sitting", session, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
 } // namespace
 
 core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup) {
@@ -116,6 +135,11 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
     }
     if (auto good = checkSetup(setup); !good) {
         return tl::unexpected(good.error());
+    }
+    if (setup.studyRun != 0) {
+        if (auto allowed = mayRecordFor(m_connection, m_actor, setup.studyRun); !allowed) {
+            return tl::unexpected(allowed.error());
+        }
     }
     const auto content = contentIdFor(m_connection, setup.contentJson);
     const auto last = selectInteger(m_connection, "SELECT max(id) FROM session");
@@ -132,6 +156,9 @@ core::Result<SessionId> SessionRepository::beginSession(const NewSession& setup)
         return tl::unexpected(row.error());
     }
     auto audited = appendAudit(m_connection, m_actor, {"beginSession", "session", id, *row, "{}"});
+    if (audited && setup.studyRun != 0) {
+        audited = storeSitting(m_connection, m_actor, id, setup.studyRun);
+    }
     return audited ? core::Result<SessionId>(id) : tl::unexpected(audited.error());
 }
 

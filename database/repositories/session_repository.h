@@ -20,7 +20,8 @@ public:
     SessionRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
-    /// Creates a running session of the actor and returns its number. Failure: badInput with field and value.
+    /// Creates a running session of the actor and returns its number. Failure: badInput with field and value; of a study's run:
+    /// notAllowed, notFound, wrongUse when it has ended.
     core::Result<SessionId> beginSession(const NewSession& session);
 
     /// Where the chunks of a running session go. Use it on the writer thread only (IDrainable::drain, jobs);

@@ -46,6 +46,7 @@ struct NewSession {
     bool realtime = false;
     std::string ringFile;                   ///< where the crash ring lies while it runs; empty: none
     std::vector<std::uint8_t> channelTable; ///< encoded (recording/channel_table.h)
+    std::int64_t studyRun = 0;              ///< open run of a study that it is recorded for; 0: none
 };
 
 /// What is known at its end.

@@ -231,7 +231,7 @@ core::Result<bool> isSealedSitting(Connection& connection, const Actor& actor, S
         connection,
         "SELECT count(*) FROM study s WHERE s.unblinded = 0 AND s.state <> 'draft' "
         "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') END = 1 "
-        "AND (EXISTS (SELECT 1 FROM study_trial t JOIN study_run r ON r.id = t.run_id JOIN study_participant p "
+        "AND (EXISTS (SELECT 1 FROM recorded_sitting t JOIN study_run r ON r.id = t.run_id JOIN study_participant p "
         "ON p.id = r.participant_id WHERE t.session_id = ? AND p.study_id = s.id) "
         "OR EXISTS (SELECT 1 FROM session x JOIN content c ON c.id = x.content_id JOIN study_condition k "
         "ON k.study_id = s.id WHERE x.id = ? AND "
@@ -249,7 +249,7 @@ core::Result<std::set<SessionId>> sealedSittings(Connection& connection, const A
                               "AND CASE WHEN json_valid(s.design_json) THEN json_extract(s.design_json, '$.blind_experimenter') END = 1";
     auto query = Query::run(connection,
                             "SELECT t.session_id FROM study s JOIN study_participant p ON p.study_id = s.id JOIN study_run r ON r.participant_id = p.id "
-                            "JOIN study_trial t ON t.run_id = r.id WHERE " + blind +
+                            "JOIN recorded_sitting t ON t.run_id = r.id WHERE " + blind +
                                 " UNION SELECT x.id FROM session x WHERE EXISTS (SELECT 1 FROM study s WHERE " + blind +
                                 ") AND x.content_id IN (SELECT c.id FROM content c "
                                 "WHERE CASE WHEN json_valid(c.json) THEN json_extract(c.json, '$.level.title.en') END IN "

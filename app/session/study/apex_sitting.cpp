@@ -58,6 +58,7 @@ core::Result<database::SessionId> runApexSitting(database::Database& database, c
     if (!director)
         return tl::unexpected(director.error());
     request.ringFolder = sitting.ringFolder;
+    request.studyRun = sitting.run;
     request.director = director->get();
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(database, actor, request);

@@ -18,6 +18,7 @@ struct ApexSitting {
     const OpenedStudy& study;
     const psychophysics::Condition& condition;
     StudyProgress& progress;
+    database::StudyRunNumber run = 0;
     std::string sealedCode;
     std::string trainee;    ///< scripted trainee of the exercise; empty: kUsualTrainee
     std::uint64_t seed = 1; ///< of the places, of hand and mind

@@ -40,6 +40,7 @@ core::Result<void> LiveApex::State::beginSession(Station station) {
     request.seed = seed;
     request.station = std::move(station);
     request.ringFolder = ringFolder;
+    request.studyRun = run;
     request.witness = ticks.get();
     auto live = LiveTraining::start(database, actor, std::move(request));
     if (!live)

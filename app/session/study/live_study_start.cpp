@@ -48,6 +48,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     training.seed = core::Random::mix(begun->seed, "sitting " + std::to_string(sitting.run.trials.size())) >> 1;
     training.station = std::move(request.station);
     training.ringFolder = request.ringFolder;
+    training.studyRun = begun->number;
     training.witness = &state->tap;
     auto live = LiveTraining::start(database, actor, std::move(training));
     if (!live)

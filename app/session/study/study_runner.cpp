@@ -71,6 +71,7 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     request.seed = seed;
     request.station = std::move(participant->station);
     request.ringFolder = sitting.request.ringFolder;
+    request.studyRun = sitting.run;
     request.director = &director;
     request.onSession = [&](database::SessionId id) { session.store(id); };
     auto result = runTrainingOn(sitting.database, sitting.actor, request);
@@ -91,7 +92,7 @@ core::Result<database::SessionId> runApex(Sitting& sitting, const OpenedStudy& s
         const int most = sitting.request.trialsAtMost > 0 ? sitting.request.trialsAtMost - sitting.presented : wanted;
         const std::uint64_t seed = core::Random::mix(sitting.runSeed, "sitting " + std::to_string(sitting.before + sitting.presented)) >> 1;
         auto session = runApexSitting(sitting.database, sitting.actor,
-                                      {study, sitting.condition, sitting.progress, sitting.sealedCode, sitting.request.observer.trainee, seed,
+                                      {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode, sitting.request.observer.trainee, seed,
                                        std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
                                        [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
         if (!session)

@@ -138,11 +138,12 @@ inline scoring::ScoreCard someCard() {
 /// A whole session of the actor: chunks, summaries, trials, events, end, scores.
 inline core::Result<database::SessionId> storeSession(database::Database& database,
                                                       const database::Actor& actor, std::uint32_t chunks = 4,
-                                                      std::size_t chunkBytes = 700) {
+                                                      std::size_t chunkBytes = 700,
+                                                      const database::NewSession& setup = someSession()) {
     using namespace database;
     auto id = database.write([&](WriteContext& w) -> core::Result<SessionId> {
         SessionRepository sessions(w.connection(), actor);
-        const auto session = sessions.beginSession(someSession());
+        const auto session = sessions.beginSession(setup);
         if (!session) {
             return session;
         }

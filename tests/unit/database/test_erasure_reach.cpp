@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_site.h"
 
+#include "database/integrity/verifier.h"
 #include "database/query.h"
 
 #include <map>
@@ -48,6 +49,7 @@ struct Someone {
     StudyRunNumber run = 0;
     SessionId training = 0; ///< of the account's own
     SessionId sitting = 0;  ///< of the participant, recorded by the researcher
+    SessionId left = 0;     ///< likewise, left before a trial was stored
 };
 
 } // namespace
@@ -74,13 +76,11 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
     Someone who;
     const auto actor = m->person(m_admin, name, {Role::trainee});
     const auto training = actor ? storeSession(*m->database, *actor, 2) : tl::unexpected(actor.error());
-    const auto sitting = training ? storeSession(*m->database, m_ruth, 2) : training;
-    if (!sitting)
-        return tl::unexpected(sitting.error());
+    if (!training)
+        return tl::unexpected(training.error());
     who.person = actor->personId();
     who.training = *training;
-    who.sitting = *sitting;
-    const auto stored = m->database->write([&](WriteContext& w) -> core::Result<void> {
+    const auto begun = m->database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), m_ruth);
         const auto enrolled = studies.enrolParticipant(m_study, name + " of ward 3", who.person, "");
         if (!enrolled)
@@ -91,10 +91,22 @@ core::Result<Someone> TestErasureReach::add(const std::string& name) {
         if (!good || !run)
             return good ? tl::unexpected(run.error()) : good;
         who.run = *run;
-        good = studies.storeStudyTrial(someTrial(who.run, 0, who.sitting));
+        return {};
+    });
+    NewSession setup = someSession();
+    setup.studyRun = who.run;
+    const auto left = begun ? storeSession(*m->database, m_ruth, 2, 700, setup) : tl::unexpected(begun.error());
+    const auto sitting = left ? storeSession(*m->database, m_ruth, 2) : left;
+    if (!sitting)
+        return tl::unexpected(sitting.error());
+    who.sitting = *sitting; // as earlier versions recorded it: known by its trial alone
+    who.left = *left;
+    const auto stored = m->database->write([&](WriteContext& w) -> core::Result<void> {
+        StudyRepository studies(w.connection(), m_ruth);
+        auto good = studies.storeStudyTrial(someTrial(who.run, 0, who.sitting));
         good = good ? studies.finishRun(who.run, StudyRunState::completed) : good;
         good = good ? studies.storeQuestionnaireAnswers({{who.participant, "face", "remarks", {}, "said by " + name, ""}, {who.participant, "face", "years", 41.0, "", ""}}) : good;
-        for (const SessionId session : {who.training, who.sitting}) {
+        for (const SessionId session : {who.training, who.sitting, who.left}) {
             SessionRepository sessions(w.connection(), m_admin);
             good = good ? drop(sessions.addComment(session, name + " trembled a little")) : good;
             good = good ? sessions.voidSession(session, name + " was called away") : good;
@@ -114,11 +126,11 @@ std::string TestErasureReach::ofSomebodyElse(const std::string& place, const Row
         const auto it = before.find(column);
         return it != before.end() && std::any_of(ids.begin(), ids.end(), [&](std::int64_t id) { return it->second == std::to_string(id); });
     };
-    if (is("participant_id", {m_gone.participant}) || is("session_id", {m_gone.training, m_gone.sitting}) || is("person_id", {m_gone.person}) || is("run_id", {m_gone.run}))
+    if (is("participant_id", {m_gone.participant}) || is("session_id", {m_gone.training, m_gone.sitting, m_gone.left}) || is("person_id", {m_gone.person}) || is("run_id", {m_gone.run}))
         return {};
     if ((table == "participant_key" || table == "study_participant") && is("id", {m_gone.participant}))
         return {};
-    if ((table == "session" && is("id", {m_gone.training, m_gone.sitting})) || (table == "person" && is("id", {m_gone.person})))
+    if ((table == "session" && is("id", {m_gone.training, m_gone.sitting, m_gone.left})) || (table == "person" && is("id", {m_gone.person})))
         return {};
     std::string words = place + ":";
     for (const auto& [column, value] : before.empty() ? after : before)
@@ -178,6 +190,15 @@ void TestErasureReach::onlyTheOneIsErased() {
         const std::string words = ofSomebodyElse(place, was.contains(place) ? was.at(place) : Row(), is.contains(place) ? is.at(place) : Row());
         QVERIFY2(words.empty(), words.c_str());
     }
+    for (const SessionId session : {m_gone.sitting, m_gone.left}) {
+        const auto reader = m->database->openReader();
+        QCOMPARE(selectInteger(**reader, "SELECT recording_erased FROM session WHERE id = ?", {session})->value_or(-1), std::int64_t{recordings});
+        QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM session_comment WHERE session_id = ? AND text <> ''", {session})->value_or(-1), std::int64_t{0});
+        QCOMPARE(selectText(**reader, "SELECT void_reason FROM session WHERE id = ?", {session})->value_or("?"), std::string());
+    }
+    m->database.reset();
+    const VerifyReport report = verifyDatabase(m->path(), m->options);
+    QVERIFY2(report.ok(), report.findings.empty() ? "" : report.findings.front().detail.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestErasureReach)

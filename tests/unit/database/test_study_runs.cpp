@@ -22,6 +22,7 @@ private slots:
     void trialsComeBackAsStored();
     void everyFieldIsItsOwn();
     void trialsFollowOnAndStay();
+    void sessionsAreRecordedForAnOpenRun();
     void sealedCodesCannotBeComputed();
     void answersMustFit();
     void enrolmentComesBeforeTheConsent();
@@ -254,6 +255,36 @@ void TestStudyRuns::trialsFollowOnAndStay() {
     }
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::completed); }));
     QCOMPARE(store(someTrial(*run, 1)).error().code, core::ErrorCode::wrongUse);
+}
+
+// Known from its first tick on, so that a participant's recordings are found where no trial was stored.
+void TestStudyRuns::sessionsAreRecordedForAnOpenRun() {
+    const StudyNumber study = frozen("recorded");
+    const ParticipantNumber who = consented(study);
+    const auto run = write(m_ruth, [&](StudyRepository& s) { return s.beginRun({who, codeOf(*reader(), study, "soft"), 0, 1, "descending@1"}); });
+    REQUIRE(run);
+    const auto trudy = m->person(m_admin, "trudy", {Role::trainer});
+    REQUIRE(trudy);
+    const auto begin = [&](const Actor& actor, std::int64_t of) {
+        NewSession setup = someSession();
+        setup.studyRun = of;
+        return m->database->write([&](WriteContext& w) { return SessionRepository(w.connection(), actor).beginSession(setup); });
+    };
+    const auto sessions = [&] { return selectInteger(*reader(), "SELECT count(*) FROM session")->value_or(-1); };
+    QCOMPARE(begin(*trudy, *run).error().code, core::ErrorCode::notAllowed);
+    QVERIFY(!begin(m_ruth, *run + 1));
+    QCOMPARE(sessions(), std::int64_t{0}); // nothing of those that were refused
+    const auto session = begin(m_ruth, *run);
+    REQUIRE(session);
+    QCOMPARE(selectInteger(*reader(), "SELECT run_id FROM study_sitting WHERE id = ?", {*session})->value_or(0), *run);
+    const auto beside = begin(m_ruth, 0);
+    REQUIRE(beside);
+    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM study_sitting")->value_or(0), std::int64_t{1});
+    for (const char* sql : {"UPDATE study_sitting SET run_id = 9", "DELETE FROM study_sitting"})
+        QVERIFY(!m->database->write([&](WriteContext& w) { return w.connection().execute(sql); }));
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.finishRun(*run, StudyRunState::stopped); }));
+    QCOMPARE(begin(m_ruth, *run).error().code, core::ErrorCode::wrongUse);
+    QCOMPARE(sessions(), std::int64_t{2});
 }
 
 void TestStudyRuns::sealedCodesCannotBeComputed() {

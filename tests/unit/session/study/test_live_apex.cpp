@@ -4,6 +4,7 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "database/accounts/account_service.h"
+#include "database/query.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/replayer.h"
@@ -126,7 +127,24 @@ private slots:
     void aBreakHoldsTheExercise();
     void aDeviceThatIsTooSlowIsRefused();
     void lostTicksAreSaid();
+    void theFreeMinuteIsTheRunsToo();
 };
+
+/// The free minute has a session of its own, in which no trial is stored: it is known to be that participant's all the same.
+void TestLiveApex::theFreeMinuteIsTheRunsToo() {
+    Site site(design(3));
+    auto asked = site.request();
+    asked.freeMinute_s = 60.0;
+    auto live = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(live);
+    QTRY_VERIFY_WITH_TIMEOUT(((*live)->poll(), (*live)->view().tryLeft_s > 0.0 && (*live)->view().tryLeft_s < 60.0), kPatience_ms);
+    (*live)->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(((*live)->poll(), (*live)->finished()), kPatience_ms);
+    QVERIFY(site.trials().empty());
+    const auto reader = site.fixture.database->openReader();
+    const auto runs = database::selectInteger(**reader, "SELECT count(*) FROM study_sitting s JOIN session x ON x.id = s.id WHERE s.run_id = ?", {site.run().id});
+    QCOMPARE(runs->value_or(0), std::int64_t{1});
+}
 
 void TestLiveApex::marksBecomeTrialsAndTheAnalysisSaysTheSame() {
     Site site(design(3));
