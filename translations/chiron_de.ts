@@ -231,6 +231,10 @@
         <source>About Chiron</source>
         <translation>Über Chiron</translation>
     </message>
+    <message>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -1186,6 +1190,37 @@ Einzelheiten: %2</translation>
     <message>
         <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
         <translation>Geräte mit Basis sind so aufgestellt, wie diese Stufe es vorgibt; was Sie unten einstellen, hat Vorrang</translation>
+    </message>
+</context>
+<context>
+    <name>LoginSlips</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Standort</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>At your first login, choose your name in the list, enter this password and then choose one of your own. After that, this slip is of no use: destroy it.</source>
+        <translation>Wählen Sie bei der ersten Anmeldung Ihren Namen in der Liste, geben Sie dieses Passwort ein und legen Sie dann ein eigenes fest. Danach wird dieser Zettel nicht mehr gebraucht: Vernichten Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Login slips</source>
+        <translation>Anmeldezettel</translation>
+    </message>
+    <message>
+        <source>Cut along the dashed lines and hand each slip to its person.</source>
+        <translation>Entlang der gestrichelten Linien schneiden und jeder Person ihren Zettel geben.</translation>
     </message>
 </context>
 <context>
@@ -3283,6 +3318,29 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>RosterTemplate</name>
+    <message>
+        <source>Full name</source>
+        <translation>Vollständiger Name</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Example: Anna Miller</source>
+        <translation>Beispiel: Anna Müller</translation>
+    </message>
+    <message>
+        <source>Example: Peter Brown</source>
+        <translation>Beispiel: Peter Braun</translation>
+    </message>
+</context>
+<context>
     <name>RosterWords</name>
     <message>
         <source>a quotation mark is opened here and never closed</source>
@@ -3293,34 +3351,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>zu viele Zeilen, höchstens %1</translation>
     </message>
     <message>
-        <source>a header line and at least one person are needed</source>
-        <translation>eine Kopfzeile und mindestens eine Person sind nötig</translation>
-    </message>
-    <message>
-        <source>the column &quot;%1&quot; is unknown or appears twice</source>
-        <translation>die Spalte „%1“ ist unbekannt oder doppelt vorhanden</translation>
-    </message>
-    <message>
-        <source>the columns name, roles and password are needed</source>
-        <translation>die Spalten name, roles und password sind nötig</translation>
-    </message>
-    <message>
-        <source>has %1 fields instead of %2</source>
-        <translation>hat %1 Felder statt %2</translation>
-    </message>
-    <message>
-        <source>roles &quot;%1&quot;: only trainee, trainer, researcher and admin, separated by semicolons</source>
-        <translation>Rollen „%1“: nur trainee, trainer, researcher und admin, durch Semikolon getrennt</translation>
-    </message>
-    <message>
-        <source>the name &quot;%1&quot; cannot be used</source>
-        <translation>der Name „%1“ ist nicht möglich</translation>
-    </message>
-    <message>
-        <source>the full name is too long</source>
-        <translation>der vollständige Name ist zu lang</translation>
-    </message>
-    <message>
         <source>the password needs at least %1 characters, %2 of them different, and must not be the name</source>
         <translation>das Passwort braucht mindestens %1 Zeichen, davon %2 verschiedene, und darf nicht der Name sein</translation>
     </message>
@@ -3329,12 +3359,172 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>„%1“ steht schon in Zeile %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; already exists at this site</source>
-        <translation>„%1“ gibt es an diesem Standort schon</translation>
-    </message>
-    <message>
         <source>Line %1: %2</source>
         <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>Semikolons</translation>
+    </message>
+    <message>
+        <source>commas</source>
+        <translation>Kommas</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Tabulatoren</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>Wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Left as it is</source>
+        <translation>Bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Updated</source>
+        <translation>Wird aktualisiert</translation>
+    </message>
+    <message>
+        <source>Nothing to change</source>
+        <translation>Nichts zu ändern</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Read as %1, separated by %2.</source>
+        <translation>Gelesen als %1, getrennt durch %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+                <numerusform>%n Person würde hinzugefügt. Sie muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+                <numerusform>%n Personen würden hinzugefügt. Jede muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be updated; their passwords remain valid.</source>
+        <translation>
+                <numerusform>%n Person würde aktualisiert; ihr Passwort bleibt gültig.</numerusform>
+                <numerusform>%n Personen würden aktualisiert; ihre Passwörter bleiben gültig.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people have an account already and would be left as they are.</source>
+        <translation>
+                <numerusform>%n Person hat schon ein Konto und bliebe, wie sie ist.</numerusform>
+                <numerusform>%n Personen haben schon ein Konto und blieben, wie sie sind.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
+        <translation>
+                <numerusform>%n Passwort würde erzeugt. Es wird nur einmal gezeigt, gleich nach dem Import, damit Sie es als Zettel drucken können.</numerusform>
+                <numerusform>%n Passwörter würden erzeugt. Sie werden nur einmal gezeigt, gleich nach dem Import, damit Sie sie als Zettel drucken können.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Columns that are not imported: %1.</source>
+        <translation>Spalten, die nicht importiert werden: %1.</translation>
+    </message>
+    <message>
+        <source>People in the list</source>
+        <translation>Personen in der Liste</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Vollständiger Name</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>This is an Excel workbook (.xlsx). Open it in Excel, choose File &gt; Save As and the file type “CSV UTF-8 (comma delimited)”, then choose the new file here.</source>
+        <translation>Dies ist eine Excel-Arbeitsmappe (.xlsx). Öffnen Sie sie in Excel, wählen Sie Datei &gt; Speichern unter und den Dateityp „CSV UTF-8 (durch Trennzeichen getrennt)“, dann wählen Sie hier die neue Datei.</translation>
+    </message>
+    <message>
+        <source>This is an old Excel workbook (.xls). Open it in Excel, choose File &gt; Save As and the file type “CSV UTF-8 (comma delimited)”, then choose the new file here.</source>
+        <translation>Dies ist eine alte Excel-Arbeitsmappe (.xls). Öffnen Sie sie in Excel, wählen Sie Datei &gt; Speichern unter und den Dateityp „CSV UTF-8 (durch Trennzeichen getrennt)“, dann wählen Sie hier die neue Datei.</translation>
+    </message>
+    <message>
+        <source>This is a LibreOffice spreadsheet (.ods). Open it in LibreOffice, choose File &gt; Save As and the file type “Text CSV”, then choose the new file here.</source>
+        <translation>Dies ist eine LibreOffice-Tabelle (.ods). Öffnen Sie sie in LibreOffice, wählen Sie Datei &gt; Speichern unter und den Dateityp „Text CSV“, dann wählen Sie hier die neue Datei.</translation>
+    </message>
+    <message>
+        <source>This is a PDF, which has no columns to read. Ask for the list as a table, save it as CSV, then choose that file here.</source>
+        <translation>Dies ist eine PDF-Datei; sie hat keine lesbaren Spalten. Lassen Sie sich die Liste als Tabelle geben, speichern Sie sie als CSV und wählen Sie dann hier diese Datei.</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive. Unpack it and choose the CSV file in it.</source>
+        <translation>Dies ist ein ZIP-Archiv. Entpacken Sie es und wählen Sie die CSV-Datei darin.</translation>
+    </message>
+    <message>
+        <source>this is no text; a CSV file is needed</source>
+        <translation>das ist kein Text; nötig ist eine CSV-Datei</translation>
+    </message>
+    <message>
+        <source>some letters cannot be read; save the list as “CSV UTF-8” once more</source>
+        <translation>einige Buchstaben sind nicht lesbar; speichern Sie die Liste noch einmal als „CSV UTF-8“</translation>
+    </message>
+    <message>
+        <source>a line with headings and at least one person are needed</source>
+        <translation>nötig sind eine Zeile mit Überschriften und mindestens eine Person</translation>
+    </message>
+    <message>
+        <source>headings are needed here, such as login name, full name and role; &quot;%1&quot; is none of them. “Save a template …” makes a file that has them</source>
+        <translation>hier sind Überschriften nötig wie Anmeldename, Vollständiger Name und Rolle; „%1“ ist keine davon. „Vorlage speichern …“ erzeugt eine Datei, die sie hat</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; holds what another column holds already</source>
+        <translation>die Spalte „%1“ enthält, was schon eine andere Spalte enthält</translation>
+    </message>
+    <message>
+        <source>no column holds the roles; give one the heading “Role”</source>
+        <translation>keine Spalte enthält die Rollen; geben Sie einer die Überschrift „Rolle“</translation>
+    </message>
+    <message>
+        <source>no column holds the login name; give one the heading “Login name”</source>
+        <translation>keine Spalte enthält den Anmeldenamen; geben Sie einer die Überschrift „Anmeldename“</translation>
+    </message>
+    <message>
+        <source>has %1 fields, and there are %2 headings; put a value that holds the separator into quotation marks</source>
+        <translation>hat %1 Felder, Überschriften gibt es aber %2; setzen Sie einen Wert, der das Trennzeichen enthält, in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
+        <translation>„%1“ ist keine Rolle; schreiben Sie Lernende Person, Ausbilder/in, Forschende Person oder Administration, durch Semikolon getrennt</translation>
+    </message>
+    <message>
+        <source>a login name is needed</source>
+        <translation>ein Anmeldename ist nötig</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be used; use at most %2 characters and no commas</source>
+        <translation>„%1“ ist nicht möglich; erlaubt sind höchstens %2 Zeichen und keine Kommas</translation>
+    </message>
+    <message>
+        <source>the full name is too long; use at most %1 characters</source>
+        <translation>der vollständige Name ist zu lang; erlaubt sind höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>Line %1, column “%2”: %3</source>
+        <translation>Zeile %1, Spalte „%2“: %3</translation>
     </message>
 </context>
 <context>
@@ -3422,6 +3612,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Restore a backup</source>
         <translation>Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
     </message>
 </context>
 <context>
@@ -5822,18 +6016,129 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AccountScreen</name>
+    <message>
+        <source>Reading your account …</source>
+        <translation>Ihr Konto wird gelesen …</translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
+
+To change your password, first enter the one that you have now.</source>
+        <translation>Ihr eigener Name, Ihre Sprache und Ihr Passwort.
+
+Den vollständigen Namen sehen andere in Listen und Berichten; Ihre früheren Namen bleiben im Verlauf des Standorts. Den Anmeldenamen kann die Administration ändern.
+
+Die Sprache gilt sofort. Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.
+
+Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Vollständiger Name (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Save the name</source>
+        <translation>Namen speichern</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As on this station</source>
+        <translation>Wie an diesem Arbeitsplatz</translation>
+    </message>
+    <message>
+        <source>It comes back whenever you log in on this station and changes nothing for others.</source>
+        <translation>Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Current password</source>
+        <translation>Jetziges Passwort</translation>
+    </message>
+    <message>
+        <source>Change the password</source>
+        <translation>Passwort ändern</translation>
+    </message>
+    <message>
+        <source>Change my password</source>
+        <translation>Mein Passwort ändern</translation>
+    </message>
+    <message>
+        <source>Your account could not be read.</source>
+        <translation>Ihr Konto konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Login name: %1. An administrator can change it.</source>
+        <translation>Anmeldename: %1. Die Administration kann ihn ändern.</translation>
+    </message>
+    <message>
+        <source>The full name is too long: use at most %1 characters.</source>
+        <translation>Der vollständige Name ist zu lang: Erlaubt sind höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>You are now shown with your login name alone.</source>
+        <translation>Sie werden jetzt nur mit Ihrem Anmeldenamen gezeigt.</translation>
+    </message>
+    <message>
+        <source>Your name is now %1.</source>
+        <translation>Ihr Name ist jetzt %1.</translation>
+    </message>
+    <message>
+        <source>Your name was not changed.
+%1</source>
+        <translation>Ihr Name wurde nicht geändert.
+%1</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>This is the password that you have now. Choose another one.</source>
+        <translation>Das ist Ihr jetziges Passwort. Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Your password is changed. From your next login, only the new one is valid.</source>
+        <translation>Ihr Passwort ist geändert. Ab der nächsten Anmeldung gilt nur noch das neue.</translation>
+    </message>
+    <message>
+        <source>The current password is wrong. Nothing was changed. Passwords are case-sensitive; check Caps Lock.</source>
+        <translation>Das jetzige Passwort ist falsch. Nichts wurde geändert. Groß- und Kleinschreibung wird unterschieden; prüfen Sie die Feststelltaste.</translation>
+    </message>
+    <message>
+        <source>The password was not changed.
+%1</source>
+        <translation>Das Passwort wurde nicht geändert.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AddPersonDialog</name>
     <message>
         <source>Add a person</source>
         <translation>Person hinzufügen</translation>
-    </message>
-    <message>
-        <source>Login name</source>
-        <translation>Anmeldename</translation>
-    </message>
-    <message>
-        <source>No commas. It cannot be changed later.</source>
-        <translation>Keine Kommas. Er lässt sich später nicht ändern.</translation>
     </message>
     <message>
         <source>Full name (may be left empty)</source>
@@ -5842,10 +6147,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>Add</source>
         <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
-        <translation>Dieser Name ist nicht möglich. Erlaubt sind höchstens %1 Zeichen, keine Kommas und keine Leerzeichen am Anfang oder Ende. Einige Namen sind für das Programm reserviert.</translation>
     </message>
     <message>
         <source>%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.</source>
@@ -6914,6 +7215,35 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Auch Objekte mit weniger von der Eigenschaft als die Referenz.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EditPersonDialog</name>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Vollständiger Name (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid; from the next login only the new login name is.</source>
+        <translation>Bisher aufgezeichnete Sitzungen bleiben bei dieser Person und zeigen den neuen Namen. Die früheren Namen bleiben im Verlauf des Standorts. Das Passwort bleibt gültig; ab der nächsten Anmeldung gilt nur noch der neue Anmeldename.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed.
+%2</source>
+        <translation>%1 wurde nicht geändert.
+%2</translation>
     </message>
 </context>
 <context>
@@ -8487,6 +8817,29 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     </message>
 </context>
 <context>
+    <name>chiron::desktop::LoginNameField</name>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Somebody has this login name already. Names that differ only in capital letters count as the same.</source>
+        <translation>Diesen Anmeldenamen hat schon jemand. Namen, die sich nur in Großbuchstaben unterscheiden, gelten als gleich.</translation>
+    </message>
+    <message>
+        <source>No commas.</source>
+        <translation>Keine Kommas.</translation>
+    </message>
+    <message>
+        <source>A login name is needed. No commas.</source>
+        <translation>Ein Anmeldename ist nötig. Keine Kommas.</translation>
+    </message>
+    <message>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Dieser Name ist nicht möglich. Erlaubt sind höchstens %1 Zeichen, keine Kommas und keine Leerzeichen am Anfang oder Ende. Einige Namen sind für das Programm reserviert.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LoginScreen</name>
     <message>
         <source>Opening the site …</source>
@@ -9185,22 +9538,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>Personen</translation>
     </message>
     <message>
-        <source>Everybody who has an account on this site.
-
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
-
-&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and first shows what will happen: either everybody in the file is added, or nobody.
-
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
-        <translation>Alle, die an diesem Standort ein Konto haben.
-
-Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
-
-„Liste importieren“ liest eine CSV-Datei mit den Spalten name, display_name, roles und password und zeigt zuerst, was geschehen wird: Entweder werden alle in der Datei hinzugefügt oder niemand.
-
-„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig.</translation>
-    </message>
-    <message>
         <source>Reading the list of people …</source>
         <translation>Personenliste wird gelesen …</translation>
     </message>
@@ -9231,6 +9568,62 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Enable</source>
         <translation>Aktivieren</translation>
+    </message>
+    <message>
+        <source>Save a template for a roster</source>
+        <translation>Vorlage für eine Liste speichern</translation>
+    </message>
+    <message>
+        <source>Edit name and login name</source>
+        <translation>Name und Anmeldename bearbeiten</translation>
+    </message>
+    <message>
+        <source>roster</source>
+        <translation>liste</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The template was saved to %1. Replace the example lines, save the file as CSV, then import it here.</source>
+        <translation>Die Vorlage wurde in %1 gespeichert. Ersetzen Sie die Beispielzeilen, speichern Sie die Datei als CSV und importieren Sie sie dann hier.</translation>
+    </message>
+    <message>
+        <source>The template was not saved.</source>
+        <translation>Die Vorlage wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
+
+&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
+
+&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
+
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
+        <translation>Alle, die an diesem Standort ein Konto haben.
+
+Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
+
+„Bearbeiten“ ändert den Namen oder Anmeldenamen einer Person; die früheren bleiben im Verlauf.
+
+„Liste importieren“ liest eine CSV-Datei, wie eine Tabellenkalkulation sie speichert, mit Überschriften wie Anmeldename, Vollständiger Name und Rolle („Vorlage speichern“ erzeugt eine), und zeigt zuerst, was geschehen wird: Entweder wird alles in der Datei ausgeführt oder nichts. Für neue Personen werden Passwörter erzeugt, die sich als Zettel drucken lassen.
+
+„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig.</translation>
+    </message>
+    <message>
+        <source>Save a template …</source>
+        <translation>Vorlage speichern …</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Until %1: %2</source>
+        <translation>Bis %1: %2</translation>
     </message>
 </context>
 <context>
@@ -11347,6 +11740,16 @@ Einzelheiten: %1</translation>
         <source>%1 is still missing.</source>
         <translation>%1 fehlt noch immer.</translation>
     </message>
+    <message>
+        <source>The key of this site is missing, too: %1. Without it no backup can be checked or restored. Put it back from a copy of the site&apos;s folder, then try again.</source>
+        <translation>Auch der Schlüssel dieses Standorts fehlt: %1. Ohne ihn kann keine Sicherung geprüft oder wiederhergestellt werden. Stellen Sie ihn aus einer Kopie des Standortordners wieder her und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.
+Details: %1</source>
+        <translation>Diese Sicherung kann nicht verwendet werden.
+Einzelheiten: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -11541,13 +11944,6 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Die Liste konnte nicht mit den Personen dieses Standorts verglichen werden.</translation>
     </message>
     <message numerus="yes">
-        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
-        <translation>
-            <numerusform>%n Person würde hinzugefügt. Sie muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
-            <numerusform>%n Personen würden hinzugefügt. Jede muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Import %n people</source>
         <translation>
             <numerusform>%n Person importieren</numerusform>
@@ -11565,32 +11961,6 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
             <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
-    <message>
-        <source>People in the list</source>
-        <translation>Personen in der Liste</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
-        <source>Login name</source>
-        <translation>Anmeldename</translation>
-    </message>
-    <message>
-        <source>Full name</source>
-        <translation>Vollständiger Name</translation>
-    </message>
-    <message>
-        <source>Roles</source>
-        <translation>Rollen</translation>
-    </message>
-    <message>
-        <source>Nobody was added.
-%1</source>
-        <translation>Es wurde niemand hinzugefügt.
-%1</translation>
-    </message>
     <message numerus="yes">
         <source>%n people were added.</source>
         <translation>
@@ -11598,12 +11968,49 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
             <numerusform>%n Personen wurden hinzugefügt.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>People who have an account already</source>
+        <translation>Personen, die schon ein Konto haben</translation>
+    </message>
+    <message>
+        <source>Leave them as they are</source>
+        <translation>Lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Update full name and roles</source>
+        <translation>Namen und Rollen aktualisieren</translation>
+    </message>
+    <message>
+        <source>Nothing can be imported from this file.</source>
+        <translation>Aus dieser Datei kann nichts importiert werden.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: the site needs at least one administrator who can log in, and the list would leave none.</source>
+        <translation>Nichts wurde geändert: Der Standort braucht mindestens eine Person mit der Rolle Administration, die sich anmelden kann, und die Liste ließe keine übrig.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.
+%1</source>
+        <translation>Nichts wurde geändert.
+%1</translation>
+    </message>
     <message numerus="yes">
-        <source>Adding %n people …</source>
+        <source>Importing %n people …</source>
         <translation>
-            <numerusform>%n Person wird hinzugefügt …</numerusform>
-            <numerusform>%n Personen werden hinzugefügt …</numerusform>
-        </translation>
+                <numerusform>%n Person wird importiert …</numerusform>
+                <numerusform>%n Personen werden importiert …</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were updated.</source>
+        <translation>
+                <numerusform>%n Person wurde aktualisiert.</numerusform>
+                <numerusform>%n Personen wurden aktualisiert.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
+        <translation>Die Zettel wurden weder gedruckt noch gespeichert. Wenn Sie dieses Fenster noch einmal schließen, sind die Passwörter verloren; Sie können dann nur einzeln neue vergeben.</translation>
     </message>
 </context>
 <context>
@@ -12409,6 +12816,10 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
             <numerusform>%1: %n Sitzungen mit neuen Kommentaren</numerusform>
         </translation>
     </message>
+    <message>
+        <source>My account</source>
+        <translation>Mein Konto</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SignedBar</name>
@@ -12442,6 +12853,75 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>Size: %1</source>
         <translation>Größe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SlipsPanel</name>
+    <message>
+        <source>These passwords are shown only now. The program keeps no readable copy: print or save the slips before you close this window.</source>
+        <translation>Diese Passwörter werden nur jetzt gezeigt. Das Programm behält keine lesbare Kopie: Drucken oder speichern Sie die Zettel, bevor Sie dieses Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>Name of the site on the slips (may be left empty)</source>
+        <translation>Name des Standorts auf den Zetteln (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Print the slips …</source>
+        <translation>Zettel drucken …</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Als PDF speichern …</translation>
+    </message>
+    <message>
+        <source>New people and their passwords</source>
+        <translation>Neue Personen und ihre Passwörter</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Vollständiger Name</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Login slips</source>
+        <translation>Anmeldezettel</translation>
+    </message>
+    <message>
+        <source>The slips were sent to the printer. Check the paper before you close this window.</source>
+        <translation>Die Zettel wurden an den Drucker gesendet. Prüfen Sie das Papier, bevor Sie dieses Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>The slips could not be printed. Choose another printer, or save them as PDF.</source>
+        <translation>Die Zettel konnten nicht gedruckt werden. Wählen Sie einen anderen Drucker, oder speichern Sie sie als PDF.</translation>
+    </message>
+    <message>
+        <source>Save the slips as PDF</source>
+        <translation>Zettel als PDF speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>login-slips</source>
+        <translation>anmeldezettel</translation>
+    </message>
+    <message>
+        <source>The slips were saved to %1, which only you can read. Delete the file once they are printed.</source>
+        <translation>Die Zettel wurden in %1 gespeichert; nur Sie können diese Datei lesen. Löschen Sie sie, sobald die Zettel gedruckt sind.</translation>
+    </message>
+    <message>
+        <source>The slips were not saved.
+%1</source>
+        <translation>Die Zettel wurden nicht gespeichert.
+%1</translation>
     </message>
 </context>
 <context>
@@ -14185,6 +14665,10 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Feel for the highest point, and mark it.</source>
         <translation>Ertasten Sie den höchsten Punkt und markieren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Pilot run</source>
+        <translation>Probelauf</translation>
     </message>
 </context>
 <context>

@@ -231,6 +231,10 @@
         <source>About Chiron</source>
         <translation>Σχετικά με το Chiron</translation>
     </message>
+    <message>
+        <source>My account</source>
+        <translation>Ο λογαριασμός μου</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -1186,6 +1190,37 @@ Details: %2</source>
     <message>
         <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
         <translation>Οι συσκευές με βάση τοποθετούνται όπως ορίζει αυτό το επίπεδο· ό,τι ρυθμίσετε παρακάτω υπερισχύει</translation>
+    </message>
+</context>
+<context>
+    <name>LoginSlips</name>
+    <message>
+        <source>Name</source>
+        <translation>Όνομα</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Κέντρο</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>At your first login, choose your name in the list, enter this password and then choose one of your own. After that, this slip is of no use: destroy it.</source>
+        <translation>Στην πρώτη σύνδεση επιλέξτε το όνομά σας στη λίστα, γράψτε αυτόν τον κωδικό πρόσβασης και έπειτα ορίστε δικό σας. Μετά το σημείωμα αυτό δεν χρειάζεται: καταστρέψτε το.</translation>
+    </message>
+    <message>
+        <source>Login slips</source>
+        <translation>Σημειώματα σύνδεσης</translation>
+    </message>
+    <message>
+        <source>Cut along the dashed lines and hand each slip to its person.</source>
+        <translation>Κόψτε στις διακεκομμένες γραμμές και δώστε σε κάθε άτομο το σημείωμά του.</translation>
     </message>
 </context>
 <context>
@@ -3283,6 +3318,29 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>RosterTemplate</name>
+    <message>
+        <source>Full name</source>
+        <translation>Πλήρες όνομα</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Ρόλος</translation>
+    </message>
+    <message>
+        <source>Example: Anna Miller</source>
+        <translation>Παράδειγμα: Άννα Παππά</translation>
+    </message>
+    <message>
+        <source>Example: Peter Brown</source>
+        <translation>Παράδειγμα: Πέτρος Νικολάου</translation>
+    </message>
+</context>
+<context>
     <name>RosterWords</name>
     <message>
         <source>a quotation mark is opened here and never closed</source>
@@ -3293,34 +3351,6 @@ Do you want to replace it?</source>
         <translation>πάρα πολλές γραμμές, το πολύ %1</translation>
     </message>
     <message>
-        <source>a header line and at least one person are needed</source>
-        <translation>χρειάζεται μια γραμμή επικεφαλίδων και τουλάχιστον ένα άτομο</translation>
-    </message>
-    <message>
-        <source>the column &quot;%1&quot; is unknown or appears twice</source>
-        <translation>η στήλη «%1» είναι άγνωστη ή υπάρχει δύο φορές</translation>
-    </message>
-    <message>
-        <source>the columns name, roles and password are needed</source>
-        <translation>χρειάζονται οι στήλες name, roles και password</translation>
-    </message>
-    <message>
-        <source>has %1 fields instead of %2</source>
-        <translation>έχει %1 πεδία αντί για %2</translation>
-    </message>
-    <message>
-        <source>roles &quot;%1&quot;: only trainee, trainer, researcher and admin, separated by semicolons</source>
-        <translation>ρόλοι «%1»: μόνο trainee, trainer, researcher και admin, με «;» ανάμεσα</translation>
-    </message>
-    <message>
-        <source>the name &quot;%1&quot; cannot be used</source>
-        <translation>το όνομα «%1» δεν επιτρέπεται</translation>
-    </message>
-    <message>
-        <source>the full name is too long</source>
-        <translation>το πλήρες όνομα είναι πολύ μεγάλο</translation>
-    </message>
-    <message>
         <source>the password needs at least %1 characters, %2 of them different, and must not be the name</source>
         <translation>ο κωδικός πρόσβασης χρειάζεται τουλάχιστον %1 χαρακτήρες, από αυτούς %2 διαφορετικούς, και δεν μπορεί να είναι το όνομα</translation>
     </message>
@@ -3329,12 +3359,172 @@ Do you want to replace it?</source>
         <translation>το «%1» υπάρχει ήδη στη γραμμή %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; already exists at this site</source>
-        <translation>το «%1» υπάρχει ήδη σε αυτό το κέντρο</translation>
-    </message>
-    <message>
         <source>Line %1: %2</source>
         <translation>Γραμμή %1: %2</translation>
+    </message>
+    <message>
+        <source>semicolons</source>
+        <translation>ερωτηματικά (;)</translation>
+    </message>
+    <message>
+        <source>commas</source>
+        <translation>κόμματα</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>στηλοθέτες</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>Προσθήκη</translation>
+    </message>
+    <message>
+        <source>Left as it is</source>
+        <translation>Μένει ως έχει</translation>
+    </message>
+    <message>
+        <source>Updated</source>
+        <translation>Ενημέρωση</translation>
+    </message>
+    <message>
+        <source>Nothing to change</source>
+        <translation>Καμία αλλαγή</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Read as %1, separated by %2.</source>
+        <translation>Διαβάστηκε ως %1, με διαχωριστικό: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+                <numerusform>Θα προστεθεί %n άτομο. Πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+                <numerusform>Θα προστεθούν %n άτομα. Καθένα πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be updated; their passwords remain valid.</source>
+        <translation>
+                <numerusform>Θα ενημερωθεί %n άτομο· ο κωδικός πρόσβασής του ισχύει και μετά.</numerusform>
+                <numerusform>Θα ενημερωθούν %n άτομα· οι κωδικοί πρόσβασής τους ισχύουν και μετά.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people have an account already and would be left as they are.</source>
+        <translation>
+                <numerusform>%n άτομο έχει ήδη λογαριασμό και θα μείνει ως έχει.</numerusform>
+                <numerusform>%n άτομα έχουν ήδη λογαριασμό και θα μείνουν ως έχουν.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
+        <translation>
+                <numerusform>Θα δημιουργηθεί %n κωδικός πρόσβασης. Εμφανίζεται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθεί σε σημείωμα.</numerusform>
+                <numerusform>Θα δημιουργηθούν %n κωδικοί πρόσβασης. Εμφανίζονται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθούν σε σημειώματα.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Columns that are not imported: %1.</source>
+        <translation>Στήλες που δεν εισάγονται: %1.</translation>
+    </message>
+    <message>
+        <source>People in the list</source>
+        <translation>Άτομα στη λίστα</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Γραμμή</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Τι γίνεται</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Πλήρες όνομα</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Ρόλοι</translation>
+    </message>
+    <message>
+        <source>This is an Excel workbook (.xlsx). Open it in Excel, choose File &gt; Save As and the file type “CSV UTF-8 (comma delimited)”, then choose the new file here.</source>
+        <translation>Αυτό είναι βιβλίο εργασίας του Excel (.xlsx). Ανοίξτε το στο Excel, επιλέξτε Αρχείο &gt; Αποθήκευση ως και τύπο αρχείου «CSV UTF-8 (οριοθετημένο με κόμμα)» και μετά επιλέξτε εδώ το νέο αρχείο.</translation>
+    </message>
+    <message>
+        <source>This is an old Excel workbook (.xls). Open it in Excel, choose File &gt; Save As and the file type “CSV UTF-8 (comma delimited)”, then choose the new file here.</source>
+        <translation>Αυτό είναι παλιό βιβλίο εργασίας του Excel (.xls). Ανοίξτε το στο Excel, επιλέξτε Αρχείο &gt; Αποθήκευση ως και τύπο αρχείου «CSV UTF-8 (οριοθετημένο με κόμμα)» και μετά επιλέξτε εδώ το νέο αρχείο.</translation>
+    </message>
+    <message>
+        <source>This is a LibreOffice spreadsheet (.ods). Open it in LibreOffice, choose File &gt; Save As and the file type “Text CSV”, then choose the new file here.</source>
+        <translation>Αυτό είναι υπολογιστικό φύλλο του LibreOffice (.ods). Ανοίξτε το στο LibreOffice, επιλέξτε Αρχείο &gt; Αποθήκευση ως και τύπο αρχείου «Κείμενο CSV» και μετά επιλέξτε εδώ το νέο αρχείο.</translation>
+    </message>
+    <message>
+        <source>This is a PDF, which has no columns to read. Ask for the list as a table, save it as CSV, then choose that file here.</source>
+        <translation>Αυτό είναι PDF και δεν έχει στήλες που διαβάζονται. Ζητήστε τη λίστα ως πίνακα, αποθηκεύστε την ως CSV και μετά επιλέξτε εδώ εκείνο το αρχείο.</translation>
+    </message>
+    <message>
+        <source>This is a ZIP archive. Unpack it and choose the CSV file in it.</source>
+        <translation>Αυτό είναι αρχείο ZIP. Αποσυμπιέστε το και επιλέξτε το αρχείο CSV που περιέχει.</translation>
+    </message>
+    <message>
+        <source>this is no text; a CSV file is needed</source>
+        <translation>αυτό δεν είναι κείμενο· χρειάζεται αρχείο CSV</translation>
+    </message>
+    <message>
+        <source>some letters cannot be read; save the list as “CSV UTF-8” once more</source>
+        <translation>μερικά γράμματα δεν διαβάζονται· αποθηκεύστε ξανά τη λίστα ως «CSV UTF-8»</translation>
+    </message>
+    <message>
+        <source>a line with headings and at least one person are needed</source>
+        <translation>χρειάζονται μία γραμμή με επικεφαλίδες και τουλάχιστον ένα άτομο</translation>
+    </message>
+    <message>
+        <source>headings are needed here, such as login name, full name and role; &quot;%1&quot; is none of them. “Save a template …” makes a file that has them</source>
+        <translation>εδώ χρειάζονται επικεφαλίδες όπως Όνομα χρήστη, Πλήρες όνομα και Ρόλος· το «%1» δεν είναι καμία από αυτές. Η «Αποθήκευση προτύπου …» φτιάχνει αρχείο που τις έχει</translation>
+    </message>
+    <message>
+        <source>the column &quot;%1&quot; holds what another column holds already</source>
+        <translation>η στήλη «%1» περιέχει ό,τι περιέχει ήδη άλλη στήλη</translation>
+    </message>
+    <message>
+        <source>no column holds the roles; give one the heading “Role”</source>
+        <translation>καμία στήλη δεν περιέχει τους ρόλους· δώστε σε μία την επικεφαλίδα «Ρόλος»</translation>
+    </message>
+    <message>
+        <source>no column holds the login name; give one the heading “Login name”</source>
+        <translation>καμία στήλη δεν περιέχει το όνομα χρήστη· δώστε σε μία την επικεφαλίδα «Όνομα χρήστη»</translation>
+    </message>
+    <message>
+        <source>has %1 fields, and there are %2 headings; put a value that holds the separator into quotation marks</source>
+        <translation>έχει %1 πεδία, ενώ οι επικεφαλίδες είναι %2· βάλτε σε εισαγωγικά μια τιμή που περιέχει το διαχωριστικό</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no role; write trainee, trainer, researcher or administrator, separated by semicolons</source>
+        <translation>το «%1» δεν είναι ρόλος· γράψτε εκπαιδευόμενος, εκπαιδευτής, ερευνητής ή διαχειριστής, με «;» ανάμεσα</translation>
+    </message>
+    <message>
+        <source>a login name is needed</source>
+        <translation>χρειάζεται όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be used; use at most %2 characters and no commas</source>
+        <translation>το «%1» δεν επιτρέπεται· χρησιμοποιήστε το πολύ %2 χαρακτήρες και όχι κόμματα</translation>
+    </message>
+    <message>
+        <source>the full name is too long; use at most %1 characters</source>
+        <translation>το πλήρες όνομα είναι πολύ μεγάλο· χρησιμοποιήστε το πολύ %1 χαρακτήρες</translation>
+    </message>
+    <message>
+        <source>Line %1, column “%2”: %3</source>
+        <translation>Γραμμή %1, στήλη «%2»: %3</translation>
     </message>
 </context>
 <context>
@@ -3422,6 +3612,10 @@ Do you want to replace it?</source>
     <message>
         <source>Restore a backup</source>
         <translation>Επαναφορά αντιγράφου ασφαλείας</translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation>Ο λογαριασμός μου</translation>
     </message>
 </context>
 <context>
@@ -5822,18 +6016,129 @@ Recording and scores are kept but do not count.</source>
     </message>
 </context>
 <context>
+    <name>chiron::desktop::AccountScreen</name>
+    <message>
+        <source>Reading your account …</source>
+        <translation>Ανάγνωση του λογαριασμού σας …</translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation>Ο λογαριασμός μου</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
+
+To change your password, first enter the one that you have now.</source>
+        <translation>Το όνομά σας, η γλώσσα και ο κωδικός πρόσβασής σας.
+
+Το πλήρες όνομα το βλέπουν οι άλλοι σε λίστες και αναφορές· τα προηγούμενα ονόματά σας μένουν στο ιστορικό του κέντρου. Το όνομα χρήστη μπορεί να το αλλάξει ένας διαχειριστής.
+
+Η γλώσσα ισχύει αμέσως. Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.
+
+Για να αλλάξετε τον κωδικό πρόσβασης, γράψτε πρώτα τον τωρινό.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Όνομα</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Πλήρες όνομα (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Save the name</source>
+        <translation>Αποθήκευση ονόματος</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Γλώσσα</translation>
+    </message>
+    <message>
+        <source>As on this station</source>
+        <translation>Όπως σε αυτόν τον σταθμό</translation>
+    </message>
+    <message>
+        <source>It comes back whenever you log in on this station and changes nothing for others.</source>
+        <translation>Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Current password</source>
+        <translation>Τωρινός κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Change the password</source>
+        <translation>Αλλαγή κωδικού</translation>
+    </message>
+    <message>
+        <source>Change my password</source>
+        <translation>Αλλαγή του κωδικού μου</translation>
+    </message>
+    <message>
+        <source>Your account could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση του λογαριασμού σας.</translation>
+    </message>
+    <message>
+        <source>Login name: %1. An administrator can change it.</source>
+        <translation>Όνομα χρήστη: %1. Μπορεί να το αλλάξει ένας διαχειριστής.</translation>
+    </message>
+    <message>
+        <source>The full name is too long: use at most %1 characters.</source>
+        <translation>Το πλήρες όνομα είναι πολύ μεγάλο: χρησιμοποιήστε το πολύ %1 χαρακτήρες.</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Αποθήκευση …</translation>
+    </message>
+    <message>
+        <source>You are now shown with your login name alone.</source>
+        <translation>Εμφανίζεστε πλέον μόνο με το όνομα χρήστη σας.</translation>
+    </message>
+    <message>
+        <source>Your name is now %1.</source>
+        <translation>Το όνομά σας είναι πλέον %1.</translation>
+    </message>
+    <message>
+        <source>Your name was not changed.
+%1</source>
+        <translation>Το όνομά σας δεν άλλαξε.
+%1</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Έλεγχος …</translation>
+    </message>
+    <message>
+        <source>This is the password that you have now. Choose another one.</source>
+        <translation>Αυτός είναι ο τωρινός σας κωδικός. Επιλέξτε άλλον.</translation>
+    </message>
+    <message>
+        <source>Your password is changed. From your next login, only the new one is valid.</source>
+        <translation>Ο κωδικός πρόσβασής σας άλλαξε. Από την επόμενη σύνδεση ισχύει μόνο ο νέος.</translation>
+    </message>
+    <message>
+        <source>The current password is wrong. Nothing was changed. Passwords are case-sensitive; check Caps Lock.</source>
+        <translation>Ο τωρινός κωδικός είναι λάθος. Δεν άλλαξε τίποτα. Τα κεφαλαία διαφέρουν από τα πεζά· ελέγξτε το Caps Lock.</translation>
+    </message>
+    <message>
+        <source>The password was not changed.
+%1</source>
+        <translation>Ο κωδικός πρόσβασης δεν άλλαξε.
+%1</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AddPersonDialog</name>
     <message>
         <source>Add a person</source>
         <translation>Προσθήκη ατόμου</translation>
-    </message>
-    <message>
-        <source>Login name</source>
-        <translation>Όνομα χρήστη</translation>
-    </message>
-    <message>
-        <source>No commas. It cannot be changed later.</source>
-        <translation>Χωρίς κόμματα. Δεν αλλάζει αργότερα.</translation>
     </message>
     <message>
         <source>Full name (may be left empty)</source>
@@ -5842,10 +6147,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>Add</source>
         <translation>Προσθήκη</translation>
-    </message>
-    <message>
-        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
-        <translation>Αυτό το όνομα δεν επιτρέπεται. Χρησιμοποιήστε το πολύ %1 χαρακτήρες, χωρίς κόμματα και χωρίς κενά στα άκρα. Ορισμένα ονόματα είναι δεσμευμένα από το πρόγραμμα.</translation>
     </message>
     <message>
         <source>%1 was not added: somebody has this name already. Names that differ only in capital letters count as the same.</source>
@@ -6914,6 +7215,35 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Also objects with less of the attribute than the reference.</source>
         <translation>Και αντικείμενα με λιγότερο από την ιδιότητα σε σχέση με την αναφορά.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EditPersonDialog</name>
+    <message>
+        <source>Edit %1</source>
+        <translation>Επεξεργασία: %1</translation>
+    </message>
+    <message>
+        <source>Full name (may be left empty)</source>
+        <translation>Πλήρες όνομα (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid; from the next login only the new login name is.</source>
+        <translation>Οι συνεδρίες που έχουν καταγραφεί μένουν σε αυτό το άτομο και δείχνουν το νέο όνομα. Τα προηγούμενα ονόματα μένουν στο ιστορικό του κέντρου. Ο κωδικός πρόσβασης ισχύει και μετά· από την επόμενη σύνδεση ισχύει μόνο το νέο όνομα χρήστη.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>Αποθηκεύτηκε: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed.
+%2</source>
+        <translation>Δεν άλλαξε: %1.
+%2</translation>
     </message>
 </context>
 <context>
@@ -8487,6 +8817,29 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     </message>
 </context>
 <context>
+    <name>chiron::desktop::LoginNameField</name>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Somebody has this login name already. Names that differ only in capital letters count as the same.</source>
+        <translation>Αυτό το όνομα χρήστη υπάρχει ήδη. Ονόματα που διαφέρουν μόνο στα κεφαλαία θεωρούνται ίδια.</translation>
+    </message>
+    <message>
+        <source>No commas.</source>
+        <translation>Χωρίς κόμματα.</translation>
+    </message>
+    <message>
+        <source>A login name is needed. No commas.</source>
+        <translation>Χρειάζεται όνομα χρήστη. Χωρίς κόμματα.</translation>
+    </message>
+    <message>
+        <source>This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are reserved for the program.</source>
+        <translation>Αυτό το όνομα δεν επιτρέπεται. Χρησιμοποιήστε το πολύ %1 χαρακτήρες, χωρίς κόμματα και χωρίς κενά στα άκρα. Ορισμένα ονόματα είναι δεσμευμένα από το πρόγραμμα.</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::LoginScreen</name>
     <message>
         <source>Opening the site …</source>
@@ -9185,22 +9538,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Άτομα</translation>
     </message>
     <message>
-        <source>Everybody who has an account on this site.
-
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
-
-&quot;Import roster&quot; reads a CSV file with the columns name, display_name, roles and password, and first shows what will happen: either everybody in the file is added, or nobody.
-
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
-        <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
-
-Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
-
-Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV με τις στήλες name, display_name, roles και password και δείχνει πρώτα τι θα κάνει: προστίθενται όλοι ή κανείς.
-
-Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου.</translation>
-    </message>
-    <message>
         <source>Reading the list of people …</source>
         <translation>Ανάγνωση της λίστας ατόμων …</translation>
     </message>
@@ -9231,6 +9568,62 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Enable</source>
         <translation>Ενεργοποίηση</translation>
+    </message>
+    <message>
+        <source>Save a template for a roster</source>
+        <translation>Αποθήκευση προτύπου λίστας</translation>
+    </message>
+    <message>
+        <source>Edit name and login name</source>
+        <translation>Επεξεργασία ονόματος και ονόματος χρήστη</translation>
+    </message>
+    <message>
+        <source>roster</source>
+        <translation>lista</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>The template was saved to %1. Replace the example lines, save the file as CSV, then import it here.</source>
+        <translation>Το πρότυπο αποθηκεύτηκε στο %1. Αντικαταστήστε τις γραμμές-παραδείγματα, αποθηκεύστε το αρχείο ως CSV και μετά εισαγάγετέ το εδώ.</translation>
+    </message>
+    <message>
+        <source>The template was not saved.</source>
+        <translation>Το πρότυπο δεν αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
+
+&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
+
+&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
+
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
+        <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
+
+Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
+
+Η «Επεξεργασία» αλλάζει το όνομα ή το όνομα χρήστη ενός ατόμου· τα προηγούμενα μένουν στο ιστορικό.
+
+Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV όπως το αποθηκεύει ένα πρόγραμμα υπολογιστικών φύλλων, με επικεφαλίδες όπως Όνομα χρήστη, Πλήρες όνομα και Ρόλος (η «Αποθήκευση προτύπου» φτιάχνει ένα τέτοιο), και δείχνει πρώτα τι θα κάνει: γίνονται όλα όσα γράφει το αρχείο ή τίποτα. Για τα νέα άτομα δημιουργούνται κωδικοί πρόσβασης, που τυπώνονται σε σημειώματα.
+
+Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου.</translation>
+    </message>
+    <message>
+        <source>Save a template …</source>
+        <translation>Αποθήκευση προτύπου …</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Επεξεργασία</translation>
+    </message>
+    <message>
+        <source>Until %1: %2</source>
+        <translation>Έως %1: %2</translation>
     </message>
 </context>
 <context>
@@ -11347,6 +11740,16 @@ Details: %1</source>
         <source>%1 is still missing.</source>
         <translation>Το %1 εξακολουθεί να λείπει.</translation>
     </message>
+    <message>
+        <source>The key of this site is missing, too: %1. Without it no backup can be checked or restored. Put it back from a copy of the site&apos;s folder, then try again.</source>
+        <translation>Λείπει και το κλειδί αυτού του κέντρου: %1. Χωρίς αυτό κανένα αντίγραφο ασφαλείας δεν μπορεί να ελεγχθεί ή να επαναφερθεί. Επαναφέρετέ το από ένα αντίγραφο του φακέλου του κέντρου και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+        <source>This backup cannot be used.
+Details: %1</source>
+        <translation>Αυτό το αντίγραφο ασφαλείας δεν μπορεί να χρησιμοποιηθεί.
+Λεπτομέρειες: %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ResultsScreen</name>
@@ -11541,13 +11944,6 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
         <translation>Δεν ήταν δυνατή η σύγκριση της λίστας με τα άτομα του κέντρου.</translation>
     </message>
     <message numerus="yes">
-        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
-        <translation>
-            <numerusform>Θα προστεθεί %n άτομο. Πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
-            <numerusform>Θα προστεθούν %n άτομα. Καθένα πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Import %n people</source>
         <translation>
             <numerusform>Εισαγωγή %n ατόμου</numerusform>
@@ -11565,32 +11961,6 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
             <numerusform>και %n ακόμη</numerusform>
         </translation>
     </message>
-    <message>
-        <source>People in the list</source>
-        <translation>Άτομα στη λίστα</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Γραμμή</translation>
-    </message>
-    <message>
-        <source>Login name</source>
-        <translation>Όνομα χρήστη</translation>
-    </message>
-    <message>
-        <source>Full name</source>
-        <translation>Πλήρες όνομα</translation>
-    </message>
-    <message>
-        <source>Roles</source>
-        <translation>Ρόλοι</translation>
-    </message>
-    <message>
-        <source>Nobody was added.
-%1</source>
-        <translation>Δεν προστέθηκε κανείς.
-%1</translation>
-    </message>
     <message numerus="yes">
         <source>%n people were added.</source>
         <translation>
@@ -11598,12 +11968,49 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
             <numerusform>Προστέθηκαν %n άτομα.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>People who have an account already</source>
+        <translation>Άτομα που έχουν ήδη λογαριασμό</translation>
+    </message>
+    <message>
+        <source>Leave them as they are</source>
+        <translation>Να μείνουν ως έχουν</translation>
+    </message>
+    <message>
+        <source>Update full name and roles</source>
+        <translation>Ενημέρωση ονόματος και ρόλων</translation>
+    </message>
+    <message>
+        <source>Nothing can be imported from this file.</source>
+        <translation>Από αυτό το αρχείο δεν μπορεί να εισαχθεί τίποτα.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: the site needs at least one administrator who can log in, and the list would leave none.</source>
+        <translation>Δεν άλλαξε τίποτα: το κέντρο χρειάζεται τουλάχιστον έναν διαχειριστή που μπορεί να συνδεθεί, και η λίστα δεν θα άφηνε κανέναν.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.
+%1</source>
+        <translation>Δεν άλλαξε τίποτα.
+%1</translation>
+    </message>
     <message numerus="yes">
-        <source>Adding %n people …</source>
+        <source>Importing %n people …</source>
         <translation>
-            <numerusform>Προσθήκη %n ατόμου …</numerusform>
-            <numerusform>Προσθήκη %n ατόμων …</numerusform>
-        </translation>
+                <numerusform>Εισαγωγή %n ατόμου …</numerusform>
+                <numerusform>Εισαγωγή %n ατόμων …</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were updated.</source>
+        <translation>
+                <numerusform>Ενημερώθηκε %n άτομο.</numerusform>
+                <numerusform>Ενημερώθηκαν %n άτομα.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
+        <translation>Τα σημειώματα ούτε τυπώθηκαν ούτε αποθηκεύτηκαν. Αν κλείσετε ξανά αυτό το παράθυρο, οι κωδικοί πρόσβασης χάνονται· μετά μπορείτε μόνο να ορίσετε νέους, έναν έναν.</translation>
     </message>
 </context>
 <context>
@@ -12409,6 +12816,10 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
             <numerusform>%1: %n συνεδρίες με νέα σχόλια</numerusform>
         </translation>
     </message>
+    <message>
+        <source>My account</source>
+        <translation>Ο λογαριασμός μου</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SignedBar</name>
@@ -12442,6 +12853,75 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>Size: %1</source>
         <translation>Μέγεθος: %1</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SlipsPanel</name>
+    <message>
+        <source>These passwords are shown only now. The program keeps no readable copy: print or save the slips before you close this window.</source>
+        <translation>Αυτοί οι κωδικοί πρόσβασης εμφανίζονται μόνο τώρα. Το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο: τυπώστε ή αποθηκεύστε τα σημειώματα πριν κλείσετε αυτό το παράθυρο.</translation>
+    </message>
+    <message>
+        <source>Name of the site on the slips (may be left empty)</source>
+        <translation>Όνομα του κέντρου στα σημειώματα (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Print the slips …</source>
+        <translation>Εκτύπωση σημειωμάτων …</translation>
+    </message>
+    <message>
+        <source>Save as PDF …</source>
+        <translation>Αποθήκευση ως PDF …</translation>
+    </message>
+    <message>
+        <source>New people and their passwords</source>
+        <translation>Νέα άτομα και οι κωδικοί πρόσβασής τους</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Πλήρες όνομα</translation>
+    </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Login slips</source>
+        <translation>Σημειώματα σύνδεσης</translation>
+    </message>
+    <message>
+        <source>The slips were sent to the printer. Check the paper before you close this window.</source>
+        <translation>Τα σημειώματα στάλθηκαν στον εκτυπωτή. Ελέγξτε το χαρτί πριν κλείσετε αυτό το παράθυρο.</translation>
+    </message>
+    <message>
+        <source>The slips could not be printed. Choose another printer, or save them as PDF.</source>
+        <translation>Δεν ήταν δυνατή η εκτύπωση των σημειωμάτων. Επιλέξτε άλλον εκτυπωτή ή αποθηκεύστε τα ως PDF.</translation>
+    </message>
+    <message>
+        <source>Save the slips as PDF</source>
+        <translation>Αποθήκευση σημειωμάτων ως PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>login-slips</source>
+        <translation>simeiomata</translation>
+    </message>
+    <message>
+        <source>The slips were saved to %1, which only you can read. Delete the file once they are printed.</source>
+        <translation>Τα σημειώματα αποθηκεύτηκαν στο %1, που μόνο εσείς μπορείτε να διαβάσετε. Διαγράψτε το αρχείο μόλις τυπωθούν.</translation>
+    </message>
+    <message>
+        <source>The slips were not saved.
+%1</source>
+        <translation>Τα σημειώματα δεν αποθηκεύτηκαν.
+%1</translation>
     </message>
 </context>
 <context>
@@ -14185,6 +14665,10 @@ F2 is for the experimenter.</source>
     <message>
         <source>Feel for the highest point, and mark it.</source>
         <translation>Ψηλαφήστε για το υψηλότερο σημείο και σημειώστε το.</translation>
+    </message>
+    <message>
+        <source>Pilot run</source>
+        <translation>Πιλοτική δοκιμή</translation>
     </message>
 </context>
 <context>

@@ -26,16 +26,16 @@
     <message numerus="yes">
         <source>%n entr(y/ies) must be corrected. The first: %1</source>
         <translation>
-                <numerusform>%n entry must be corrected: %1</numerusform>
-                <numerusform>%n entries must be corrected. The first: %1</numerusform>
-            </translation>
+            <numerusform>%n entry must be corrected: %1</numerusform>
+            <numerusform>%n entries must be corrected. The first: %1</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Tried %n time(s).</source>
         <translation>
-                <numerusform>Tried %n time.</numerusform>
-                <numerusform>Tried %n times.</numerusform>
-            </translation>
+            <numerusform>Tried %n time.</numerusform>
+            <numerusform>Tried %n times.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -43,9 +43,9 @@
     <message numerus="yes">
         <source>%1, and %n for practice</source>
         <translation>
-                <numerusform>%1, and %n for practice</numerusform>
-                <numerusform>%1, and %n for practice</numerusform>
-            </translation>
+            <numerusform>%1, and %n for practice</numerusform>
+            <numerusform>%1, and %n for practice</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -53,71 +53,102 @@
     <message numerus="yes">
         <source>The study has %n part(s).</source>
         <translation>
-                <numerusform>The study has %n part.</numerusform>
-                <numerusform>The study has %n parts.</numerusform>
-            </translation>
+            <numerusform>The study has %n part.</numerusform>
+            <numerusform>The study has %n parts.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part has %n trial(s).</source>
         <translation>
-                <numerusform>Each part has %n trial.</numerusform>
-                <numerusform>Each part has %n trials.</numerusform>
-            </translation>
+            <numerusform>Each part has %n trial.</numerusform>
+            <numerusform>Each part has %n trials.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part has at most %n trial(s).</source>
         <translation>
-                <numerusform>Each part has at most %n trial.</numerusform>
-                <numerusform>Each part has at most %n trials.</numerusform>
-            </translation>
+            <numerusform>Each part has at most %n trial.</numerusform>
+            <numerusform>Each part has at most %n trials.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are %n trial(s).</source>
         <translation>
-                <numerusform>There is %n trial.</numerusform>
-                <numerusform>There are %n trials.</numerusform>
-            </translation>
+            <numerusform>There is %n trial.</numerusform>
+            <numerusform>There are %n trials.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>There are at most %n trial(s).</source>
         <translation>
-                <numerusform>There is at most %n trial.</numerusform>
-                <numerusform>There are at most %n trials.</numerusform>
-            </translation>
+            <numerusform>There is at most %n trial.</numerusform>
+            <numerusform>There are at most %n trials.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After every %n trial(s) there is a break</source>
         <translation>
-                <numerusform>After every %n trial there is a break</numerusform>
-                <numerusform>After every %n trials there is a break</numerusform>
-            </translation>
+            <numerusform>After every %n trial there is a break</numerusform>
+            <numerusform>After every %n trials there is a break</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Before the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>Before the trials you answer %n question.</numerusform>
-                <numerusform>Before the trials you answer %n questions.</numerusform>
-            </translation>
+            <numerusform>Before the trials you answer %n question.</numerusform>
+            <numerusform>Before the trials you answer %n questions.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s).</source>
         <translation>
-                <numerusform>After the trials you answer %n question.</numerusform>
-                <numerusform>After the trials you answer %n questions.</numerusform>
-            </translation>
+            <numerusform>After the trials you answer %n question.</numerusform>
+            <numerusform>After the trials you answer %n questions.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Each part begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Each part begins with %n practice trial, which does not count.</numerusform>
-                <numerusform>Each part begins with %n practice trials, which do not count.</numerusform>
-            </translation>
+            <numerusform>Each part begins with %n practice trial, which does not count.</numerusform>
+            <numerusform>Each part begins with %n practice trials, which do not count.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>It begins with %n practice trial, which does not count.</numerusform>
-                <numerusform>It begins with %n practice trials, which do not count.</numerusform>
+            <numerusform>It begins with %n practice trial, which does not count.</numerusform>
+            <numerusform>It begins with %n practice trials, which do not count.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RosterWords</name>
+    <message numerus="yes">
+        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
+        <translation>
+                <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
+                <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would be updated; their passwords remain valid.</source>
+        <translation>
+                <numerusform>%n person would be updated; their password remains valid.</numerusform>
+                <numerusform>%n people would be updated; their passwords remain valid.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people have an account already and would be left as they are.</source>
+        <translation>
+                <numerusform>%n person has an account already and would be left as it is.</numerusform>
+                <numerusform>%n people have an account already and would be left as they are.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
+        <translation>
+                <numerusform>%n password would be made. It is shown once, right after the import, to be printed as a slip.</numerusform>
+                <numerusform>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</numerusform>
             </translation>
     </message>
 </context>
@@ -371,16 +402,16 @@
     <message numerus="yes">
         <source>%n trial(s) that count</source>
         <translation>
-                <numerusform>%n trial that counts</numerusform>
-                <numerusform>%n trials that count</numerusform>
-            </translation>
+            <numerusform>%n trial that counts</numerusform>
+            <numerusform>%n trials that count</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n repeated</source>
         <translation>
-                <numerusform>%n repeated</numerusform>
-                <numerusform>%n repeated</numerusform>
-            </translation>
+            <numerusform>%n repeated</numerusform>
+            <numerusform>%n repeated</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -530,9 +561,9 @@
     <message numerus="yes">
         <source>standard error of the bias of %n participant(s), if they do not differ</source>
         <translation>
-                <numerusform>standard error of the bias of %n participant</numerusform>
-                <numerusform>standard error of the bias of %n participants, if they do not differ</numerusform>
-            </translation>
+            <numerusform>standard error of the bias of %n participant</numerusform>
+            <numerusform>standard error of the bias of %n participants, if they do not differ</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -579,13 +610,6 @@
 <context>
     <name>chiron::desktop::RosterDialog</name>
     <message numerus="yes">
-        <source>%n people would be added. Each must choose a password of their own at the first login.</source>
-        <translation>
-            <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
-            <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Import %n people</source>
         <translation>
             <numerusform>Import %n person</numerusform>
@@ -607,11 +631,18 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Adding %n people …</source>
+        <source>Importing %n people …</source>
         <translation>
-            <numerusform>Adding %n person …</numerusform>
-            <numerusform>Adding %n people …</numerusform>
-        </translation>
+                <numerusform>Importing %n person …</numerusform>
+                <numerusform>Importing %n people …</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people were updated.</source>
+        <translation>
+                <numerusform>%n person was updated.</numerusform>
+                <numerusform>%n people were updated.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -683,9 +714,9 @@
     <message numerus="yes">
         <source>Not saved yet: %n entr(y/ies) must be corrected first. %1</source>
         <translation>
-                <numerusform>Not saved yet: %n entry must be corrected first. %1</numerusform>
-                <numerusform>Not saved yet: %n entries must be corrected first. %1</numerusform>
-            </translation>
+            <numerusform>Not saved yet: %n entry must be corrected first. %1</numerusform>
+            <numerusform>Not saved yet: %n entries must be corrected first. %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,10 @@ RestoreScreen::RestoreScreen(AppContext& context, const Place& place) : Screen(c
     m_panel->setContent(buildTable());
     m_panel->setMinimumHeight(theme.px(220));
     box.layout->addWidget(m_panel);
+    m_reason = kit::label(theme, {}, TextStyle::body, "bad");
+    m_reason->setObjectName(QStringLiteral("restore.reason"));
+    m_reason->hide();
+    box.layout->addWidget(m_reason);
     addActions(*box.layout);
     m_page->column()->addWidget(box.frame);
     m_page->column()->addStretch();
@@ -100,6 +104,14 @@ void RestoreScreen::addHead(QVBoxLayout& column) {
     auto* notice = kit::notice(theme, "bad", words);
     notice->setObjectName(QStringLiteral("restore.notice"));
     column.addWidget(notice);
+    const QString key = QString::fromStdString(database::siteFolderFor(context().site().file().toStdString(), context().site().options())) +
+                        QStringLiteral("/site.key");
+    if (!QFileInfo::exists(key)) {
+        auto* lost = kit::notice(theme, "warning", tr("The key of this site is missing, too: %1. Without it no backup can be checked or restored. Put it "
+                                                      "back from a copy of the site's folder, then try again.").arg(kit::breakablePath(key)));
+        lost->setObjectName(QStringLiteral("restore.key"));
+        column.addWidget(lost);
+    }
     if (const QString detail = place().parameters.value(kDetail).toString(); !detail.isEmpty() && !isMissing()) {
         auto* found = kit::label(theme, tr("Details: %1").arg(detail), TextStyle::small, "muted");
         found->setObjectName(QStringLiteral("restore.detail"));
@@ -210,6 +222,7 @@ void RestoreScreen::show(std::vector<session::BackupEntry> backups) {
 void RestoreScreen::put(std::size_t row, Look look, const QString& why) {
     const Theme& theme = context().theme();
     m_looks[m_backups[row].folder] = look;
+    m_why[m_backups[row].folder] = why;
     auto* item = look == Look::waiting ? new QTableWidgetItem(tr("Being checked …"))
                  : look == Look::whole ? new QTableWidgetItem(theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good), tr("Intact"))
                                        : new QTableWidgetItem(theme.icon(QStringLiteral("dialog-error"), Colour::bad), tr("Cannot be used"));
@@ -267,6 +280,9 @@ void RestoreScreen::showButtons() {
     const bool usable = backup && m_looks[backup->folder] != Look::unusable;
     kit::allowUnless(*m_restore, !backup ? tr("No backup is selected.") : usable ? QString() : tr("This backup cannot be used."));
     m_restore->setEnabled(m_restore->isEnabled() && !m_restoring);
+    m_reason->setVisible(backup && !usable);
+    if (backup && !usable)
+        m_reason->setText(tr("This backup cannot be used.\nDetails: %1").arg(m_why[backup->folder]));
     for (QPushButton* button : {m_choose, m_again, m_anew})
         if (button)
             button->setEnabled(!m_restoring);

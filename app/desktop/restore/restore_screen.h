@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+class QLabel;
 class QPushButton;
 class QTableWidget;
 class QVBoxLayout;
@@ -66,12 +67,14 @@ private:
     ScrollPage* m_page;
     StatePanel* m_panel = nullptr;
     QTableWidget* m_table = nullptr;
+    QLabel* m_reason = nullptr; ///< why the selected one cannot be used
     QPushButton* m_restore = nullptr;
     QPushButton* m_choose = nullptr;
     QPushButton* m_again = nullptr;
     QPushButton* m_anew = nullptr; ///< where the file is missing
     std::vector<session::BackupEntry> m_backups;
-    std::map<std::string, Look> m_looks; ///< by folder
+    std::map<std::string, Look> m_looks;  ///< by folder
+    std::map<std::string, QString> m_why; ///< the unusable ones', by folder
     bool m_restoring = false;
 };
 

@@ -207,11 +207,12 @@ QCheckBox* FieldGrid::check(const QString& label, const QString& name, bool valu
     return field;
 }
 
-QLineEdit* FieldGrid::text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken) {
+QLineEdit* FieldGrid::text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken, bool wholeWidth) {
     auto* field = new QLineEdit(value);
     field->setReadOnly(m_readOnly);
     connect(field, &QLineEdit::textEdited, this, [taken = std::move(taken)](const QString& now) { taken(now); });
-    add(label, field, name);
+    field->setCursorPosition(0);
+    add(label, field, name, wholeWidth);
     return field;
 }
 

@@ -55,7 +55,7 @@ public:
     QComboBox* choice(const QString& label, const QString& name, const std::vector<std::pair<QString, QVariant>>& choices, const QVariant& chosen,
                       std::function<void(const QVariant&)> taken);
     QCheckBox* check(const QString& label, const QString& name, bool value, std::function<void(bool)> taken);
-    QLineEdit* text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken);
+    QLineEdit* text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken, bool wholeWidth = false);
     /// Several lines, over the whole width.
     QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines, std::function<void(const QString&)> taken);
     /// Numbers in a line, as number_list.h reads them; what is no number is a fault of the field, and nothing is taken. Over the whole width.

@@ -64,7 +64,7 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     addAim(*grid, page);
     grid->text(tr("Source of the design"), QStringLiteral("design.source"), QString::fromStdString(draft.design().source), [&draft](const QString& now) {
         draft.change(GeneralPage::tr("Source of the design"), QStringLiteral("design.source"), [&](StudyDesign& design) { design.source = now.trimmed().toStdString(); });
-    });
+    }, true);
     grid->explain(QStringLiteral("design.source"), tr("Where the design was published, with its DOI; empty for a design of your own."));
     box.layout->addWidget(grid);
     return box.frame;
@@ -90,7 +90,7 @@ QWidget* GeneralPage::ethicsBox(const DesignPage& page) {
     StudyDraft& draft = page.draft;
     grid->text(tr("Ethics approval"), QStringLiteral("design.ethics"), QString::fromStdString(draft.design().ethics), [&draft](const QString& now) {
         draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"), [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
-    });
+    }, true);
     grid->explain(QStringLiteral("design.ethics"), tr("The committee with the number and date of its approval, or why none is needed. It is frozen with the study."));
     addStudyText(*grid, page, tr("Consent text"), QStringLiteral("design.consent"), 5, [](StudyDesign& design) -> StudyText& { return design.consent; });
     grid->explain(QStringLiteral("design.consent"), tr("What participants agree to before their first trial. The text that was shown is stored with each consent."));

@@ -127,8 +127,14 @@ void StudyScreen::build() {
     m_page = nullptr;
     auto* row = new ResponsiveRow(context().theme().px(kBeside_px), context().theme().px(16));
     row->add(holder, 5);
-    if (!m_open.masked)
-        row->add(new ParticipantCard(designPage()), 2);
+    if (!m_open.masked) {
+        auto* beside = new QWidget; // the card is no higher than its words
+        auto* cards = new QVBoxLayout(beside);
+        cards->setContentsMargins(0, 0, 0, 0);
+        cards->addWidget(new ParticipantCard(designPage()));
+        cards->addStretch();
+        row->add(beside, 2);
+    }
     column->addWidget(row, 1);
     if (m_open.editable())
         column->addWidget(stepRow());

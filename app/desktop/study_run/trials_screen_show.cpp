@@ -23,9 +23,10 @@ using State = session::LiveStudyView::State;
 void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
     m_progress->setVisible(view.ofAtMost > 0);
-    m_note->setText(view.state == State::trying ? tr("Participant %1 · free minute").arg(m_participant)
-                    : view.practice            ? tr("Participant %1 · practice").arg(m_participant)
-                                               : tr("Participant %1").arg(m_participant));
+    const QString pilot = m_live->design().pilotOf.empty() ? QString() : tr("Pilot run") + QStringLiteral(" · ");
+    m_note->setText(pilot + (view.state == State::trying ? tr("Participant %1 · free minute").arg(m_participant)
+                             : view.practice            ? tr("Participant %1 · practice").arg(m_participant)
+                                                        : tr("Participant %1").arg(m_participant)));
     const bool changed = view.state != m_state;
     m_state = view.state;
     const bool scene = view.state == State::trying || view.state == State::coming || view.state == State::arming || view.state == State::exploring || view.state == State::answering ||

@@ -18,7 +18,6 @@ using core::TrialPhase;
 
 namespace {
 constexpr double kFeedback_s = 2.0; // a distance takes longer to read than "right"
-constexpr double kPracticeFeedback_s = 4.0; // as LiveStudy's
 constexpr int kTriedSpheres = 10; // more than anybody marks in a minute
 constexpr std::uint64_t kSummarySeed = 1; // of intervals alone
 } // namespace

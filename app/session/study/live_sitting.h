@@ -68,6 +68,9 @@ struct LiveStudyView {
     double adjusted = 0.0;      ///< adjustment: 0..1, where the level stands on its table
 };
 
+/// Feedback in practice: long enough to see that one was mistaken, and to take the answer back.
+inline constexpr double kPracticeFeedback_s = 4.0;
+
 /// What the experimenter sees beside it.
 struct LiveStudyNumbers {
     std::string condition;   ///< id; the sealed code where the experimenter is blind

@@ -16,7 +16,6 @@ using core::TrialPhase;
 
 namespace {
 constexpr double kFeedback_s = 1.2;
-constexpr double kPracticeFeedback_s = 4.0; // long enough to see that one was mistaken, and to take it back
 constexpr double kStopPatience_s = 2.0;
 } // namespace
 

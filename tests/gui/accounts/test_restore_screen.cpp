@@ -118,6 +118,7 @@ private slots:
     void aMissingSiteMayBeBegunAnew();
     void aWrongPasswordChangesNothing();
     void aDamagedBackupIsMarkedAndRefused();
+    void aLostKeyIsTold();
     void withoutBackupsAFileIsChosen();
     void whatIsNoBackupIsTold();
     void aFolderThatCannotBeWrittenIsTold();
@@ -214,8 +215,21 @@ void TestRestoreScreen::aDamagedBackupIsMarkedAndRefused() {
     QVERIFY(!table->item(bad, 4)->toolTip().isEmpty());
     table->selectRow(bad);
     QVERIFY(!lost.find<QPushButton>("restore.restore")->isEnabled());
+    QVERIFY(lost.find<QLabel>("restore.reason")->isVisible() && lost.find<QLabel>("restore.reason")->text().contains(QStringLiteral("chiron.db")));
     table->selectRow(1 - bad);
+    QVERIFY(!lost.find<QLabel>("restore.reason")->isVisible() && !lost.find<QFrame>("restore.key"));
     QVERIFY(lost.find<QPushButton>("restore.restore")->isEnabled());
+}
+
+void TestRestoreScreen::aLostKeyIsTold() {
+    LostSite lost;
+    QVERIFY(damage(lost.file(), QStringLiteral("cut off")));
+    QVERIFY(QFile::remove(lost.file() + QStringLiteral(".site/site.key")));
+    lost.start();
+    QVERIFY(lost.screen());
+    QVERIFY(lost.find<QFrame>("restore.key"));
+    QTRY_COMPARE(lost.state(0), QStringLiteral("Cannot be used"));
+    QTRY_COMPARE(lost.state(1), QStringLiteral("Cannot be used"));
 }
 
 void TestRestoreScreen::withoutBackupsAFileIsChosen() {

@@ -4,12 +4,15 @@
 #include "desktop/widgets/state_panel.h"
 #include "support/desktop_fixture.h"
 
+#include <QCheckBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSemaphore>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableWidget>
 #include <QThread>
 
@@ -50,6 +53,15 @@ QString noticeOf(QWidget* parent, const char* name) {
     auto* frame = parent->findChild<QFrame*>(QLatin1String(name));
     auto* words = frame ? frame->findChild<QLabel*>(QStringLiteral("notice.text")) : nullptr;
     return words ? words->text() : QString();
+}
+
+} // namespace
+
+namespace {
+
+database::BackupPlan planOf(DesktopFixture& desktop) {
+    auto reader = desktop.database().openReader();
+    return database::Upkeep::backupStanding(**reader, database::Actor::maintenance()).value().plan;
 }
 
 } // namespace
@@ -107,6 +119,67 @@ private slots:
         later->release(workers);
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience_ms);
         QVERIFY(noticeOf(screen, "storage.report").contains(QStringLiteral("stopped")));
+    }
+
+    void automaticBackupsAreSetHere() {
+        DesktopFixture desktop;
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen);
+        QVERIFY(noticeOf(screen, "storage.automatic_notice").startsWith(QStringLiteral("The first automatic backup")));
+        QVERIFY(noticeOf(screen, "storage.same_disk").contains(QStringLiteral("same disk"))); // beside the site, as long as nobody chose
+        auto* on = screen->findChild<QCheckBox*>(QStringLiteral("storage.automatic"));
+        auto* keep = screen->findChild<QSpinBox*>(QStringLiteral("storage.keep"));
+        QVERIFY(on->isChecked() && keep->value() == 14);
+        keep->setValue(3);
+        QTRY_COMPARE(planOf(desktop).keep, 3);
+        QTRY_VERIFY(desktop.context.background().idle());
+        screen->findChild<QPushButton*>(QStringLiteral("storage.choose"))->click();
+        auto* dialog = screen->findChild<QFileDialog*>();
+        const QString elsewhere = desktop.folder() + QStringLiteral("/elsewhere");
+        emit dialog->fileSelected(elsewhere);
+        dialog->close();
+        QTRY_COMPARE(planOf(desktop).folder, elsewhere.toStdString());
+        QCOMPARE(desktop.settings.backupFolder(), elsewhere); // where the site cannot be opened, the station knows it
+        QTRY_VERIFY(desktop.context.background().idle());
+        on->click();
+        QTRY_VERIFY(!planOf(desktop).on);
+        QVERIFY(planOf(desktop) == (database::BackupPlan{false, elsewhere.toStdString(), 3}));
+        QTRY_VERIFY(noticeOf(screen, "storage.automatic_notice").startsWith(QStringLiteral("Automatic backups are off")));
+        QVERIFY(!keep->isEnabled());
+    }
+
+    void howTheScheduleGoesIsTold() {
+        DesktopFixture desktop;
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen);
+        const database::Actor program = database::Actor::maintenance();
+        const auto make = [&](const QString& place) {
+            const auto done = database::Upkeep::dailyBackup(desktop.database(), program, place.toStdString(), 14);
+            emit desktop.context.backupEnded();
+            return done.has_value();
+        };
+        QVERIFY(make(desktop.folder() + QStringLiteral("/backups")));
+        auto* table = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"));
+        QTRY_COMPARE(table->rowCount(), 1);
+        QCOMPARE(table->item(0, 4)->text(), QStringLiteral("Automatic"));
+        const QString told = noticeOf(screen, "storage.automatic_notice");
+        QVERIFY2(told.contains(QStringLiteral("made and checked")) &&
+                     told.contains(desktop.context.locale().toString(QDate::currentDate(), QLocale::ShortFormat)), qPrintable(told));
+        QVERIFY(!make(QStringLiteral("/proc/chiron/backups")));
+        QTRY_VERIFY(noticeOf(screen, "storage.automatic_notice").contains(QStringLiteral("/proc/chiron")));
+        desktop.go(QStringLiteral("home")); // and where the administrator begins
+        const auto saysSo = [&desktop] {
+            for (const QLabel* label : desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text")))
+                if (label->text().contains(QStringLiteral("was not made")))
+                    return true;
+            return false;
+        };
+        QTRY_VERIFY(saysSo());
+        QVERIFY(make(desktop.folder() + QStringLiteral("/backups")));
+        desktop.go(QStringLiteral("storage"));
+        desktop.go(QStringLiteral("home"));
+        QTRY_VERIFY(desktop.context.background().idle());
+        QVERIFY(!saysSo());
     }
 
     void goesBackToABackup() {

@@ -2,6 +2,7 @@
 // What a participant sees and can do, and what only the experimenter can: the card and the free minute before anything counts, answers only when
 // they are possible, practice taken back, the neutral end, the way to the experimenter's desk; and what happens half-way.
 #include "desktop/study_run/answer_panel.h"
+#include "desktop/study_run/asked_sitting.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"
@@ -40,6 +41,8 @@ private slots:
     void practiceIsTakenBack();
     void theDeskTakesThePassword();
     void whoLeavesMidTrialSeesTheNeutralEnd();
+    void aPilotIsNamed();
+    void whoWasAskedForSitsDownAfterTheLogin();
     void anOpenStudyAsksForNoPassword();
     void aSecondScreenIsTheParticipants();
     void anUnpluggedScreenBringsThePageBack();
@@ -276,6 +279,38 @@ void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
     QVERIFY(tests::typePassword(*m_site));
     QTRY_COMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_run"));
     QCOMPARE(stored().back().spoiled, std::string("stopped")); // nothing was lost, and it comes again
+}
+
+void TestParticipantPage::aPilotIsNamed() {
+    for (const bool pilot : {true, false}) {
+        prepare(pilot ? "named_pilot" : "named", [pilot](psychophysics::StudyDesign& design) { design.pilotOf = pilot ? "draft" : ""; });
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen && tests::beginTrials(screen));
+        QVERIFY(canAnswer(screen));
+        QCOMPARE(page(screen)->findChild<QLabel*>(QStringLiteral("trials.note"))->text().startsWith(QStringLiteral("Pilot run")), pilot);
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+}
+
+/// `chiron --study KEY --person CODE`.
+void TestParticipantPage::whoWasAskedForSitsDownAfterTheLogin() {
+    prepare("asked");
+    const QString code = QString::fromStdString(m_participant.code);
+    m_site->context.logOutNow();
+    desktop::followAskedSitting(m_site->context, {QStringLiteral("asked"), code});
+    QVERIFY(!m_site->screen<desktop::TrialsScreen>()); // nobody is logged in
+    m_site->logIn("rhea");
+    QTRY_VERIFY(m_site->screen<desktop::TrialsScreen>());
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), code);
+    QTRY_VERIFY(m_site->screen<desktop::TrialsScreen>()->live());
+    QVERIFY(tests::stopSitting(*m_site, m_site->screen<desktop::TrialsScreen>()));
+
+    m_site->context.logOutNow();
+    QStringList told;
+    connect(&m_site->context.messages(), &desktop::Messages::told, this, [&told](const desktop::Message& message) { told << message.text; });
+    desktop::followAskedSitting(m_site->context, {QStringLiteral("no_such_study"), code});
+    m_site->logIn("rhea");
+    QTRY_VERIFY2(told.join(QLatin1Char('|')).contains(QStringLiteral("The study no_such_study could not be opened.")), qPrintable(told.join(QLatin1Char('|'))));
 }
 
 void TestParticipantPage::anOpenStudyAsksForNoPassword() {

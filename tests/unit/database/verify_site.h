@@ -19,13 +19,14 @@ inline bool has(const database::VerifyReport& report, const std::string& kind, c
 }
 
 /// Two studies: in the first one run is open and one (3 trials) has ended, one participant answered and one is erased.
-inline core::Result<void> addStudies(DatabaseFixture& f, const database::Actor& ada) {
+/// The open run.
+inline core::Result<database::StudyRunNumber> addStudies(DatabaseFixture& f, const database::Actor& ada) {
     using namespace database;
     const auto made = makeStudies(*f.database, ada, "site");
     if (!made) {
         return tl::unexpected(made.error());
     }
-    const auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
+    auto done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         StudyRepository studies(w.connection(), ada);
         const auto run = studies.beginRun({made->ready, codeOf(w.connection(), made->frozen, "soft"), 0, 5, "descending@1"});
         auto good = run ? core::Result<void>() : tl::unexpected(run.error());
@@ -37,7 +38,8 @@ inline core::Result<void> addStudies(DatabaseFixture& f, const database::Actor& 
                                                          {made->ready, "face", "remarks", {}, "soft as butter", ""}})
                     : good;
     });
-    return done ? AccountService(*f.database).eraseParticipant(ada, kPassword, made->withdrawn, "wish") : done;
+    done = done ? AccountService(*f.database).eraseParticipant(ada, kPassword, made->withdrawn, "wish") : done;
+    return done ? core::Result<StudyRunNumber>(made->run) : tl::unexpected(done.error());
 }
 
 /// A closed site with something in every table: three sessions (14 chunks, 12 scores), one voided and
@@ -49,8 +51,14 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     if (!ada) {
         return tl::unexpected(ada.error());
     }
+    const auto open = addStudies(f, *ada);
+    if (!open) {
+        return tl::unexpected(open.error());
+    }
+    NewSession sitting = someSession();
+    sitting.studyRun = *open;
     const auto first = storeSession(*f.database, Actor::simulated(), 6, 9000);
-    const auto second = storeSession(*f.database, *ada, 5, 5000);
+    const auto second = storeSession(*f.database, *ada, 5, 5000, sitting);
     const auto third = storeSession(*f.database, Actor::simulated(), 3);
     if (!first || !second || !third) {
         return core::fail(core::ErrorCode::storage, "a session could not be stored");
@@ -65,7 +73,7 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     if (!done || !tim) {
         return done ? core::Result<void>(tl::unexpected(tim.error())) : done;
     }
-    done = addStudies(f, *ada);
+    done = AccountService(*f.database).changeNames(*ada, tim->personId(), "timothy", "Timothy");
     done = done ? AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", true) : done;
     f.database.reset(); // into one file
     return done;
