@@ -41,8 +41,8 @@ Screen* make(AppContext& context, const Place& place) {
 const std::vector<ScreenEntry>& screenCatalogue() {
     using enum database::Role;
     static const std::vector<database::Role> everybody{trainee, trainer, researcher, admin};
-    // Ids of screens to come, so that places can already name them: first_start, login, home, exercise_setup {exercise, level},
-    // training {plan}, debrief {session}, playback {session, at_s, ghost}, restore {missing, detail}, results, sessions, people, storage, station.
+    // Parameters of their places: exercise_setup {exercise, level},
+    // training {plan}, debrief {session}, playback {session, at_s, ghost}, restore {missing, detail}.
     static const std::vector<ScreenEntry> entries{
         {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},

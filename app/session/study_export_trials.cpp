@@ -74,7 +74,7 @@ std::vector<ExportColumn> fidelityColumns() {
                                       {"peak_force", "N", "largest force; of a shown trial the tissue's; n/a while blinded"},
                                       {"mean_speed", "m/s", "of the tool over the whole presentation, in contact or not"},
                                       {"contacts", "1", "number of contacts"},
-                                      {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate; a limit for stiffness, mass and viscosity, told for friction, n/a for the others"}};
+                                      {"rendering_error", "1", "largest |rendered/asked - 1| of places with a usable estimate; a limit for stiffness, mass, viscosity and friction, n/a for the others"}};
     for (int place = 1; place <= kPlaces; ++place) {
         const QString end = QStringLiteral("_%1").arg(place);
         columns.push_back({"rendered" + end, "SI", QStringLiteral("the attribute as rendered at place %1, by regression of force on motion; n/a while blinded").arg(place)});

@@ -262,6 +262,14 @@ void TestCliStudy::draftIsFrozenByAResearcher() {
     const QString person = refusalFault(as("a_researcher", {"study", "run", "tube_trial", "--participant", code, "--observer", "weber:0.1", "--quick"}), 2, {"a person"});
     QVERIFY2(person.isEmpty(), qPrintable(person));
     QVERIFY(object(runCli({"study", "list", "--database", database, "--json"}))["studies"].toArray().isEmpty()); // of people: not without --as
+    const QStringList erase{"study", "erase", "tube_trial", "--participant", code, "--reason", "wish"};
+    const QString early_erasure = refusalFault(as("alice", erase), 2, {"withdraw"});
+    QVERIFY2(early_erasure.isEmpty(), qPrintable(early_erasure));
+    QCOMPARE(object(as("a_researcher", {"study", "withdraw", "tube_trial", "--participant", code, "--erase-recordings"}))["state"].toString(), QStringLiteral("withdrawn"));
+    QVERIFY(as("a_researcher", erase).exitCode != 0); // an administrator's
+    const QJsonObject erased = object(as("alice", erase));
+    QCOMPARE(erased, (QJsonObject{{"participant", code}, {"erased", true}, {"reason", "wish"}, {"recordings_withdrawn", true}}));
+    QVERIFY(object(as("a_researcher", {"study", "key", "tube_trial"}))["participants"].toArray().isEmpty());
     QCOMPARE(object(as("a_researcher", {"study", "close", "tube_trial"}))["state"].toString(), QStringLiteral("closed"));
 }
 

@@ -53,6 +53,8 @@ std::vector<CommandSpec> studyCommands() {
                 {kParticipant, {"language", "CODE", "of the text that was shown; default: en"}}),
             row("withdraw", "a participant takes no further part", "3 --participant K7M-4QX --as rosa", withdrawParticipant,
                 {kParticipant, {"erase-recordings", {}, "the participant wants the recordings erased, too (an administrator does it)"}}),
+            row("erase", "overwrite who a withdrawn participant was; cannot be undone; the administrator's password confirms it", "3 --participant K7M-4QX --reason \"asked to be forgotten\" --as alice", eraseParticipant,
+                {kParticipant, {"reason", "TEXT", "why, kept in the tombstone", true}}),
             row("unblind", "conditions go by their names from now on, for ever; warns of people who are still to come", "3 --reason \"all participants are done\" --as rosa", unblindStudy,
                 {{"reason", "TEXT", "why, without names: it is kept in the audit", true}}),
             row("close", "no more participants and runs", "3 --as rosa", closeStudy),

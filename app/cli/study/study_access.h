@@ -54,6 +54,7 @@ core::Result<CommandOutput> unblindStudy(const Arguments& arguments);
 core::Result<CommandOutput> enrolParticipant(const Arguments& arguments);
 core::Result<CommandOutput> consentOf(const Arguments& arguments);
 core::Result<CommandOutput> withdrawParticipant(const Arguments& arguments);
+core::Result<CommandOutput> eraseParticipant(const Arguments& arguments);
 core::Result<CommandOutput> studyKey(const Arguments& arguments);
 core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments);
 core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments);

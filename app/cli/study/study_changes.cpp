@@ -5,6 +5,7 @@
 #include "cli/study/study_access.h"
 #include "cli/study/study_file.h"
 #include "cli/text_table.h"
+#include "database/accounts/account_service.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/people_to_come.h"
 
@@ -182,6 +183,25 @@ core::Result<CommandOutput> withdrawParticipant(const Arguments& arguments) {
     return changeParticipant(arguments, [&](database::StudyRepository repository, const StudySite&, const database::Participant& participant) {
         return repository.withdrawParticipant(participant.id, erase);
     });
+}
+
+core::Result<CommandOutput> eraseParticipant(const Arguments& arguments) {
+    auto study = openStudy(arguments, Opening::forWriting);
+    if (!study)
+        return tl::unexpected(study.error());
+    const auto participant = participantOf(arguments, *study);
+    if (!participant)
+        return tl::unexpected(participant.error());
+    const QString reason = arguments.value(QStringLiteral("reason"));
+    const auto done = database::AccountService(*study->site.database).eraseParticipant(study->site.actor, study->site.secrets[0], participant->id, reason.toStdString());
+    if (!done)
+        return tl::unexpected(done.error());
+    const QJsonObject json{{"participant", text(participant->code)}, {"erased", true}, {"reason", reason}, {"recordings_withdrawn", participant->recordingsToErase}};
+    return CommandOutput{QJsonDocument(json),
+                         QStringLiteral("%1 is erased: identity and free answers are overwritten%2; runs and trials stay under the code.\n"
+                                        "Backups and copies made before still hold them until they are deleted; a restore erases them again.\n")
+                             .arg(text(participant->code), participant->recordingsToErase ? QStringLiteral(", recordings too") : QString()),
+                         0};
 }
 
 core::Result<CommandOutput> studyKey(const Arguments& arguments) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/metrics_table.h"
 
-#include "desktop/plots/fitted_table.h"
+#include "desktop/debrief/meaning_table.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/report_text.h"
@@ -9,28 +9,19 @@
 namespace chiron::desktop {
 
 MetricsTable::MetricsTable(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale, QWidget* parent)
-    : QWidget(parent), m_table(new FittedTable(theme, 5)) {
+    : QWidget(parent), m_table(new MeaningTable(theme, 5)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(theme.px(8));
     m_table->setObjectName(QStringLiteral("debrief.metrics"));
     m_table->setAccessibleName(tr("All metrics"));
     m_table->setHorizontalHeaderLabels({tr("Metric"), tr("Value"), tr("Pass mark"), tr("Benchmark, chance"), tr("Result")});
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     fill(theme, rows, locale);
-    m_meaning = kit::label(theme, tr("Choose a row to read what it means."), TextStyle::small, "muted");
-    m_meaning->setObjectName(QStringLiteral("debrief.meaning"));
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
-        if (const QTableWidgetItem* item = m_table->item(row, 0))
-            m_meaning->setText(tr("%1: %2").arg(item->text(), item->toolTip()));
-    });
+    m_table->hideEmptyColumns();
     column->addWidget(m_table);
-    column->addWidget(m_meaning);
 }
 
 void MetricsTable::put(int row, int column, const QString& text, const QString& meaning) {
     auto* item = new QTableWidgetItem(text);
-    item->setToolTip(meaning);
     item->setData(Qt::AccessibleDescriptionRole, meaning);
     if (column == 1)
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -52,7 +43,6 @@ void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>
             m_table->item(i, 4)->setIcon(*row.passed ? theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good)
                                                      : theme.icon(QStringLiteral("dialog-close"), Colour::bad));
     }
-    m_table->setRowsSeen(static_cast<int>(rows.size()));
 }
 
 } // namespace chiron::desktop

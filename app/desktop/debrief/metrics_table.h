@@ -8,14 +8,12 @@
 #include <QWidget>
 #include <vector>
 
-class QLabel;
-
 namespace chiron::desktop {
 
-class FittedTable;
+class MeaningTable;
 
-/// Every metric of a session with value, unit, pass mark and benchmark; what a metric means is said below for the row that has the
-/// focus, and as a tool tip. GUI thread.
+/// Every metric of a session with value, unit, pass mark and benchmark; what a metric means stands below its title. Columns in which no
+/// metric has anything are left out. GUI thread.
 class MetricsTable : public QWidget {
     Q_OBJECT
 public:
@@ -25,8 +23,7 @@ private:
     void fill(const Theme& theme, const std::vector<report::MetricRow>& rows, const QLocale& locale);
     void put(int row, int column, const QString& text, const QString& meaning);
 
-    FittedTable* m_table;
-    QLabel* m_meaning;
+    MeaningTable* m_table;
 };
 
 } // namespace chiron::desktop

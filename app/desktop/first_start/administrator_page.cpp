@@ -19,7 +19,7 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     column->addWidget(kit::label(theme, tr("The first person is an administrator, who adds people, makes backups and may train as well."),
                                  TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("first_start.name"));
-    m_nameRule = kit::label(theme, tr("A short name without commas, such as \"ada\". It cannot be changed later."), TextStyle::small, "muted");
+    m_nameRule = kit::label(theme, tr("A short name without commas, such as \"ada\"."), TextStyle::small, "muted");
     column->addWidget(m_nameRule);
     m_displayName = form::textField(theme, column, tr("Full name (may be left empty)"), QStringLiteral("first_start.display_name"));
     m_passwords = new PasswordFields(theme, QStringLiteral("first_start"));
@@ -58,7 +58,7 @@ void AdministratorPage::renew() {
                             ? tr("This name cannot be used. Use at most %1 characters, no commas and no spaces at the ends. Some names are "
                                  "reserved for the program.")
                                   .arg(QLocale().toString(database::kMaximumNameCharacters))
-                            : tr("A short name without commas, such as \"ada\". It cannot be changed later."));
+                            : tr("A short name without commas, such as \"ada\"."));
     if (m_passwords->property("name") != m_name->text()) {
         m_passwords->setProperty("name", m_name->text());
         m_passwords->setLoginName(m_name->text());

@@ -9,6 +9,7 @@
 #include "session/backup_list.h"
 #include "session/backup_schedule.h"
 #include "session/loop_report.h"
+#include "session/withdrawn_participants.h"
 
 #include <algorithm>
 #include <map>
@@ -112,6 +113,11 @@ core::Result<void> readForAdmin(database::Database& database, database::Connecti
     if (!people)
         return tl::unexpected(people.error());
     data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
+    database::StudyReader studies(connection, question.actor);
+    const auto withdrawn = session::withdrawnParticipants(studies);
+    if (!withdrawn)
+        return tl::unexpected(withdrawn.error());
+    data.toErase = static_cast<int>(std::count_if(withdrawn->begin(), withdrawn->end(), [](const auto& each) { return each.participant.recordingsToErase; }));
     data.room = session::storageRoom(question.databaseFile, recording::defaultRingFolder());
     auto standing = database::Upkeep::backupStanding(connection, question.actor);
     if (!standing)

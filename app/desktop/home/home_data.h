@@ -46,6 +46,7 @@ struct HomeData {
     std::vector<RecentPerson> people;              ///< for a trainer, latest first
     std::vector<RecoveredRow> recovered;
     int accounts = 0;                              ///< for an administrator: enabled ones
+    int toErase = 0;                               ///< for an administrator: participants who asked for their recordings to be erased
     std::optional<session::StorageRoom> room;      ///< for an administrator
     std::string latestBackupUtc;                   ///< empty: none found
     database::BackupStanding backups;              ///< for an administrator: how the schedule goes

@@ -183,7 +183,10 @@ QWidget* HomeScreen::stateCard(const QString& screen, const QString& title, cons
 
 void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home) {
     const QLocale locale = context().locale();
-    column.addWidget(stateCard(QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "info", {},
+    column.addWidget(stateCard(QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "warning",
+                               home.toErase > 0 ? tr("%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose "
+                                                     "\"Erase a participant\".", nullptr, home.toErase)
+                                                : QString(),
                                tr("Open people")));
     const session::StorageRoom room = home.room.value_or(session::StorageRoom{});
     const StorageNotice disk = StorageWords::room(room, locale);

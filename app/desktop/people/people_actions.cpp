@@ -6,6 +6,7 @@
 #include "desktop/people/add_person_dialog.h"
 #include "desktop/people/edit_person_dialog.h"
 #include "desktop/people/erase_dialog.h"
+#include "desktop/people/erase_participant_dialog.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/people_screen.h"
 #include "desktop/people/reset_password_dialog.h"
@@ -65,6 +66,7 @@ std::vector<ScreenCommand> PeopleScreen::commands() {
     std::vector<ScreenCommand> list{{tr("Add a person"), QKeySequence(Qt::CTRL | Qt::Key_N), [this] { addPerson(); }},
                                     {tr("Import roster"), {}, [this] { askRoster(); }},
                                     {tr("Save a template for a roster"), {}, [this] { askTemplate(); }},
+                                    {tr("Erase a participant of a study"), {}, [this] { eraseParticipant(); }},
                                     {tr("Find a person"), QKeySequence::Find, [this] { m_search->setFocus(); }}};
     const auto withPerson = [this, &list](const QString& text, void (PeopleScreen::*act)()) {
         list.push_back({text, {}, [this, act] {
@@ -106,6 +108,10 @@ void PeopleScreen::resetPassword() {
 
 void PeopleScreen::erase() {
     open(new EraseDialog(context(), *chosen(), this));
+}
+
+void PeopleScreen::eraseParticipant() {
+    open(new EraseParticipantDialog(context(), this));
 }
 
 void PeopleScreen::toggleEnabled() {

@@ -46,7 +46,8 @@ QString PeopleScreen::help() const {
               "CSV file as a spreadsheet saves it, with headings such as login name, full name and role (\"Save a template\" makes one), and "
               "first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be "
               "printed as slips.\n\n\"Export all data\" writes all data about a person to one "
-              "file. \"Erase\" permanently removes a person's identity.");
+              "file. \"Erase\" permanently removes a person's identity. \"Erase a participant\" does the same for somebody who has withdrawn from a study and need "
+              "not have an account.");
 }
 
 QWidget* PeopleScreen::headRow() {
@@ -70,6 +71,10 @@ QWidget* PeopleScreen::headRow() {
     connect(empty, &QPushButton::clicked, this, &PeopleScreen::askTemplate);
     row->addWidget(roster);
     row->addWidget(empty);
+    auto* participant = kit::button(theme, tr("Erase a participant …"), "", QStringLiteral("edit-delete"));
+    participant->setObjectName(QStringLiteral("people.erase_participant"));
+    connect(participant, &QPushButton::clicked, this, &PeopleScreen::eraseParticipant);
+    row->addWidget(participant);
     column->addWidget(buttons);
     m_search = new QLineEdit;
     m_search->setObjectName(QStringLiteral("people.search"));

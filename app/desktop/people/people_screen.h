@@ -60,6 +60,7 @@ private:
     void resetPassword();
     void askExport();
     void erase();
+    void eraseParticipant();
     void askRoster();
     void askTemplate();
     void showEarlierNames();

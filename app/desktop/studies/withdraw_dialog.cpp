@@ -16,7 +16,7 @@ WithdrawDialog::WithdrawDialog(AppContext& context, const database::Participant&
     m_erase->setObjectName(QStringLiteral("withdraw.erase"));
     m_erase->setFont(theme().font(TextStyle::body));
     column()->addWidget(m_erase);
-    column()->addWidget(kit::label(theme(), tr("The request is recorded; an administrator then erases the recordings."), TextStyle::small, "muted"));
+    column()->addWidget(kit::label(theme(), tr("The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant)."), TextStyle::small, "muted"));
     column()->addWidget(kit::notice(theme(), "warning", tr("This cannot be undone.")));
     setAccept(tr("Withdraw"), "danger");
     setAcceptable(true);

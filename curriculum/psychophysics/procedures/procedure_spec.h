@@ -108,7 +108,7 @@ struct QuestPlusSpec { ///< Watson 2017
 };
 
 /// Rank-3 with the Thurstone observer (psychophysics.md §4): QUEST+ over (log10 σ, λ), six outcomes; with ties over
-/// (log10 σ, λ, tie), 13 outcomes (observers/tied_orders.h); x is D in log10 units.
+/// (log10 σ, tie, λ), 13 outcomes (observers/tied_orders.h); x is D in log10 units.
 struct Rank3Spec {
     std::vector<double> differences; ///< candidates D > 0, log10 of the ratio, ascending
     std::vector<double> log10Sigma;  ///< grid; empty: from a tenth of the least difference to three times the largest, 0.05 apart

@@ -4,8 +4,10 @@
 #include "database/privacy/erasure.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/people/slips_panel.h"
+#include "support/made_study.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDirIterator>
 #include <QFileDialog>
 #include <QJsonDocument>
@@ -28,6 +30,7 @@ private slots:
     void resetWithATypedPassword();
     void exportHoldsThePerson();
     void erase();
+    void eraseAParticipant();
     void editNames();
     void renamingOneselfIsSeenAtOnce();
     void importRoster();
@@ -177,6 +180,65 @@ void TestPeople::erase() {
     QTRY_VERIFY(desk.rowOf(QStringLiteral("tina")) < 0);
     const auto erased = database::readErasureList(list.toStdString());
     QVERIFY(erased && erased->size() == 1 && erased->front().person == tina && erased->front().reason == "asked for it");
+}
+
+/// Who has withdrawn from a study, with or without an account; Home says that somebody waits.
+void TestPeople::eraseAParticipant() {
+    PeopleDesk desk;
+    const auto words = [&desk] {
+        const auto* label = desk.find<QLabel>(QStringLiteral("erase_participant.words"));
+        return label ? label->text() : QString();
+    };
+    desk.click("people.erase_participant");
+    QTRY_VERIFY_WITH_TIMEOUT(words().contains(QStringLiteral("No participant")), 10000);
+    desk.set("erase_participant.reason", QStringLiteral("wish"));
+    desk.set("erase_participant.password", QLatin1String(kTestPassword));
+    QVERIFY(!desk.isEnabled("erase_participant.accept"));
+    desk.dialog("erase_participant")->reject();
+
+    const database::Actor rhea = desk.actor("rhea");
+    const psychophysics::StudyDesign design = smallStudy("left");
+    const database::StudyNumber study = addDraft(desk, rhea, design);
+    writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(study); });
+    const database::Participant keeps = addParticipant(desk, rhea, study, design, "Kim, ward 1");
+    const database::Participant goes = addParticipant(desk, rhea, study, design, "Gil, ward 2");
+    (void)addParticipant(desk, rhea, study, design, "Sam, ward 3"); // goes on taking part
+    writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(keeps.id, false); });
+    writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(goes.id, true); });
+    const auto homeTells = [&desk] {
+        desk.go(QStringLiteral("home"));
+        QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, 10000);
+        const auto notices = desk.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text"));
+        return std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("asked for their recordings to be erased")); });
+    };
+    QVERIFY(homeTells());
+
+    desk.go(QStringLiteral("people"));
+    desk.click("people.erase_participant");
+    auto* who = desk.find<QComboBox>(QStringLiteral("erase_participant.who"));
+    QTRY_COMPARE_WITH_TIMEOUT(who->count(), 2, 10000);
+    QVERIFY(who->itemText(0).startsWith(QString::fromStdString(goes.code))); // whoever asked for it comes first
+    QVERIFY(words().contains(QStringLiteral("as the participant wished, the recordings")));
+    who->setCurrentIndex(1);
+    QVERIFY(words().contains(QStringLiteral("did not ask for the recordings")));
+    who->setCurrentIndex(0);
+    desk.set("erase_participant.reason", QStringLiteral("wish"));
+    desk.set("erase_participant.password", QStringLiteral("not my password"));
+    VERIFY_READABLE(desk.dialog("erase_participant"));
+    picture(desk.dialog("erase_participant"), QStringLiteral("people_erase_participant"));
+    desk.click("erase_participant.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase_participant.notice").contains(QStringLiteral("Nobody was erased")), 10000);
+    const auto erased = [&](const database::Participant& participant) {
+        const auto reader = desk.database().openReader();
+        return database::StudyReader(**reader, desk.actor("ada")).participantByCode(study, participant.code)->erased;
+    };
+    QVERIFY(!erased(goes));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("erase_participant.password"))->isEnabled(), 20000);
+    desk.set("erase_participant.password", QLatin1String(kTestPassword));
+    desk.click("erase_participant.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase_participant"), 10000);
+    QVERIFY(erased(goes) && !erased(keeps));
+    QVERIFY(!homeTells()); // the other one did not ask for it
 }
 
 void TestPeople::importRoster() {

@@ -115,13 +115,13 @@ void TestPaletteSearch::peopleLeadToTheirPlace() {
         QCOMPARE(palette.below(QStringLiteral("People")), QStringList{QStringLiteral("Tina Trainee (tina)")});
         QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
     }
-    QTRY_VERIFY(desktop.screen<PeopleScreen>());
-    QTRY_VERIFY(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")));
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<PeopleScreen>(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")), 30000);
     desktop.logIn("tom"); // a trainer looks at what somebody did
     Palette palette(desktop);
     palette.type(QStringLiteral("tina"));
     QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
-    QTRY_VERIFY(desktop.screen<SessionsScreen>());
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SessionsScreen>(), 30000);
     QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
 }
 

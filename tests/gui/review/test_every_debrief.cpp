@@ -86,7 +86,7 @@ QStringList readable(const QWidget* screen) {
                 texts << head->text();
             for (int row = 0; row < table->rowCount(); ++row)
                 if (const QTableWidgetItem* item = table->item(row, column))
-                    texts << item->text() << item->toolTip();
+                    texts << item->text() << item->toolTip() << item->data(Qt::AccessibleDescriptionRole).toString();
         }
     for (const QListWidget* list : screen->findChildren<QListWidget*>())
         for (int row = 0; row < list->count(); ++row)

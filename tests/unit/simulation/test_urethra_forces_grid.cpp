@@ -97,7 +97,7 @@ void TestUrethraForcesGrid::twiceAsManySectionsAndSprings() {
     QVERIFY2(d.force < 0.01 && d.torque < 0.01, qPrintable(QString("%1, %2").arg(d.force).arg(d.torque)));
 }
 
-// That the measure can tell: 2.5 mm, which models.md allows, is not enough for 1 % of the local force.
+// That the measure can tell: 2.5 mm, the grid of earlier versions, is not enough for 1 % of the local force.
 void TestUrethraForcesGrid::theOldGridWouldFail() {
     UrethraForceSettings coarse;
     coarse.maximumStep_m = 0.0025;
