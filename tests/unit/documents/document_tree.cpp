@@ -65,7 +65,7 @@ bool Document::hasAnchor(const QString& anchor) const {
 }
 
 QList<Citation> citationsIn(const QString& text) {
-    static const QRegularExpression cited(QStringLiteral("(?<![\\w/.-])([a-z][a-z-]*)\\.md\\b((?:(?:,| and|,? or)?\\s*§\\s*[0-9]+(?:\\.[0-9]+)*)*)(?:, ([A-Z][a-z]+(?: [a-z]+){0,3}))?"));
+    static const QRegularExpression cited(QStringLiteral("(?<![\\w/.-])(?<!\\]\\()([a-z][a-z-]*)\\.md\\b((?:(?:,| and|,? or)?\\s*§\\s*[0-9]+(?:\\.[0-9]+)*)*)(?:, ([A-Z][a-z]+(?: [a-z]+){0,3}))?"));
     static const QRegularExpression number(QStringLiteral("[0-9]+(?:\\.[0-9]+)*"));
     QList<Citation> citations;
     for (auto it = cited.globalMatch(text); it.hasNext();) {
