@@ -13,7 +13,7 @@ namespace chiron::session {
 struct ReplayReport {
     std::uint64_t frames = 0;       ///< re-simulated
     bool identical = false;         ///< every chunk's hash of unrounded forces is the recorded one
-    bool comparable = true;         ///< same build and CPU class: only then must bits agree
+    bool comparable = true;         ///< same models id, compiler and CPU class: only then must bits agree
     double maximumDifference_N = 0.0; ///< largest force difference at the stored resolution, tissue or commanded
     std::optional<std::uint64_t> firstDifferentTick; ///< start of the first chunk that differs
     std::string note;               ///< why it is not comparable, or what ended the replay

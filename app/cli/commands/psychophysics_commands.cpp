@@ -56,7 +56,7 @@ CommandSpec comparing() {
 CommandSpec adapting() {
     CommandSpec row = command("adaptive", "run an adaptive procedure over lines: one response in, one JSON line with the next stimulus out",
                               "printf '1\\n0\\nundo\\n' | chiron-cli psychophysics adaptive --procedure SPEC.json", runAdaptive);
-    row.options = {{"procedure", "SPEC.json", "staircase, pest, constant, descending, quest, quest_plus or rank3_quest_plus; keys: app/cli/README.md", true},
+    row.options = {{"procedure", "SPEC.json", "staircase, pest, constant, descending, quest, quest_plus or rank3_quest_plus; keys: curriculum/content/schema/procedure.json", true},
                    {"seed", "S", "of what the procedure draws; default: 1"}};
     return row;
 }
