@@ -101,9 +101,9 @@ void NameList::takeOnlyMatch() {
 
 bool NameList::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_field && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
-        m_list->setFocus();
         for (int i = 0; i < m_list->count(); ++i) {
             if (!m_list->item(i)->isHidden()) {
+                m_list->setFocus();
                 m_list->setCurrentRow(i);
                 break;
             }

@@ -54,6 +54,10 @@ void TestLogin::namesAreFoundByTyping() {
     auto* list = desktop.find<QListWidget>(QStringLiteral("login.people"));
     QCOMPARE(list->count(), 5);
     picture(desktop.window.get(), QStringLiteral("login"));
+    type(QStringLiteral("nobody"));
+    press(Qt::Key_Down); // no name is shown to go to
+    QCOMPARE(focusName(), QStringLiteral("login.name"));
+    desktop.find<QLineEdit>(QStringLiteral("login.name"))->clear();
     type(QStringLiteral("trainee"));
     int shown = 0;
     for (int i = 0; i < list->count(); ++i)

@@ -104,6 +104,17 @@ private slots:
             QCOMPARE(line.size(), 4);
     }
 
+    /// The largest error lies within the axis, with room for its bin.
+    void theErrorPlotHoldsEveryPose() {
+        PlatformCheck check = madeCheck(0.05, 1.0);
+        check.verified.poses.back().measuredPitch_rad = core::radFromDeg(5.0);
+        const auto plot = platformErrorPlot(check, report::lightTheme(QLocale::c()));
+        QVERIFY2(plot->xHigh() > 5.0 && plot->xHigh() < 6.0, qPrintable(QString::number(plot->xHigh())));
+        QCOMPARE(plot->xLow(), 0.0);
+        check.verified.poses.back().measuredPitch_rad = 0.0;
+        QCOMPARE(platformErrorPlot(check, report::lightTheme(QLocale::c()))->xHigh(), 2.5);
+    }
+
     void aCheckIsShownAndReplaced() {
         const Theme theme = Theme::load(ThemeName::dark, 2.0).value();
         PlatformCard card(theme, QLocale::c(), true);
