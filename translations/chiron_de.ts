@@ -3401,30 +3401,30 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n people would be added. Each must choose a password of their own at the first login.</source>
         <translation>
-                <numerusform>%n Person würde hinzugefügt. Sie muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
-                <numerusform>%n Personen würden hinzugefügt. Jede muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
-            </translation>
+            <numerusform>%n Person würde hinzugefügt. Sie muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+            <numerusform>%n Personen würden hinzugefügt. Jede muss bei der ersten Anmeldung ein eigenes Passwort wählen.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people would be updated; their passwords remain valid.</source>
         <translation>
-                <numerusform>%n Person würde aktualisiert; ihr Passwort bleibt gültig.</numerusform>
-                <numerusform>%n Personen würden aktualisiert; ihre Passwörter bleiben gültig.</numerusform>
-            </translation>
+            <numerusform>%n Person würde aktualisiert; ihr Passwort bleibt gültig.</numerusform>
+            <numerusform>%n Personen würden aktualisiert; ihre Passwörter bleiben gültig.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people have an account already and would be left as they are.</source>
         <translation>
-                <numerusform>%n Person hat schon ein Konto und bliebe, wie sie ist.</numerusform>
-                <numerusform>%n Personen haben schon ein Konto und blieben, wie sie sind.</numerusform>
-            </translation>
+            <numerusform>%n Person hat schon ein Konto und bliebe, wie sie ist.</numerusform>
+            <numerusform>%n Personen haben schon ein Konto und blieben, wie sie sind.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
         <translation>
-                <numerusform>%n Passwort würde erzeugt. Es wird nur einmal gezeigt, gleich nach dem Import, damit Sie es als Zettel drucken können.</numerusform>
-                <numerusform>%n Passwörter würden erzeugt. Sie werden nur einmal gezeigt, gleich nach dem Import, damit Sie sie als Zettel drucken können.</numerusform>
-            </translation>
+            <numerusform>%n Passwort würde erzeugt. Es wird nur einmal gezeigt, gleich nach dem Import, damit Sie es als Zettel drucken können.</numerusform>
+            <numerusform>%n Passwörter würden erzeugt. Sie werden nur einmal gezeigt, gleich nach dem Import, damit Sie sie als Zettel drucken können.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Columns that are not imported: %1.</source>
@@ -6178,10 +6178,6 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
         <translation>Anmeldename</translation>
     </message>
     <message>
-        <source>A short name without commas, such as &quot;ada&quot;. It cannot be changed later.</source>
-        <translation>Ein kurzer Name ohne Kommas, zum Beispiel „ada“. Er lässt sich später nicht ändern.</translation>
-    </message>
-    <message>
         <source>Full name (may be left empty)</source>
         <translation>Vollständiger Name (darf leer bleiben)</translation>
     </message>
@@ -6200,6 +6196,10 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
     <message>
         <source>Creating the site …</source>
         <translation>Standort wird angelegt …</translation>
+    </message>
+    <message>
+        <source>A short name without commas, such as &quot;ada&quot;.</source>
+        <translation>Ein kurzer Name ohne Kommas, zum Beispiel „ada“.</translation>
     </message>
 </context>
 <context>
@@ -7302,16 +7302,76 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Ohne Namen bleiben erhalten: Sitzungen, Wertungen und ein Vermerk, wann und warum gelöscht wurde. Ältere Sicherungen enthalten die Person, bis die Sicherungen gelöscht werden; beim Wiederherstellen wird die Person erneut gelöscht.</translation>
     </message>
     <message>
-        <source>Reason (kept)</source>
-        <translation>Begründung (bleibt gespeichert)</translation>
-    </message>
-    <message>
         <source>Consent is withdrawn: overwrite the recordings too</source>
         <translation>Einwilligung widerrufen: auch die Aufzeichnungen überschreiben</translation>
     </message>
     <message>
         <source>Type the login name to confirm: %1</source>
         <translation>Zur Bestätigung den Anmeldenamen eingeben: %1</translation>
+    </message>
+    <message>
+        <source>%1 was erased. Sessions and scores are kept without a name.</source>
+        <translation>%1 wurde gelöscht. Sitzungen und Wertungen bleiben ohne Namen erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
+        <translation>%1 kann jetzt nicht gelöscht werden. Sie können sich nicht selbst löschen, und es darf keine Sitzung laufen.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EraseParticipantDialog</name>
+    <message>
+        <source>Erase a participant of a study</source>
+        <translation>Teilnehmer/in einer Studie löschen</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Participant who has withdrawn</source>
+        <translation>Zurückgezogene Teilnahme</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Studien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read.
+%1</source>
+        <translation>Die Studien konnten nicht gelesen werden.
+%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No participant who has withdrawn waits to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
+        <translation>Es wartet niemand, der die Teilnahme zurückgezogen hat, auf die Löschung. Forschende ziehen eine Teilnahme im Bereich „Durchführen“ der Studie zurück.</translation>
+    </message>
+    <message>
+        <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
+        <translation>Überschrieben werden: wer die Person war, die Antworten auf Fragebögen, Kommentare zu ihren Sitzungen und, wie sie es wünschte, die Aufzeichnungen. Unter dem Code bleiben Läufe und Durchgänge erhalten.</translation>
+    </message>
+    <message>
+        <source>Overwritten: who the participant was, the answers to questionnaires and comments on their sessions. Kept under the code: runs, trials and recordings; the participant did not ask for the recordings to be erased.</source>
+        <translation>Überschrieben werden: wer die Person war, die Antworten auf Fragebögen und Kommentare zu ihren Sitzungen. Unter dem Code bleiben Läufe, Durchgänge und Aufzeichnungen erhalten; die Löschung der Aufzeichnungen wurde nicht gewünscht.</translation>
+    </message>
+    <message>
+        <source>%1 was erased. Runs and trials are kept under the code.</source>
+        <translation>%1 wurde gelöscht. Läufe und Durchgänge bleiben unter dem Code erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now: no session of the participant may be running.</source>
+        <translation>%1 kann jetzt nicht gelöscht werden: Es darf keine Sitzung dieser Person laufen.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ErasureDialog</name>
+    <message>
+        <source>Reason (kept)</source>
+        <translation>Begründung (bleibt gespeichert)</translation>
     </message>
     <message>
         <source>Your own password</source>
@@ -7326,14 +7386,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 %1</source>
         <translation>Falsches Passwort. Es wurde niemand gelöscht.
 %1</translation>
-    </message>
-    <message>
-        <source>%1 was erased. Sessions and scores are kept without a name.</source>
-        <translation>%1 wurde gelöscht. Sitzungen und Wertungen bleiben ohne Namen erhalten.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
-        <translation>%1 kann jetzt nicht gelöscht werden. Sie können sich nicht selbst löschen, und es darf keine Sitzung laufen.</translation>
     </message>
     <message>
         <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
@@ -8421,6 +8473,13 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>Read</source>
         <translation>Lesen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
+        <translation>
+                <numerusform>Eine Teilnahme an einer Studie wurde zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
+                <numerusform>%n Teilnahmen an Studien wurden zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -8950,14 +9009,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Choose a row to read what it means.</source>
-        <translation>Wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Met</source>
@@ -9594,26 +9645,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>Die Vorlage wurde nicht gespeichert.</translation>
     </message>
     <message>
-        <source>Everybody who has an account on this site.
-
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
-
-&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
-
-&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
-
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
-        <translation>Alle, die an diesem Standort ein Konto haben.
-
-Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
-
-„Bearbeiten“ ändert den Namen oder Anmeldenamen einer Person; die früheren bleiben im Verlauf.
-
-„Liste importieren“ liest eine CSV-Datei, wie eine Tabellenkalkulation sie speichert, mit Überschriften wie Anmeldename, Vollständiger Name und Rolle („Vorlage speichern“ erzeugt eine), und zeigt zuerst, was geschehen wird: Entweder wird alles in der Datei ausgeführt oder nichts. Für neue Personen werden Passwörter erzeugt, die sich als Zettel drucken lassen.
-
-„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig.</translation>
-    </message>
-    <message>
         <source>Save a template …</source>
         <translation>Vorlage speichern …</translation>
     </message>
@@ -9624,6 +9655,34 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Until %1: %2</source>
         <translation>Bis %1: %2</translation>
+    </message>
+    <message>
+        <source>Erase a participant of a study</source>
+        <translation>Teilnehmer/in einer Studie löschen</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
+
+&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
+
+&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
+
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study and need not have an account.</source>
+        <translation>Alle, die an diesem Standort ein Konto haben.
+
+Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern und Deaktivieren wirken sofort und lassen sich rückgängig machen. Ein neues Passwort muss die Person bei der nächsten Anmeldung ändern.
+
+„Bearbeiten“ ändert den Namen oder Anmeldenamen einer Person; die früheren bleiben im Verlauf.
+
+„Liste importieren“ liest eine CSV-Datei, wie eine Tabellenkalkulation sie speichert, mit Überschriften wie Anmeldename, Vollständiger Name und Rolle („Vorlage speichern“ erzeugt eine), und zeigt zuerst, was geschehen wird: Entweder wird alles in der Datei ausgeführt oder nichts. Für neue Personen werden Passwörter erzeugt, die sich als Zettel drucken lassen.
+
+„Alle Daten exportieren“ schreibt alle Daten über eine Person in eine Datei. „Löschen“ entfernt die Identität einer Person endgültig. „Teilnehmer/in löschen“ tut dasselbe für jemanden, der die Teilnahme an einer Studie zurückgezogen hat und kein Konto haben muss.</translation>
+    </message>
+    <message>
+        <source>Erase a participant …</source>
+        <translation>Teilnehmer/in löschen …</translation>
     </message>
 </context>
 <context>
@@ -11997,16 +12056,16 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     <message numerus="yes">
         <source>Importing %n people …</source>
         <translation>
-                <numerusform>%n Person wird importiert …</numerusform>
-                <numerusform>%n Personen werden importiert …</numerusform>
-            </translation>
+            <numerusform>%n Person wird importiert …</numerusform>
+            <numerusform>%n Personen werden importiert …</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people were updated.</source>
         <translation>
-                <numerusform>%n Person wurde aktualisiert.</numerusform>
-                <numerusform>%n Personen wurden aktualisiert.</numerusform>
-            </translation>
+            <numerusform>%n Person wurde aktualisiert.</numerusform>
+            <numerusform>%n Personen wurden aktualisiert.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
@@ -14753,10 +14812,6 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Die Person möchte, dass die Aufzeichnungen gelöscht werden</translation>
     </message>
     <message>
-        <source>The request is recorded; an administrator then erases the recordings.</source>
-        <translation>Der Wunsch wird festgehalten; die Administration löscht dann die Aufzeichnungen.</translation>
-    </message>
-    <message>
         <source>This cannot be undone.</source>
         <translation>Das lässt sich nicht rückgängig machen.</translation>
     </message>
@@ -14773,6 +14828,10 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>%1 no longer takes part.</source>
         <translation>%1 nimmt nicht mehr teil.</translation>
+    </message>
+    <message>
+        <source>The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant).</source>
+        <translation>Der Wunsch wird festgehalten und der Administration gemeldet, die dann die Aufzeichnungen löscht (Personen, Teilnehmer/in löschen).</translation>
     </message>
 </context>
 <context>

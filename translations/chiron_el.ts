@@ -3401,30 +3401,30 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>%n people would be added. Each must choose a password of their own at the first login.</source>
         <translation>
-                <numerusform>Θα προστεθεί %n άτομο. Πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
-                <numerusform>Θα προστεθούν %n άτομα. Καθένα πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
-            </translation>
+            <numerusform>Θα προστεθεί %n άτομο. Πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+            <numerusform>Θα προστεθούν %n άτομα. Καθένα πρέπει να επιλέξει δικό του κωδικό πρόσβασης στην πρώτη σύνδεση.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people would be updated; their passwords remain valid.</source>
         <translation>
-                <numerusform>Θα ενημερωθεί %n άτομο· ο κωδικός πρόσβασής του ισχύει και μετά.</numerusform>
-                <numerusform>Θα ενημερωθούν %n άτομα· οι κωδικοί πρόσβασής τους ισχύουν και μετά.</numerusform>
-            </translation>
+            <numerusform>Θα ενημερωθεί %n άτομο· ο κωδικός πρόσβασής του ισχύει και μετά.</numerusform>
+            <numerusform>Θα ενημερωθούν %n άτομα· οι κωδικοί πρόσβασής τους ισχύουν και μετά.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people have an account already and would be left as they are.</source>
         <translation>
-                <numerusform>%n άτομο έχει ήδη λογαριασμό και θα μείνει ως έχει.</numerusform>
-                <numerusform>%n άτομα έχουν ήδη λογαριασμό και θα μείνουν ως έχουν.</numerusform>
-            </translation>
+            <numerusform>%n άτομο έχει ήδη λογαριασμό και θα μείνει ως έχει.</numerusform>
+            <numerusform>%n άτομα έχουν ήδη λογαριασμό και θα μείνουν ως έχουν.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
         <translation>
-                <numerusform>Θα δημιουργηθεί %n κωδικός πρόσβασης. Εμφανίζεται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθεί σε σημείωμα.</numerusform>
-                <numerusform>Θα δημιουργηθούν %n κωδικοί πρόσβασης. Εμφανίζονται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθούν σε σημειώματα.</numerusform>
-            </translation>
+            <numerusform>Θα δημιουργηθεί %n κωδικός πρόσβασης. Εμφανίζεται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθεί σε σημείωμα.</numerusform>
+            <numerusform>Θα δημιουργηθούν %n κωδικοί πρόσβασης. Εμφανίζονται μία φορά, αμέσως μετά την εισαγωγή, για να τυπωθούν σε σημειώματα.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Columns that are not imported: %1.</source>
@@ -6178,10 +6178,6 @@ To change your password, first enter the one that you have now.</source>
         <translation>Όνομα χρήστη</translation>
     </message>
     <message>
-        <source>A short name without commas, such as &quot;ada&quot;. It cannot be changed later.</source>
-        <translation>Ένα σύντομο όνομα χωρίς κόμματα, π.χ. «eleni». Δεν αλλάζει αργότερα.</translation>
-    </message>
-    <message>
         <source>Full name (may be left empty)</source>
         <translation>Πλήρες όνομα (προαιρετικό)</translation>
     </message>
@@ -6200,6 +6196,10 @@ To change your password, first enter the one that you have now.</source>
     <message>
         <source>Creating the site …</source>
         <translation>Δημιουργία του κέντρου …</translation>
+    </message>
+    <message>
+        <source>A short name without commas, such as &quot;ada&quot;.</source>
+        <translation>Ένα σύντομο όνομα χωρίς κόμματα, π.χ. «eleni».</translation>
     </message>
 </context>
 <context>
@@ -7302,16 +7302,76 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Διατηρούνται χωρίς όνομα: συνεδρίες, βαθμολογίες και σημείωση πότε και γιατί έγινε η διαγραφή. Παλαιότερα αντίγραφα ασφαλείας περιέχουν ακόμη το άτομο ώσπου να διαγραφούν τα ίδια· κατά την επαναφορά το άτομο διαγράφεται ξανά.</translation>
     </message>
     <message>
-        <source>Reason (kept)</source>
-        <translation>Αιτιολογία (διατηρείται)</translation>
-    </message>
-    <message>
         <source>Consent is withdrawn: overwrite the recordings too</source>
         <translation>Η συγκατάθεση ανακλήθηκε: να αντικατασταθούν και οι καταγραφές</translation>
     </message>
     <message>
         <source>Type the login name to confirm: %1</source>
         <translation>Για επιβεβαίωση πληκτρολογήστε το όνομα χρήστη: %1</translation>
+    </message>
+    <message>
+        <source>%1 was erased. Sessions and scores are kept without a name.</source>
+        <translation>Διαγράφηκε: %1. Οι συνεδρίες και οι βαθμολογίες διατηρούνται χωρίς όνομα.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
+        <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν μπορείτε να διαγράψετε τον εαυτό σας και δεν πρέπει να υπάρχει συνεδρία σε εξέλιξη.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::EraseParticipantDialog</name>
+    <message>
+        <source>Erase a participant of a study</source>
+        <translation>Διαγραφή στοιχείων συμμετέχοντα σε μελέτη</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Δεν αναιρείται.</translation>
+    </message>
+    <message>
+        <source>Participant who has withdrawn</source>
+        <translation>Συμμετέχων που αποσύρθηκε</translation>
+    </message>
+    <message>
+        <source>Reading the studies …</source>
+        <translation>Ανάγνωση των μελετών …</translation>
+    </message>
+    <message>
+        <source>The studies could not be read.
+%1</source>
+        <translation>Οι μελέτες δεν διαβάστηκαν.
+%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No participant who has withdrawn waits to be erased. Researchers withdraw a participant on the study&apos;s Run screen.</source>
+        <translation>Κανένας συμμετέχων που αποσύρθηκε δεν περιμένει διαγραφή. Οι ερευνητές αποσύρουν συμμετέχοντες στην οθόνη «Διεξαγωγή» της μελέτης.</translation>
+    </message>
+    <message>
+        <source>Overwritten: who the participant was, the answers to questionnaires, comments on their sessions and, as the participant wished, the recordings. Kept under the code: runs and trials.</source>
+        <translation>Αντικαθίστανται: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια, τα σχόλια στις συνεδρίες του και, όπως ζήτησε, οι καταγραφές. Διατηρούνται με τον κωδικό: εκτελέσεις και δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Overwritten: who the participant was, the answers to questionnaires and comments on their sessions. Kept under the code: runs, trials and recordings; the participant did not ask for the recordings to be erased.</source>
+        <translation>Αντικαθίστανται: η ταυτότητα του συμμετέχοντα, οι απαντήσεις στα ερωτηματολόγια και τα σχόλια στις συνεδρίες του. Διατηρούνται με τον κωδικό: εκτελέσεις, δοκιμές και καταγραφές· δεν ζητήθηκε η διαγραφή των καταγραφών.</translation>
+    </message>
+    <message>
+        <source>%1 was erased. Runs and trials are kept under the code.</source>
+        <translation>Διαγράφηκε: %1. Οι εκτελέσεις και οι δοκιμές διατηρούνται με τον κωδικό.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be erased now: no session of the participant may be running.</source>
+        <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν πρέπει να υπάρχει συνεδρία του συμμετέχοντα σε εξέλιξη.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ErasureDialog</name>
+    <message>
+        <source>Reason (kept)</source>
+        <translation>Αιτιολογία (διατηρείται)</translation>
     </message>
     <message>
         <source>Your own password</source>
@@ -7326,14 +7386,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 %1</source>
         <translation>Λάθος κωδικός πρόσβασης. Δεν έγινε διαγραφή.
 %1</translation>
-    </message>
-    <message>
-        <source>%1 was erased. Sessions and scores are kept without a name.</source>
-        <translation>Διαγράφηκε: %1. Οι συνεδρίες και οι βαθμολογίες διατηρούνται χωρίς όνομα.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
-        <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν μπορείτε να διαγράψετε τον εαυτό σας και δεν πρέπει να υπάρχει συνεδρία σε εξέλιξη.</translation>
     </message>
     <message>
         <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
@@ -8421,6 +8473,13 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>Read</source>
         <translation>Ανάγνωση</translation>
     </message>
+    <message numerus="yes">
+        <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
+        <translation>
+                <numerusform>Ένας συμμετέχων αποσύρθηκε από μελέτη και ζήτησε να διαγραφούν οι καταγραφές του. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
+                <numerusform>%n συμμετέχοντες αποσύρθηκαν από μελέτη και ζήτησαν να διαγραφούν οι καταγραφές τους. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -8950,14 +9009,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Result</source>
         <translation>Αποτέλεσμα</translation>
-    </message>
-    <message>
-        <source>Choose a row to read what it means.</source>
-        <translation>Επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Met</source>
@@ -9594,26 +9645,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Το πρότυπο δεν αποθηκεύτηκε.</translation>
     </message>
     <message>
-        <source>Everybody who has an account on this site.
-
-Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
-
-&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
-
-&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
-
-&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity.</source>
-        <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
-
-Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
-
-Η «Επεξεργασία» αλλάζει το όνομα ή το όνομα χρήστη ενός ατόμου· τα προηγούμενα μένουν στο ιστορικό.
-
-Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV όπως το αποθηκεύει ένα πρόγραμμα υπολογιστικών φύλλων, με επικεφαλίδες όπως Όνομα χρήστη, Πλήρες όνομα και Ρόλος (η «Αποθήκευση προτύπου» φτιάχνει ένα τέτοιο), και δείχνει πρώτα τι θα κάνει: γίνονται όλα όσα γράφει το αρχείο ή τίποτα. Για τα νέα άτομα δημιουργούνται κωδικοί πρόσβασης, που τυπώνονται σε σημειώματα.
-
-Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου.</translation>
-    </message>
-    <message>
         <source>Save a template …</source>
         <translation>Αποθήκευση προτύπου …</translation>
     </message>
@@ -9624,6 +9655,34 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Until %1: %2</source>
         <translation>Έως %1: %2</translation>
+    </message>
+    <message>
+        <source>Erase a participant of a study</source>
+        <translation>Διαγραφή στοιχείων συμμετέχοντα σε μελέτη</translation>
+    </message>
+    <message>
+        <source>Everybody who has an account on this site.
+
+Choose a person in the list, then an action below it. Changing roles and disabling take effect at once and can be undone. A person who gets a new password has to change it at the next login.
+
+&quot;Edit&quot; changes a person&apos;s name or login name; the earlier ones stay in the history.
+
+&quot;Import roster&quot; reads a CSV file as a spreadsheet saves it, with headings such as login name, full name and role (&quot;Save a template&quot; makes one), and first shows what will happen: either everything in the file is done, or nothing. Passwords are made for new people and can be printed as slips.
+
+&quot;Export all data&quot; writes all data about a person to one file. &quot;Erase&quot; permanently removes a person&apos;s identity. &quot;Erase a participant&quot; does the same for somebody who has withdrawn from a study and need not have an account.</source>
+        <translation>Όλοι όσοι έχουν λογαριασμό σε αυτό το κέντρο.
+
+Επιλέξτε ένα άτομο στη λίστα και μετά μια ενέργεια από κάτω. Η αλλαγή ρόλων και η απενεργοποίηση ισχύουν αμέσως και αναιρούνται. Έναν νέο κωδικό πρόσβασης πρέπει να τον αλλάξει ο κάτοχός του στην επόμενη σύνδεση.
+
+Η «Επεξεργασία» αλλάζει το όνομα ή το όνομα χρήστη ενός ατόμου· τα προηγούμενα μένουν στο ιστορικό.
+
+Η «Εισαγωγή λίστας» διαβάζει ένα αρχείο CSV όπως το αποθηκεύει ένα πρόγραμμα υπολογιστικών φύλλων, με επικεφαλίδες όπως Όνομα χρήστη, Πλήρες όνομα και Ρόλος (η «Αποθήκευση προτύπου» φτιάχνει ένα τέτοιο), και δείχνει πρώτα τι θα κάνει: γίνονται όλα όσα γράφει το αρχείο ή τίποτα. Για τα νέα άτομα δημιουργούνται κωδικοί πρόσβασης, που τυπώνονται σε σημειώματα.
+
+Η «Εξαγωγή όλων των στοιχείων» γράφει όλα τα στοιχεία ενός ατόμου σε ένα αρχείο. Η «Διαγραφή στοιχείων» σβήνει οριστικά την ταυτότητα του ατόμου. Η «Διαγραφή συμμετέχοντα» κάνει το ίδιο για όποιον αποσύρθηκε από μελέτη και δεν χρειάζεται να έχει λογαριασμό.</translation>
+    </message>
+    <message>
+        <source>Erase a participant …</source>
+        <translation>Διαγραφή συμμετέχοντα …</translation>
     </message>
 </context>
 <context>
@@ -11997,16 +12056,16 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
     <message numerus="yes">
         <source>Importing %n people …</source>
         <translation>
-                <numerusform>Εισαγωγή %n ατόμου …</numerusform>
-                <numerusform>Εισαγωγή %n ατόμων …</numerusform>
-            </translation>
+            <numerusform>Εισαγωγή %n ατόμου …</numerusform>
+            <numerusform>Εισαγωγή %n ατόμων …</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people were updated.</source>
         <translation>
-                <numerusform>Ενημερώθηκε %n άτομο.</numerusform>
-                <numerusform>Ενημερώθηκαν %n άτομα.</numerusform>
-            </translation>
+            <numerusform>Ενημερώθηκε %n άτομο.</numerusform>
+            <numerusform>Ενημερώθηκαν %n άτομα.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
@@ -14753,10 +14812,6 @@ F2 is for the experimenter.</source>
         <translation>Ο συμμετέχων θέλει να σβηστούν οι καταγραφές</translation>
     </message>
     <message>
-        <source>The request is recorded; an administrator then erases the recordings.</source>
-        <translation>Το αίτημα καταγράφεται· τις καταγραφές διαγράφει έπειτα ένας διαχειριστής.</translation>
-    </message>
-    <message>
         <source>This cannot be undone.</source>
         <translation>Δεν αναιρείται.</translation>
     </message>
@@ -14773,6 +14828,10 @@ F2 is for the experimenter.</source>
     <message>
         <source>%1 no longer takes part.</source>
         <translation>%1: δεν συμμετέχει πλέον.</translation>
+    </message>
+    <message>
+        <source>The request is recorded, and administrators are told of it. One of them then erases the recordings (People, Erase a participant).</source>
+        <translation>Το αίτημα καταγράφεται και γνωστοποιείται στους διαχειριστές, που διαγράφουν έπειτα τις καταγραφές (Άτομα, Διαγραφή συμμετέχοντα).</translation>
     </message>
 </context>
 <context>

@@ -126,30 +126,30 @@
     <message numerus="yes">
         <source>%n people would be added. Each must choose a password of their own at the first login.</source>
         <translation>
-                <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
-                <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
-            </translation>
+            <numerusform>%n person would be added. They must choose a password of their own at the first login.</numerusform>
+            <numerusform>%n people would be added. Each must choose a password of their own at the first login.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people would be updated; their passwords remain valid.</source>
         <translation>
-                <numerusform>%n person would be updated; their password remains valid.</numerusform>
-                <numerusform>%n people would be updated; their passwords remain valid.</numerusform>
-            </translation>
+            <numerusform>%n person would be updated; their password remains valid.</numerusform>
+            <numerusform>%n people would be updated; their passwords remain valid.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people have an account already and would be left as they are.</source>
         <translation>
-                <numerusform>%n person has an account already and would be left as it is.</numerusform>
-                <numerusform>%n people have an account already and would be left as they are.</numerusform>
-            </translation>
+            <numerusform>%n person has an account already and would be left as it is.</numerusform>
+            <numerusform>%n people have an account already and would be left as they are.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</source>
         <translation>
-                <numerusform>%n password would be made. It is shown once, right after the import, to be printed as a slip.</numerusform>
-                <numerusform>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</numerusform>
-            </translation>
+            <numerusform>%n password would be made. It is shown once, right after the import, to be printed as a slip.</numerusform>
+            <numerusform>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -501,6 +501,13 @@
             <numerusform>The program ended unexpectedly during session %1 (%2, %3). The session was saved as interrupted: %n samples were kept and can be played back. The session does not count.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
+        <translation>
+                <numerusform>One participant withdrew from a study and asked for the recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
+                <numerusform>%n participants withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -633,16 +640,16 @@
     <message numerus="yes">
         <source>Importing %n people …</source>
         <translation>
-                <numerusform>Importing %n person …</numerusform>
-                <numerusform>Importing %n people …</numerusform>
-            </translation>
+            <numerusform>Importing %n person …</numerusform>
+            <numerusform>Importing %n people …</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people were updated.</source>
         <translation>
-                <numerusform>%n person was updated.</numerusform>
-                <numerusform>%n people were updated.</numerusform>
-            </translation>
+            <numerusform>%n person was updated.</numerusform>
+            <numerusform>%n people were updated.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
