@@ -78,9 +78,8 @@ QWidget* DebriefScreen::verdictBox() {
         line->setObjectName(QStringLiteral("debrief.change"));
         words->addWidget(line);
     }
-    m_worstText = kit::label(theme, {}, TextStyle::body, "muted");
+    m_worstText = kit::label(theme, tr("Looking for the worst moment …"), TextStyle::body, "muted"); // so that no button moves once it is found
     m_worstText->setObjectName(QStringLiteral("debrief.worst_text"));
-    m_worstText->hide(); // until the recording was looked through
     words->addWidget(m_worstText);
     row->addLayout(words, 1);
     box.layout->addLayout(row);
@@ -131,15 +130,12 @@ QWidget* DebriefScreen::actionRow() {
     m_worst = kit::button(theme, tr("Watch the worst moment"), "", QStringLiteral("go-jump"));
     m_worst->setObjectName(QStringLiteral("debrief.worst"));
     m_worst->setEnabled(false); // until the recording was looked through
-    connect(m_worst, &QPushButton::clicked, this, [this] {
-        if (m_worstMoment)
-            openPlayback(m_worstMoment->t_s, m_worstText->text());
-    });
+    connect(m_worst, &QPushButton::clicked, this, &DebriefScreen::openWorst);
     row->add(m_worst, 0);
     auto* playback = kit::button(theme, tr("Playback"), "", QStringLiteral("media-playback-start"));
     playback->setObjectName(QStringLiteral("debrief.playback"));
     playback->setEnabled(!erased);
-    connect(playback, &QPushButton::clicked, this, [this] { openPlayback({}, {}); });
+    connect(playback, &QPushButton::clicked, this, [this] { openPlayback(); });
     row->add(playback, 0);
     m_report = kit::button(theme, tr("Report (PDF)"), "", QStringLiteral("document-save"));
     m_report->setObjectName(QStringLiteral("debrief.report"));
@@ -182,7 +178,7 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
         if (comment.t_s && !m_head->record.summary.recordingErased) {
             auto* watch = kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"));
             watch->setObjectName(QStringLiteral("debrief.comment_watch"));
-            connect(watch, &QPushButton::clicked, this, [this, at_s = *comment.t_s, caption = words->text()] { openPlayback(at_s, caption); });
+            connect(watch, &QPushButton::clicked, this, [this, at_s = *comment.t_s, caption = words->text()] { openComment(at_s, caption); });
             line->addWidget(watch, 0, Qt::AlignTop);
         }
         box.layout->addLayout(line);

@@ -19,6 +19,10 @@
 
 namespace chiron::desktop {
 
+namespace {
+constexpr double kLeadIn_s = 3.0; // to see how it came to the worst moment
+}
+
 DebriefScreen::DebriefScreen(AppContext& context, const Place& place) : Screen(context, place) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -42,11 +46,11 @@ QString DebriefScreen::help() const {
     return tr("The result of this session.\n\nAt the top: whether it passed, and if not, which pass mark was missed and by how much. "
               "Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others "
               "reached.\n\n\"Watch the worst moment\" opens the playback where it went wrong most. \"Report\" writes a printable PDF. The table "
-              "holds every metric; choose a row to read what it means.");
+              "holds every metric with what it means.");
 }
 
 std::vector<ScreenCommand> DebriefScreen::commands() {
-    return {{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback({}, {}); }},
+    return {{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback(); }},
             {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
 }
 
@@ -122,6 +126,7 @@ void DebriefScreen::focusNextStep() {
 
 void DebriefScreen::loadDetails() {
     if (m_head->record.summary.recordingErased) {
+        m_worstText->hide();
         m_answers->showEmpty(tr("The recording was erased"), tr("It was erased at the person's request. The scores above are kept; there "
                                                                 "is nothing to play back."));
         return;
@@ -144,6 +149,7 @@ void DebriefScreen::loadDetails() {
 }
 
 void DebriefScreen::showNoDetails(const core::Error& error) {
+    m_worstText->hide();
     m_answers->showError(tr("The recording could not be read. The scores above are as they were stored."), error);
 }
 
@@ -151,6 +157,8 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     m_worstMoment = details.worst;
     if (details.worst)
         showWorst(*details.worst);
+    else
+        m_worstText->setText(tr("No moment stands out."));
     showForce(details.force);
     showComments(details.comments);
     const catalogue::ExerciseParameters& level = m_head->setup.level.parameters;
@@ -174,14 +182,14 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
     const QString metric = metricTitle(QString::fromStdString(worst.reason));
-    const QString value = report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale);
     const QString at = clockText(worst.t_s, locale);
-    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1: %2 in trial %3, at %4").arg(metric, value, locale.toString(worst.trial + 1), at)
-                                                                 : tr("%1: %2, at %3").arg(metric, value, at);
+    const bool counted = worst.unit == "count"; // of the whole session: only one of them happened here
+    const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
+    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1 in trial %2, at %3").arg(what, locale.toString(worst.trial + 1), at)
+                                                                 : tr("%1, at %2").arg(what, at);
     m_worst->setToolTip(where);
     m_worst->setAccessibleDescription(where);
     m_worstText->setText(tr("Worst moment: %1").arg(where));
-    m_worstText->show();
     m_worst->setEnabled(true);
 }
 
@@ -204,14 +212,20 @@ std::optional<TrainingPlan> DebriefScreen::demonstration() const {
     return context().site().catalogue().find(summary.exercise, summary.level) ? expertPlan(summary.exercise, summary.level) : std::nullopt;
 }
 
-void DebriefScreen::openPlayback(std::optional<double> at_s, const QString& caption) {
-    QVariantMap parameters{{QStringLiteral("session"), qlonglong(sessionId())}};
-    if (at_s) {
-        parameters.insert(QStringLiteral("at_s"), *at_s);
-        parameters.insert(QStringLiteral("caption"), caption);
-        parameters.insert(QStringLiteral("caption_s"), *at_s);
-    }
-    context().navigator().go(QStringLiteral("playback"), parameters);
+void DebriefScreen::openPlayback(QVariantMap at) {
+    at.insert(QStringLiteral("session"), qlonglong(sessionId()));
+    context().navigator().go(QStringLiteral("playback"), at);
+}
+
+void DebriefScreen::openWorst() {
+    if (!m_worstMoment)
+        return;
+    const double t_s = m_worstMoment->t_s;
+    openPlayback({{QStringLiteral("at_s"), std::max(0.0, t_s - kLeadIn_s)}, {QStringLiteral("caption"), m_worstText->text()}, {QStringLiteral("caption_s"), t_s}});
+}
+
+void DebriefScreen::openComment(double at_s, const QString& words) {
+    openPlayback({{QStringLiteral("at_s"), at_s}, {QStringLiteral("caption"), words}, {QStringLiteral("caption_s"), at_s}, {QStringLiteral("tab"), QStringLiteral("comments")}});
 }
 
 void DebriefScreen::openSetup(int level) {

@@ -51,7 +51,9 @@ private:
     QWidget* forceBox();
     QWidget* answersBox();
     void askReport();
-    void openPlayback(std::optional<double> at_s, const QString& caption); ///< `caption`: said in the scene at that moment
+    void openPlayback(QVariantMap at = {});
+    void openWorst(); ///< some seconds before it, to see how it came about
+    void openComment(double at_s, const QString& words);
     void openSetup(int level);
     std::map<std::string, QString> adviceNow() const; ///< of the exercise, in the person's language
     bool isMine() const;

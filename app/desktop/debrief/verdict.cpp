@@ -104,7 +104,8 @@ QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
     if (!row.value)
         return Words::tr("%1: no value (%2), but the pass mark is %3").arg(name, metricReason(row.reason), gate);
     const QString value = report::formatValue(row.value, row.unit, locale);
-    const QString by = report::formatValue(overBy(row), row.unit, locale);
+    const QString by = row.unit == QLatin1String("%") ? Words::tr("%1 percentage points").arg(report::formatValue(overBy(row), {}, locale))
+                                                      : report::formatValue(overBy(row), row.unit, locale);
     const bool above = row.gateMaximum && *row.value > *row.gateMaximum;
     if (row.unit == QLatin1String("count"))
         return above ? Words::tr("%1: %2, but the pass mark is %3 (%4 too many)").arg(name, value, gate, by)

@@ -100,7 +100,7 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& que
     std::map<std::tuple<std::int64_t, std::string, int>, bool> seen;
     std::erase_if(*newest, [&seen](const database::SessionSummary& s) {
         return s.person == database::Actor::kSimulatedPerson || s.state == database::SessionState::running ||
-               s.state == database::SessionState::voided || !seen.emplace(std::tuple{s.person, s.exercise, s.level}, true).second;
+               s.state == database::SessionState::voided || s.reviewed || !seen.emplace(std::tuple{s.person, s.exercise, s.level}, true).second;
     });
     std::stable_sort(newest->begin(), newest->end(),
                      [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
@@ -155,7 +155,11 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
         return tl::unexpected(connection.error());
     SessionReader reader(**connection, question.actor);
     const database::RoleSet& roles = question.actor.roles();
+    const auto self = database::AccountService(database).self(question.actor);
+    if (!self)
+        return tl::unexpected(self.error());
     HomeData data;
+    data.name = self->displayName.empty() ? self->name : self->displayName;
     core::Result<void> done;
     if (roles.contains(Role::trainee))
         done = readOwn(**connection, reader, question, data);

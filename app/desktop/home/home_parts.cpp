@@ -131,14 +131,16 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
         const QString when = SessionWords::ago(SessionWords::timeOf(person.latestUtc), now, context().locale());
         const QString count = tr("%n session(s) in the last 7 days", nullptr, person.sessions);
         button->setObjectName(QStringLiteral("home.person.%1").arg(person.person));
-        button->setAccessibleName(tr("%1. %2. Opens the sessions.").arg(person.name, when));
+        button->setAccessibleName(tr("%1. %2. Opens the results.").arg(person.name, when));
         QHBoxLayout* row = button->row();
         row->addWidget(kit::label(theme, person.name, TextStyle::strong), 2);
         row->addWidget(kit::label(theme, count, TextStyle::body), 2);
         row->addWidget(kit::label(theme, when, TextStyle::small, "muted"), 1);
         button->seal();
         connect(button, &QPushButton::clicked, this,
-                [this, id = person.person] { context().navigator().go(QStringLiteral("sessions"), {{QStringLiteral("person"), id}}); });
+                [this, id = person.person, name = person.name] {
+                    context().navigator().go(QStringLiteral("results"), {{QStringLiteral("person"), id}, {QStringLiteral("name"), name}});
+                });
         box.layout->addWidget(button);
     }
     return box.frame;

@@ -59,7 +59,7 @@ void HomeScreen::show(const HomeData& home) {
     const Theme& theme = context().theme();
     auto* page = new ScrollPage(theme, 1100);
     QVBoxLayout& column = *page->column();
-    column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(context().loginName())), TextStyle::heading));
+    column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(home.name)), TextStyle::heading));
     addRecovered(column, home);
     addCommented(column, home);
     if (context().has(database::Role::trainee))

@@ -65,6 +65,7 @@ bool CommentPanel::mayAdd() const { return !m_draft->isHidden(); }
 void CommentPanel::write() { m_text->setFocus(Qt::ShortcutFocusReason); }
 
 void CommentPanel::clearDraft() {
+    m_text->setFocus(Qt::OtherFocusReason); // first: the button that was pressed is off once there is no text, and the page would follow the focus
     m_text->clear();
 }
 

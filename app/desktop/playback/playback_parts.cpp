@@ -160,6 +160,8 @@ QWidget* PlaybackScreen::sideColumn() {
     m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
                           context().has(database::Role::admin));
     m_tabs->addTab(m_comments, tr("Comments (C)"));
+    if (place().parameters.value(QStringLiteral("tab")).toString() == QLatin1String("comments"))
+        m_tabs->setCurrentWidget(m_comments);
     column->addWidget(m_tabs, 1);
     return side;
 }

@@ -8,6 +8,8 @@
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/scrubber.h"
 #include "desktop/scene3d/scene_loader.h"
+#include "desktop/plots/session_words.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
 
@@ -297,13 +299,17 @@ void PlaybackScreen::addComment(const QString& text) {
                 return context().messages().error(tr("The comment was not saved. Its text is still here."), added.error());
             m_comments->clearDraft();
             loadComments();
+            const database::SessionSummary& session = m_data->record.summary;
+            if (session.person != context().actor().personId() && session.person != database::Actor::kSimulatedPerson)
+                context().messages().done(tr("The comment is saved. %1 is told of it on Home.").arg(QString::fromStdString(session.personName)));
         });
 }
 
 void PlaybackScreen::askVoid() {
     m_clock.pause();
     const database::SessionSummary& session = m_data->record.summary;
-    auto* dialog = new VoidSessionDialog(context().theme(), session.id, QString::fromStdString(session.personName), this);
+    auto* dialog = new VoidSessionDialog(context().theme(), session.id, QString::fromStdString(session.personName),
+                                         SessionWords::which(session, exerciseTitle(context().site().catalogue(), session.exercise, context().language()), context().locale()), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { declareVoid(dialog->reason()); });
     dialog->open();

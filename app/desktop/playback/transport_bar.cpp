@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <algorithm>
 #include <array>
 
 namespace chiron::desktop {
@@ -48,12 +49,16 @@ void TransportBar::buildButtons(QLayout& row) {
         return button;
     };
     add("playback.begin", "media-skip-backward", tr("To the beginning (Home)"), [this] { m_clock.seek(0.0); });
-    add("playback.back", "media-seek-backward", tr("One frame back (Left)"), [this] { m_clock.step(-1); });
+    add("playback.back", "go-previous", tr("One frame back (Left)"), [this] { m_clock.step(-1); });
     m_play = kit::button(m_theme, tr("Play"), "primary", QStringLiteral("media-playback-start"));
     m_play->setObjectName(QStringLiteral("playback.play"));
+    for (const bool playing : {true, false}) { // as wide for either word: its neighbours stay where they are
+        showPlaying(playing);
+        m_play->setMinimumWidth(std::max(m_play->minimumWidth(), m_play->sizeHint().width()));
+    }
     connect(m_play, &QPushButton::clicked, this, [this] { m_clock.toggle(); });
     row.addWidget(m_play);
-    add("playback.on", "media-seek-forward", tr("One frame forward (Right)"), [this] { m_clock.step(1); });
+    add("playback.on", "go-next", tr("One frame forward (Right)"), [this] { m_clock.step(1); });
     add("playback.end", "media-skip-forward", tr("To the end (End)"), [this] { m_clock.seek(m_clock.duration_s()); });
 }
 

@@ -73,9 +73,11 @@ QString forceText(const database::SessionSummary& session) {
 }
 
 QString whoText(const database::SessionSummary& session) {
-    if (!session.operatorName.empty())
-        return words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(operatorTitle(session.operatorName));
-    return QString::fromStdString(session.personName);
+    const QString person = session.person == database::Actor::kSimulatedPerson ? QString() : QString::fromStdString(session.personName);
+    if (session.operatorName.empty())
+        return QString::fromStdString(session.personName);
+    const QString script = words(QT_TRANSLATE_NOOP("Sessions", "%1 (scripted)")).arg(operatorTitle(session.operatorName));
+    return person.isEmpty() ? script : person + QStringLiteral(" · ") + script;
 }
 
 QString deviceText(const devices::DeviceDescriptor& device) {

@@ -20,7 +20,7 @@ void ResultsScreen::showDetection(const std::vector<Attempt>& attempts) {
     m_detectionOf = what;
     if (m_detection)
         m_detection->cancel();
-    session::DetectionQuery query{context().actor().personId(), m_level->currentData().toInt(), true, {}};
+    session::DetectionQuery query{person(), m_level->currentData().toInt(), true, {}};
     for (const Attempt& attempt : attempts)
         if (attempt.onCurve())
             query.felt = attempt.summary.felt; // of the newest: felt and shown are never pooled

@@ -9,6 +9,7 @@
 #include "desktop/results/attempts_table.h"
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/roc_box.h"
+#include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -34,8 +35,16 @@ ResultsScreen::~ResultsScreen() {
             work->cancel();
 }
 
+database::PersonId ResultsScreen::person() const {
+    return place().parameters.value(QStringLiteral("person"), qlonglong(context().actor().personId())).toLongLong();
+}
+
+bool ResultsScreen::isOwn() const {
+    return person() == context().actor().personId();
+}
+
 QString ResultsScreen::title() const {
-    return tr("My results");
+    return isOwn() ? tr("My results") : tr("Results of %1").arg(place().parameters.value(QStringLiteral("name")).toString());
 }
 
 QString ResultsScreen::help() const {
@@ -46,6 +55,8 @@ QString ResultsScreen::help() const {
 }
 
 std::vector<ScreenCommand> ResultsScreen::commands() {
+    if (!isOwn())
+        return {};
     return {{tr("Export my data"), QKeySequence(), [this] { askExport(); }}};
 }
 
@@ -57,11 +68,11 @@ void ResultsScreen::load() {
     database::Database& database = context().site().database();
     m_work = context().background().run(
         this,
-        [&database, actor = context().actor()](WorkToken& token) -> core::Result<std::vector<Attempt>> {
+        [&database, actor = context().actor(), whose = person()](WorkToken& token) -> core::Result<std::vector<Attempt>> {
             auto connection = database.openReader();
             if (!connection)
                 return tl::unexpected(connection.error());
-            return loadAttempts(**connection, actor, actor.personId(), [&token](double part) {
+            return loadAttempts(**connection, actor, whose, [&token](double part) {
                 token.setProgress(static_cast<int>(100 * part), 100);
                 return !token.cancelled();
             });
@@ -70,13 +81,17 @@ void ResultsScreen::load() {
             if (attempts)
                 showAttempts(std::move(*attempts));
             else
-                m_panel->showError(tr("Your results could not be read"), attempts.error(), [this] { load(); });
+                m_panel->showError(tr("The results could not be read"), attempts.error(), [this] { load(); });
         });
-    m_panel->showLoading(tr("Reading your results …"), m_work);
+    m_panel->showLoading(tr("Reading the results …"), m_work);
 }
 
 void ResultsScreen::showAttempts(std::vector<Attempt> attempts) {
     m_attempts = std::move(attempts);
+    if (m_attempts.empty() && !isOwn()) {
+        m_panel->showEmpty(tr("No results yet"), tr("Nothing was recorded for this person."));
+        return;
+    }
     if (m_attempts.empty()) {
         m_panel->showEmpty(tr("No results yet"), tr("Your first session will be here, with its scores and its playback."), tr("Choose an exercise"),
                            [this] { context().navigator().go(QStringLiteral("exercises")); });
@@ -108,17 +123,36 @@ void ResultsScreen::build() {
         if (const QTableWidgetItem* item = m_table->item(m_table->currentRow(), 0))
             openSession(item->data(Qt::UserRole).toLongLong());
     });
-    page->column()->addWidget(open, 0, Qt::AlignLeft);
-    page->column()->addWidget(kit::label(theme, tr("Your data"), TextStyle::title));
-    page->column()->addWidget(kit::label(theme, tr("A copy of everything that is held about you: your account, sessions, scores, comments and samples. "
-                                                   "It is yours to keep; nothing is removed here."), TextStyle::body, "muted"));
-    auto* exportButton = kit::button(theme, tr("Export my data …"), "", QStringLiteral("document-save"));
-    exportButton->setObjectName(QStringLiteral("results.export"));
-    connect(exportButton, &QPushButton::clicked, this, &ResultsScreen::askExport);
-    page->column()->addWidget(exportButton, 0, Qt::AlignLeft);
+    auto* buttons = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), buttons);
+    row->addWidget(open);
+    if (!isOwn()) {
+        auto* all = kit::button(theme, tr("All sessions of this person"), "", QStringLiteral("view-list-details"));
+        all->setObjectName(QStringLiteral("results.sessions"));
+        connect(all, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("sessions"), {{QStringLiteral("person"), qlonglong(person())}}); });
+        row->addWidget(all);
+    }
+    page->column()->addWidget(buttons);
+    if (isOwn())
+        page->column()->addWidget(ownData());
     page->column()->addStretch();
     m_panel->setContent(page);
     fillLevels();
+}
+
+QWidget* ResultsScreen::ownData() {
+    const Theme& theme = context().theme();
+    auto* part = new QWidget;
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(kit::label(theme, tr("Your data"), TextStyle::title));
+    column->addWidget(kit::label(theme, tr("A copy of everything that is held about you: your account, sessions, scores, comments and samples. "
+                                           "It is yours to keep; nothing is removed here."), TextStyle::body, "muted"));
+    auto* exportButton = kit::button(theme, tr("Export my data …"), "", QStringLiteral("document-save"));
+    exportButton->setObjectName(QStringLiteral("results.export"));
+    connect(exportButton, &QPushButton::clicked, this, &ResultsScreen::askExport);
+    column->addWidget(exportButton, 0, Qt::AlignLeft);
+    return part;
 }
 
 QComboBox* ResultsScreen::choice(const char* name, const QString& label, ResponsiveRow& row) {

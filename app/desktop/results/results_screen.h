@@ -23,8 +23,8 @@ class RocBox;
 class StatePanel;
 class WorkToken;
 
-/// A person's own sessions: by exercise and level, a learning curve, every attempt a step away, and a copy of all their data. Place: {exercise,
-/// level, metric}. GUI thread.
+/// Somebody's sessions: by exercise and level, a learning curve, every attempt a step away; of one's own a copy of all data, of others (for
+/// trainers) the way to all their sessions. Place: {exercise, level, metric; person, name: of somebody else}. GUI thread.
 class ResultsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -40,6 +40,9 @@ public:
     void exportTo(const QString& parent);
 
 private:
+    database::PersonId person() const; ///< whose
+    bool isOwn() const;
+    QWidget* ownData();
     void load();
     void showAttempts(std::vector<Attempt> attempts);
     void build();

@@ -101,6 +101,11 @@ QString SessionWords::gates(const database::SessionSummary& session, const QLoca
     return session.gates > 0 ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
 }
 
+QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
+    const QString what = session.exercise == kComparison ? exercise : tr("%1, level %2").arg(exercise, locale.toString(session.level));
+    return QStringList{what, started(session, locale), cameTo(session)}.join(QStringLiteral(" · "));
+}
+
 QString SessionWords::review(const database::SessionSummary& session) { return session.reviewed ? tr("Reviewed") : QStringLiteral("–"); }
 
 QDateTime SessionWords::timeOf(const std::string& utc) {

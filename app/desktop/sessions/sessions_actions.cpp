@@ -3,6 +3,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_filter_bar.h"
 #include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/session_words.h"
 #include "desktop/sessions/sessions_csv.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/sessions/void_dialog.h"
@@ -101,7 +102,7 @@ void SessionsScreen::askVoid() {
     const SessionRow* row = selected();
     if (!row || !m_void->isEnabled())
         return;
-    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, this);
+    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, id = row->summary.id] { voidSession(id, dialog->reason()); });
     dialog->open();

@@ -8,7 +8,7 @@
 
 namespace chiron::desktop {
 
-VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, QWidget* parent) : QDialog(parent) {
+VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent) : QDialog(parent) {
     setObjectName(QStringLiteral("void"));
     setWindowTitle(tr("Void a session"));
     setMinimumWidth(theme.px(440));
@@ -16,9 +16,12 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, tr("Void session %1 of %2?").arg(session).arg(person), TextStyle::title));
+    auto* which = kit::label(theme, what);
+    which->setObjectName(QStringLiteral("void.which"));
+    column->addWidget(which);
     column->addWidget(kit::label(theme, tr("Recording, scores and comments stay and can still be viewed. The session no longer counts for "
-                                           "anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This "
-                                           "cannot be undone.")));
+                                           "anything: neither for passing a level nor in anybody's results. Your name and the reason are "
+                                           "stored with it. This cannot be undone.")));
     auto* label = kit::label(theme, tr("Reason (the trainee can read it)"), TextStyle::label);
     m_reason = new QPlainTextEdit;
     m_reason->setObjectName(QStringLiteral("void.reason"));

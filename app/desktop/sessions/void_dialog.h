@@ -15,7 +15,8 @@ namespace chiron::desktop {
 class VoidSessionDialog final : public QDialog {
     Q_OBJECT
 public:
-    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, QWidget* parent);
+    /// `what`: exercise, level, time and result, so that nobody voids the wrong one.
+    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent);
     QString reason() const;
 
 private:

@@ -262,7 +262,7 @@ private slots:
     }
 
     void voids() {
-        VoidSessionDialog dialog(m_theme, 12, QStringLiteral("Tina Trainee"), nullptr);
+        VoidSessionDialog dialog(m_theme, 12, QStringLiteral("Tina Trainee"), QStringLiteral("Find the apex, level 2 · Not passed"), nullptr);
         begin(dialog);
         dialog.show();
         for (const char* reason : {"   ", " wrong hand \n"}) {

@@ -209,7 +209,7 @@ void TestPeople::eraseAParticipant() {
         desk.go(QStringLiteral("home"));
         QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, 10000);
         const auto notices = desk.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text"));
-        return std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("asked for their recordings to be erased")); });
+        return std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("recordings to be erased")); });
     };
     QVERIFY(homeTells());
 

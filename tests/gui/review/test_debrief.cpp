@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableWidget>
 
 using namespace chiron;
@@ -167,9 +168,10 @@ void TestDebrief::worstMomentIsOneClickAway() {
     const desktop::Place place = m_site->context.navigator().current();
     QCOMPARE(place.screen, QStringLiteral("playback"));
     QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_bad);
-    QVERIFY(place.parameters.value(QStringLiteral("at_s")).toDouble() > 0.0);
     QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), where); // said in the scene there
-    QCOMPARE(place.parameters.value(QStringLiteral("caption_s")).toDouble(), place.parameters.value(QStringLiteral("at_s")).toDouble());
+    const double worst_s = place.parameters.value(QStringLiteral("caption_s")).toDouble();
+    QVERIFY(worst_s > 0.0);
+    QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(), std::max(0.0, worst_s - 3.0)); // to see how it came about
 }
 
 void TestDebrief::aTrainersCommentArrives() {
@@ -214,6 +216,9 @@ void TestDebrief::aTrainersCommentArrives() {
     QCOMPARE(place.screen, QStringLiteral("playback"));
     QVERIFY(place.parameters.value(QStringLiteral("at_s")).toDouble() > 1.0);
     QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), comments.last());
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabWidget>(QStringLiteral("playback.tabs")), 20000);
+    auto* tabs = m_site->find<QTabWidget>(QStringLiteral("playback.tabs"));
+    QVERIFY(tabs->tabText(tabs->currentIndex()).startsWith(QStringLiteral("Comments")));
     QVERIFY(!atHome()); // it was read
     comment(m_site->actor("tom"), "And press less.", {});
     QVERIFY(atHome()); // the next one is news again

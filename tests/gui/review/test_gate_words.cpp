@@ -41,6 +41,10 @@ void TestGateWords::missedByHowMuch() {
     QVERIFY2(below.contains("too little") && below.contains("(15"), qPrintable(below));
     const QString above = missed(85.0, 20.0, 80.0);
     QVERIFY2(above.contains("too much") && above.contains("(5"), qPrintable(above));
+    report::MetricRow share = row(71.0, 85.0, {}); // a difference of shares is in percentage points
+    share.unit = "%";
+    QVERIFY2(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom)).endsWith("(14 percentage points too little)"),
+             qPrintable(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom))));
     report::MetricRow counted = row(3.0, {}, 0.0);
     counted.id = "apex_misses";
     counted.unit = "count";

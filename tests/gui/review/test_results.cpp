@@ -23,6 +23,7 @@ private slots:
     void emptyLeadsToExercises();
     void attemptsAndCurve();
     void onlyMyOwn();
+    void aTrainerSeesSomebodysProgress();
     void openLeadsToTheDebrief();
     void exportsEverything();
     void nothingClippedOrUnnamed();
@@ -98,6 +99,28 @@ void TestResults::onlyMyOwn() {
     auto connection = m_site->database().openReader();
     const auto others = desktop::loadAttempts(**connection, theo, m_tina->personId(), [](double) { return true; });
     QVERIFY(!others || others->empty()); // the data layer gives nobody else's
+}
+
+/// From Home to the curve of one trainee, and on to all their sessions; their data are theirs to export.
+void TestResults::aTrainerSeesSomebodysProgress() {
+    m_site->logIn("tom");
+    const QString tile = QStringLiteral("home.person.%1").arg(m_tina->personId());
+    QTRY_VERIFY(m_site->window->screen()->findChild<QPushButton*>(tile));
+    m_site->window->screen()->findChild<QPushButton*>(tile)->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("results"));
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QVERIFY(m_site->window->screen()->title().startsWith(QStringLiteral("Results of ")));
+    QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 7);
+    QVERIFY(find<QWidget>("results.curve"));
+    QVERIFY(!find<QPushButton>("results.export"));
+    QVERIFY(m_site->window->screen()->commands().empty());
+    find<QPushButton>("results.sessions")->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("sessions"));
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), m_tina->personId());
+    m_site->logIn("theo"); // no trainer: nothing of somebody else's is there
+    m_site->go(QStringLiteral("results"), {{QStringLiteral("person"), qlonglong(m_tina->personId())}});
+    QTRY_VERIFY(tests::panelOf(*m_site)->state() == desktop::StatePanel::State::empty || tests::panelOf(*m_site)->state() == desktop::StatePanel::State::error);
+    m_site->context.logIn(*m_tina);
 }
 
 void TestResults::openLeadsToTheDebrief() {
