@@ -3721,6 +3721,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Reviewed</source>
         <translation>Begutachtet</translation>
     </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, Stufe %2</translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -6014,6 +6018,10 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <source>Since the attempt before: %1</source>
         <translation>Seit dem Versuch davor: %1</translation>
     </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1 Prozentpunkte</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AccountScreen</name>
@@ -6922,18 +6930,6 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
         <translation>Auswertung</translation>
     </message>
     <message>
-        <source>The result of this session.
-
-At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
-
-&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
-        <translation>Das Ergebnis dieser Sitzung.
-
-Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel verfehlt wurde. Darunter die wichtigsten Zahlen auf ihrer Skala: Der Zeiger ist der Wert, die Linie die Bestehensgrenze, der Bereich das, was andere erreicht haben.
-
-„Schlechtesten Moment ansehen“ öffnet die Wiedergabe an der schlechtesten Stelle. „Bericht“ erstellt ein druckbares PDF. Die Tabelle enthält jede Messgröße; wählen Sie eine Zeile, um zu lesen, was sie bedeutet.</translation>
-    </message>
-    <message>
         <source>Open the playback</source>
         <translation>Wiedergabe öffnen</translation>
     </message>
@@ -6970,10 +6966,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Die Aufzeichnung konnte nicht gelesen werden. Die Wertungen oben sind so, wie sie gespeichert wurden.</translation>
     </message>
     <message>
-        <source>%1: %2 in trial %3, at %4</source>
-        <translation>%1: %2 in Durchgang %3, bei %4</translation>
-    </message>
-    <message>
         <source>No trial was finished</source>
         <translation>Kein Durchgang wurde beendet</translation>
     </message>
@@ -7000,10 +6992,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>The report could not be written.</source>
         <translation>Der Bericht konnte nicht gespeichert werden.</translation>
-    </message>
-    <message>
-        <source>%1: %2, at %3</source>
-        <translation>%1: %2, bei %3</translation>
     </message>
     <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
@@ -7060,6 +7048,34 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Watch</source>
         <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>Looking for the worst moment …</source>
+        <translation>Der schlechteste Moment wird gesucht …</translation>
+    </message>
+    <message>
+        <source>The result of this session.
+
+At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
+
+&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric with what it means.</source>
+        <translation>Das Ergebnis dieser Sitzung.
+
+Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel verfehlt wurde. Darunter die wichtigsten Zahlen auf ihrer Skala: Der Zeiger ist der Wert, die Linie die Bestehensgrenze, der Bereich das, was andere erreicht haben.
+
+„Schlechtesten Moment ansehen“ öffnet die Wiedergabe an der schlechtesten Stelle. „Bericht“ erstellt ein druckbares PDF. Die Tabelle enthält jede Messgröße und was sie bedeutet.</translation>
+    </message>
+    <message>
+        <source>No moment stands out.</source>
+        <translation>Kein Moment fällt besonders auf.</translation>
+    </message>
+    <message>
+        <source>%1 in trial %2, at %3</source>
+        <translation>%1 in Durchgang %2, bei %3</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, bei %2</translation>
     </message>
 </context>
 <context>
@@ -8304,10 +8320,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         </translation>
     </message>
     <message>
-        <source>%1. %2. Opens the sessions.</source>
-        <translation>%1. %2. Öffnet die Sitzungen.</translation>
-    </message>
-    <message>
         <source>Data</source>
         <translation>Daten</translation>
     </message>
@@ -8476,9 +8488,13 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-                <numerusform>Eine Teilnahme an einer Studie wurde zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
-                <numerusform>%n Teilnahmen an Studien wurden zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
-            </translation>
+            <numerusform>Eine Teilnahme an einer Studie wurde zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
+            <numerusform>%n Teilnahmen an Studien wurden zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2. Opens the results.</source>
+        <translation>%1. %2. Öffnet die Ergebnisse.</translation>
     </message>
 </context>
 <context>
@@ -10247,6 +10263,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
         <translation>Sitzung %1 ist für ungültig erklärt. Ihre Aufzeichnung bleibt erhalten; sie zählt nicht mehr.</translation>
     </message>
+    <message>
+        <source>The comment is saved. %1 is told of it on Home.</source>
+        <translation>Der Kommentar ist gespeichert. %1 sieht ihn auf der Startseite.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -11833,14 +11853,6 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Meine Daten exportieren</translation>
     </message>
     <message>
-        <source>Your results could not be read</source>
-        <translation>Ihre Ergebnisse konnten nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>Reading your results …</source>
-        <translation>Ihre Ergebnisse werden gelesen …</translation>
-    </message>
-    <message>
         <source>No results yet</source>
         <translation>Noch keine Ergebnisse</translation>
     </message>
@@ -11903,6 +11915,26 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     <message>
         <source>Your data could not be written completely.</source>
         <translation>Ihre Daten konnten nicht vollständig geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Ergebnisse von %1</translation>
+    </message>
+    <message>
+        <source>The results could not be read</source>
+        <translation>Die Ergebnisse konnten nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Reading the results …</source>
+        <translation>Die Ergebnisse werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded for this person.</source>
+        <translation>Für diese Person wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>All sessions of this person</source>
+        <translation>Alle Sitzungen dieser Person</translation>
     </message>
 </context>
 <context>
@@ -14789,12 +14821,12 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Für ungültig erklären</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: keine Anforderung, keine Kurve, kein Zertifikat. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Reason (the trainee can read it)</source>
         <translation>Begründung (für die lernende Person lesbar)</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt nicht mehr: weder für das Bestehen eines Levels noch in den Ergebnissen. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>

@@ -3721,6 +3721,10 @@ Do you want to replace it?</source>
         <source>Reviewed</source>
         <translation>Αξιολογήθηκε</translation>
     </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, επίπεδο %2</translation>
+    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -6014,6 +6018,10 @@ Recording and scores are kept but do not count.</source>
         <source>Since the attempt before: %1</source>
         <translation>Από την προηγούμενη προσπάθεια: %1</translation>
     </message>
+    <message>
+        <source>%1 percentage points</source>
+        <translation>%1 ποσοστιαίες μονάδες</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AccountScreen</name>
@@ -6922,18 +6930,6 @@ To change your password, first enter the one that you have now.</source>
         <translation>Απολογισμός</translation>
     </message>
     <message>
-        <source>The result of this session.
-
-At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
-
-&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric; choose a row to read what it means.</source>
-        <translation>Το αποτέλεσμα αυτής της συνεδρίας.
-
-Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και για πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
-
-Το «Δείτε τη χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» δημιουργεί ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις· επιλέξτε μια γραμμή για να διαβάσετε τι σημαίνει.</translation>
-    </message>
-    <message>
         <source>Open the playback</source>
         <translation>Άνοιγμα αναπαραγωγής</translation>
     </message>
@@ -6970,10 +6966,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν ήταν δυνατή η ανάγνωση της καταγραφής. Οι βαθμολογίες παραπάνω είναι όπως αποθηκεύτηκαν.</translation>
     </message>
     <message>
-        <source>%1: %2 in trial %3, at %4</source>
-        <translation>%1: %2 στη δοκιμή %3, στο %4</translation>
-    </message>
-    <message>
         <source>No trial was finished</source>
         <translation>Δεν ολοκληρώθηκε καμία δοκιμή</translation>
     </message>
@@ -7000,10 +6992,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>The report could not be written.</source>
         <translation>Δεν ήταν δυνατή η αποθήκευση της αναφοράς.</translation>
-    </message>
-    <message>
-        <source>%1: %2, at %3</source>
-        <translation>%1: %2, στο %3</translation>
     </message>
     <message>
         <source>Findings and maps could not be read from the recording. The scores above are as they were stored.</source>
@@ -7060,6 +7048,34 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Watch</source>
         <translation>Προβολή</translation>
+    </message>
+    <message>
+        <source>Looking for the worst moment …</source>
+        <translation>Αναζήτηση της χειρότερης στιγμής …</translation>
+    </message>
+    <message>
+        <source>The result of this session.
+
+At the top: whether it passed, and if not, which pass mark was missed and by how much. Below, the most important numbers on their scale: the pointer is the value, the line the pass mark, the band what others reached.
+
+&quot;Watch the worst moment&quot; opens the playback where it went wrong most. &quot;Report&quot; writes a printable PDF. The table holds every metric with what it means.</source>
+        <translation>Το αποτέλεσμα αυτής της συνεδρίας.
+
+Πάνω: αν υπήρξε επιτυχία και, αν όχι, ποιο όριο επιτυχίας δεν επετεύχθη και για πόσο. Από κάτω, οι σημαντικότεροι αριθμοί στην κλίμακά τους: ο δείκτης είναι η τιμή, η γραμμή το όριο επιτυχίας, η ζώνη όσα πέτυχαν άλλοι.
+
+Το «Δείτε τη χειρότερη στιγμή» ανοίγει την αναπαραγωγή εκεί όπου έγινε το μεγαλύτερο λάθος. Η «Αναφορά» δημιουργεί ένα εκτυπώσιμο PDF. Ο πίνακας έχει όλες τις μετρήσεις και τι σημαίνει η καθεμία.</translation>
+    </message>
+    <message>
+        <source>No moment stands out.</source>
+        <translation>Καμία στιγμή δεν ξεχωρίζει.</translation>
+    </message>
+    <message>
+        <source>%1 in trial %2, at %3</source>
+        <translation>%1 στη δοκιμή %2, στο %3</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, στο %2</translation>
     </message>
 </context>
 <context>
@@ -8304,10 +8320,6 @@ Press again to end the trial without it.</source>
         </translation>
     </message>
     <message>
-        <source>%1. %2. Opens the sessions.</source>
-        <translation>%1. %2. Ανοίγει τις συνεδρίες.</translation>
-    </message>
-    <message>
         <source>Data</source>
         <translation>Δεδομένα</translation>
     </message>
@@ -8476,9 +8488,13 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-                <numerusform>Ένας συμμετέχων αποσύρθηκε από μελέτη και ζήτησε να διαγραφούν οι καταγραφές του. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
-                <numerusform>%n συμμετέχοντες αποσύρθηκαν από μελέτη και ζήτησαν να διαγραφούν οι καταγραφές τους. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
-            </translation>
+            <numerusform>Ένας συμμετέχων αποσύρθηκε από μελέτη και ζήτησε να διαγραφούν οι καταγραφές του. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
+            <numerusform>%n συμμετέχοντες αποσύρθηκαν από μελέτη και ζήτησαν να διαγραφούν οι καταγραφές τους. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1. %2. Opens the results.</source>
+        <translation>%1. %2. Ανοίγει τα αποτελέσματα.</translation>
     </message>
 </context>
 <context>
@@ -10247,6 +10263,10 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <source>Session %1 is voided. Its recording is kept; it no longer counts.</source>
         <translation>Η συνεδρία %1 ακυρώθηκε. Η καταγραφή της διατηρείται· δεν μετράει πλέον.</translation>
     </message>
+    <message>
+        <source>The comment is saved. %1 is told of it on Home.</source>
+        <translation>Το σχόλιο αποθηκεύτηκε. Εμφανίζεται στην αρχική οθόνη του χρήστη %1.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PreviewPage</name>
@@ -11833,14 +11853,6 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
         <translation>Εξαγωγή δεδομένων μου</translation>
     </message>
     <message>
-        <source>Your results could not be read</source>
-        <translation>Δεν ήταν δυνατή η ανάγνωση των αποτελεσμάτων σας</translation>
-    </message>
-    <message>
-        <source>Reading your results …</source>
-        <translation>Ανάγνωση των αποτελεσμάτων σας …</translation>
-    </message>
-    <message>
         <source>No results yet</source>
         <translation>Δεν υπάρχουν ακόμη αποτελέσματα</translation>
     </message>
@@ -11903,6 +11915,26 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
     <message>
         <source>Your data could not be written completely.</source>
         <translation>Τα δεδομένα σας δεν γράφτηκαν ολόκληρα.</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Αποτελέσματα: %1</translation>
+    </message>
+    <message>
+        <source>The results could not be read</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των αποτελεσμάτων</translation>
+    </message>
+    <message>
+        <source>Reading the results …</source>
+        <translation>Ανάγνωση των αποτελεσμάτων …</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded for this person.</source>
+        <translation>Δεν υπάρχουν καταγραφές για αυτό το άτομο.</translation>
+    </message>
+    <message>
+        <source>All sessions of this person</source>
+        <translation>Όλες οι συνεδρίες του ατόμου</translation>
     </message>
 </context>
 <context>
@@ -14789,12 +14821,12 @@ F2 is for the experimenter.</source>
         <translation>Ακύρωση συνεδρίας</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: no gate, no curve, no certificate. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Καταγραφή, βαθμολογίες και σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε σε πύλη, ούτε σε καμπύλη, ούτε σε πιστοποιητικό. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της και η ακύρωση δεν αναιρείται.</translation>
-    </message>
-    <message>
         <source>Reason (the trainee can read it)</source>
         <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. This cannot be undone.</source>
+        <translation>Η καταγραφή, οι βαθμολογίες και τα σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον: ούτε για την επιτυχία σε επίπεδο ούτε στα αποτελέσματα κανενός. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της. Η ακύρωση δεν αναιρείται.</translation>
     </message>
 </context>
 <context>

@@ -504,9 +504,9 @@
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-                <numerusform>One participant withdrew from a study and asked for the recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
-                <numerusform>%n participants withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
-            </translation>
+            <numerusform>One participant withdrew from a study and asked for the recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
+            <numerusform>%n participants withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,7 @@ void TestGateWords::missedByHowMuch() {
     QVERIFY2(above.contains("too much") && above.contains("(5"), qPrintable(above));
     report::MetricRow share = row(71.0, 85.0, {}); // a difference of shares is in percentage points
     share.unit = "%";
-    QVERIFY2(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom)).endsWith("(14 percentage points too little)"),
+    QVERIFY2(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom)).endsWith("(14.0 percentage points too little)"),
              qPrintable(desktop::missedGateText(share, QLocale(QLocale::English, QLocale::UnitedKingdom))));
     report::MetricRow counted = row(3.0, {}, 0.0);
     counted.id = "apex_misses";
