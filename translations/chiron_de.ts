@@ -10265,7 +10265,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>The comment is saved. %1 is told of it on Home.</source>
-        <translation>Der Kommentar ist gespeichert. %1 sieht ihn auf der Startseite.</translation>
+        <translation>Der Kommentar ist gespeichert. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
 </context>
 <context>
@@ -14826,7 +14826,7 @@ F2 ist für die Versuchsleitung.</translation>
     </message>
     <message>
         <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt nicht mehr: weder für das Bestehen eines Levels noch in den Ergebnissen. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt nicht mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
     </message>
 </context>
 <context>

@@ -10265,7 +10265,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>The comment is saved. %1 is told of it on Home.</source>
-        <translation>Το σχόλιο αποθηκεύτηκε. Εμφανίζεται στην αρχική οθόνη του χρήστη %1.</translation>
+        <translation>Το σχόλιο αποθηκεύτηκε. Ο/Η %1 τον βλέπει στην «Αρχική».</translation>
     </message>
 </context>
 <context>
