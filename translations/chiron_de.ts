@@ -710,10 +710,6 @@ Einzelheiten: %2</translation>
         <translation>Übung</translation>
     </message>
     <message>
-        <source>%1 trials before each condition.</source>
-        <translation>%1 Durchgänge vor jeder Bedingung.</translation>
-    </message>
-    <message>
         <source>There are no practice trials. The first trials that count are then the participant&apos;s first ever.</source>
         <translation>Es gibt keine Übungsdurchgänge. Die ersten gewerteten Durchgänge sind dann die allerersten der Person.</translation>
     </message>
@@ -775,6 +771,13 @@ Einzelheiten: %2</translation>
     <message>
         <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
         <translation>Noch niemand hat diesen Entwurf ausprobiert. Probieren Sie ihn zuerst selbst: Wenige Minuten zeigen, was unklar ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) before each condition.</source>
+        <translation>
+                <numerusform>Ein Durchgang vor jeder Bedingung.</numerusform>
+                <numerusform>%n Durchgänge vor jeder Bedingung.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -4274,20 +4277,12 @@ Einzelheiten: %2</translation>
         <translation>Greifen und ziehen</translation>
     </message>
     <message>
-        <source>Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls.</source>
-        <translation>Senken Sie das Werkzeug auf den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht.</translation>
-    </message>
-    <message>
         <source>Press</source>
         <translation>Drücken</translation>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
         <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf hebt.</translation>
-    </message>
-    <message>
-        <source>Lower the tip onto the ring, then raise the handle. Push on to let go.</source>
-        <translation>Senken Sie die Spitze auf den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie weiter.</translation>
     </message>
     <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
@@ -4348,6 +4343,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1 The answers can be clicked as well.</source>
         <translation>%1 Die Antworten können auch angeklickt werden.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
+        <translation>Senken Sie das Werkzeug in den Ring: Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf zieht. Zum Loslassen senken Sie es deutlich unter den Ring.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
+        <translation>Senken Sie die Spitze in den Ring und heben Sie dann den Griff. Zum Loslassen drücken Sie sie deutlich unter den Ring.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object: 1 or 2.</source>
+        <translation>Drücken Sie die Nummer des Objekts: 1 oder 2.</translation>
     </message>
 </context>
 <context>
@@ -5529,10 +5536,6 @@ Einzelheiten: %2</translation>
         <translation>Jedes Objekt bekommt eine Zahl.</translation>
     </message>
     <message>
-        <source>firmer</source>
-        <translation>fester</translation>
-    </message>
-    <message>
         <source>heavier</source>
         <translation>schwerer</translation>
     </message>
@@ -5771,6 +5774,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Ratios of differences</source>
         <translation>Verhältnisse der Unterschiede</translation>
+    </message>
+    <message>
+        <source>stiffer</source>
+        <translation>steifer</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +6862,10 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
         <source>The consent of %1 was recorded.</source>
         <translation>Die Einwilligung von %1 wurde festgehalten.</translation>
     </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Anleitung</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ControlBar</name>
@@ -7297,6 +7308,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
         <translation>Schreiben Sie ihn für die Person auf: Sie braucht ihn bei jeder Sitzung. Als Nächstes kommt die Einwilligung.</translation>
+    </message>
+    <message>
+        <source>Record the consent now</source>
+        <translation>Einwilligung jetzt festhalten</translation>
     </message>
 </context>
 <context>
@@ -12011,6 +12026,14 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
         <translation>Die Rollen von %1 wurden nicht geändert.
 %2</translation>
     </message>
+    <message>
+        <source>Your roles are changed. Log in again to see the screens that go with them.</source>
+        <translation>Ihre Rollen sind geändert. Melden Sie sich neu an, um die zugehörigen Ansichten zu sehen.</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Person wechseln</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RosterDialog</name>
@@ -14760,6 +14783,22 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Pilot run</source>
         <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
+        <translation>Zum Loslassen senken Sie das Werkzeug deutlich unter den Ring. Berühren Sie als Nächstes: %1.</translation>
+    </message>
+    <message>
+        <source>The free minute is over</source>
+        <translation>Die freie Minute ist vorbei</translation>
+    </message>
+    <message>
+        <source>The trials begin when you continue.</source>
+        <translation>Die Durchgänge beginnen, wenn Sie fortfahren.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
+        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig berührt. Lassen Sie sich von der Versuchsleitung zeigen, wie ein Objekt berührt und losgelassen wird.</translation>
     </message>
 </context>
 <context>

@@ -710,10 +710,6 @@ Details: %2</source>
         <translation>Εξάσκηση</translation>
     </message>
     <message>
-        <source>%1 trials before each condition.</source>
-        <translation>%1 δοκιμές πριν από κάθε συνθήκη.</translation>
-    </message>
-    <message>
         <source>There are no practice trials. The first trials that count are then the participant&apos;s first ever.</source>
         <translation>Δεν υπάρχουν δοκιμές εξάσκησης. Οι πρώτες δοκιμές που μετρούν είναι τότε και οι πρώτες του ατόμου.</translation>
     </message>
@@ -775,6 +771,13 @@ Details: %2</source>
     <message>
         <source>Nobody has tried this design yet. Try it yourself first: a few minutes show what is unclear.</source>
         <translation>Κανείς δεν έχει δοκιμάσει ακόμη αυτό το σχέδιο. Δοκιμάστε το πρώτα εσείς: λίγα λεπτά δείχνουν τι είναι ασαφές.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) before each condition.</source>
+        <translation>
+                <numerusform>Μία δοκιμή πριν από κάθε συνθήκη.</numerusform>
+                <numerusform>%n δοκιμές πριν από κάθε συνθήκη.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -4274,20 +4277,12 @@ Details: %2</source>
         <translation>Πιάσιμο και έλξη</translation>
     </message>
     <message>
-        <source>Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls.</source>
-        <translation>Κατεβάστε το εργαλείο στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε.</translation>
-    </message>
-    <message>
         <source>Press</source>
         <translation>Πίεση</translation>
     </message>
     <message>
         <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
         <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up ανεβαίνει.</translation>
-    </message>
-    <message>
-        <source>Lower the tip onto the ring, then raise the handle. Push on to let go.</source>
-        <translation>Κατεβάστε τη μύτη στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, πιέστε περαιτέρω.</translation>
     </message>
     <message>
         <source>Push the tip into the object, or stroke it. Raise the handle to let go.</source>
@@ -4348,6 +4343,18 @@ Details: %2</source>
     <message>
         <source>%1 The answers can be clicked as well.</source>
         <translation>%1 Μπορείτε επίσης να κάνετε κλικ στις απαντήσεις.</translation>
+    </message>
+    <message>
+        <source>Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or Page Up, pulls. To let go, lower it well below the ring.</source>
+        <translation>Κατεβάστε το εργαλείο μέσα στον δακτύλιο: κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up τραβάτε. Για να τον αφήσετε, κατεβάστε το αρκετά κάτω από τον δακτύλιο.</translation>
+    </message>
+    <message>
+        <source>Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.</source>
+        <translation>Κατεβάστε τη μύτη μέσα στον δακτύλιο και μετά σηκώστε τη λαβή. Για να τον αφήσετε, σπρώξτε τη αρκετά κάτω από τον δακτύλιο.</translation>
+    </message>
+    <message>
+        <source>Press the number of the object: 1 or 2.</source>
+        <translation>Πατήστε τον αριθμό του αντικειμένου: 1 ή 2.</translation>
     </message>
 </context>
 <context>
@@ -5529,10 +5536,6 @@ Details: %2</source>
         <translation>Κάθε αντικείμενο παίρνει έναν αριθμό.</translation>
     </message>
     <message>
-        <source>firmer</source>
-        <translation>πιο σκληρό</translation>
-    </message>
-    <message>
         <source>heavier</source>
         <translation>βαρύτερο</translation>
     </message>
@@ -5771,6 +5774,10 @@ Details: %2</source>
     <message>
         <source>Ratios of differences</source>
         <translation>Λόγοι διαφορών</translation>
+    </message>
+    <message>
+        <source>stiffer</source>
+        <translation>πιο δύσκαμπτο</translation>
     </message>
 </context>
 <context>
@@ -6855,6 +6862,10 @@ To change your password, first enter the one that you have now.</source>
         <source>The consent of %1 was recorded.</source>
         <translation>Η συγκατάθεση καταγράφηκε: %1.</translation>
     </message>
+    <message>
+        <source>Instructions</source>
+        <translation>Οδηγίες</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ControlBar</name>
@@ -7297,6 +7308,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
         <translation>Γράψτε τον για τον συμμετέχοντα: τον χρειάζεται σε κάθε συνεδρία. Ακολουθεί η συγκατάθεση.</translation>
+    </message>
+    <message>
+        <source>Record the consent now</source>
+        <translation>Καταγραφή της συγκατάθεσης τώρα</translation>
     </message>
 </context>
 <context>
@@ -12011,6 +12026,14 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
         <translation>Οι ρόλοι δεν άλλαξαν: %1.
 %2</translation>
     </message>
+    <message>
+        <source>Your roles are changed. Log in again to see the screens that go with them.</source>
+        <translation>Οι ρόλοι σας άλλαξαν. Συνδεθείτε ξανά για να δείτε τις αντίστοιχες οθόνες.</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Αλλαγή χρήστη</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RosterDialog</name>
@@ -14760,6 +14783,22 @@ F2 is for the experimenter.</source>
     <message>
         <source>Pilot run</source>
         <translation>Πιλοτική δοκιμή</translation>
+    </message>
+    <message>
+        <source>To let go, lower the tool well below the ring. Touch next: %1.</source>
+        <translation>Για να αφήσετε, κατεβάστε το εργαλείο αρκετά κάτω από τον δακτύλιο. Αγγίξτε μετά: %1.</translation>
+    </message>
+    <message>
+        <source>The free minute is over</source>
+        <translation>Το ελεύθερο λεπτό τελείωσε</translation>
+    </message>
+    <message>
+        <source>The trials begin when you continue.</source>
+        <translation>Οι δοκιμές αρχίζουν όταν συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
+        <translation>Αρκετές φορές στη σειρά δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα. Ζητήστε από τον πειραματιστή να σας δείξει πώς αγγίζετε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
 </context>
 <context>

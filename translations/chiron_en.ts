@@ -37,6 +37,13 @@
             <numerusform>Tried %n times.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s) before each condition.</source>
+        <translation>
+                <numerusform>One trial before each condition.</numerusform>
+                <numerusform>%n trials before each condition.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>ParticipantFacts</name>

@@ -182,8 +182,8 @@ void TestCliAccounts::rosterOfASpreadsheet() {
     const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
     const auto fred = std::find_if(people.begin(), people.end(), [](const QJsonValue& person) { return person["name"] == QStringLiteral("fred"); });
     QVERIFY(fred != people.end());
-    QCOMPARE((*fred)["display_name"].toString(), QStringLiteral("Fritz Fred"));
-    QCOMPARE((*fred)["roles"].toArray(), QJsonArray{"trainer"});
+    QCOMPARE((*fred)[QStringLiteral("display_name")].toString(), QStringLiteral("Fritz Fred"));
+    QCOMPARE((*fred)[QStringLiteral("roles")].toArray(), QJsonArray{"trainer"});
     QCOMPARE(as("alice", kAlice, {"user", "import-csv", german, "--existing", "replace"}).exitCode, 2);
     const CliRun excel = as("alice", kAlice, {"user", "import-csv", file("Kurs.xlsx", QByteArray("PK\x03\x04", 4) + "[Content_Types].xml")});
     QCOMPARE(excel.exitCode, 3);

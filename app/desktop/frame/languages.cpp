@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
+#include <QLocale>
 #include <QTranslator>
 
 /// The catalogues are part of a static library, whose resources the linker leaves out unless they are asked for.
@@ -28,6 +29,14 @@ void installLanguage(QCoreApplication& application, const QString& language) {
         else
             delete translator;
     }
+}
+
+QString languageName(const QString& language) {
+    if (language == QLatin1String("en"))
+        return QStringLiteral("English");
+    if (language == QLatin1String("de"))
+        return QStringLiteral("Deutsch");
+    return language == QLatin1String("el") ? QStringLiteral("Ελληνικά") : QLocale(language).nativeLanguageName();
 }
 
 } // namespace chiron::desktop

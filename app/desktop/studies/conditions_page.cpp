@@ -95,20 +95,30 @@ void ConditionsPage::edit(const QString& words, const QString& key, const std::f
                         [&](StudyDesign& design) { change(design.conditions[static_cast<std::size_t>(m_shown)]); }, structure);
 }
 
+QString ConditionsPage::buttonText(const Condition& condition) const {
+    const QString title = study_words::text(condition.title, m_page.app.language());
+    return title.isEmpty() ? QString::fromStdString(condition.id) : title;
+}
+
 QWidget* ConditionsPage::chooser() {
     const Theme& theme = m_page.app.theme();
     auto* bar = new QWidget;
     auto* row = new FlowLayout(theme.px(8), bar);
     const std::vector<Condition>& conditions = m_page.draft.design().conditions;
     for (std::size_t i = 0; i < conditions.size(); ++i) {
-        const QString title = study_words::text(conditions[i].title, m_page.app.language());
-        auto* button = kit::button(theme, title.isEmpty() ? QString::fromStdString(conditions[i].id) : title);
+        auto* button = kit::button(theme, buttonText(conditions[i]));
         button->setObjectName(QStringLiteral("conditions.%1").arg(i));
         button->setCheckable(true);
         button->setChecked(static_cast<int>(i) == m_shown);
         connect(button, &QPushButton::clicked, this, [this, i] { emit showAsked(static_cast<int>(i)); });
         row->addWidget(button);
     }
+    connect(&m_page.draft, &StudyDraft::changed, bar, [this, bar] { // a title that was typed is the button's at once
+        const auto& now = m_page.draft.design().conditions;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (auto* button = bar->findChild<QPushButton*>(QStringLiteral("conditions.%1").arg(i)))
+                button->setText(buttonText(now[i]));
+    });
     if (m_page.readOnly)
         return bar;
     const auto add = [&](const QString& text, const char* icon, const char* name, const std::function<void()>& act) {

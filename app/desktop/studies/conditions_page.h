@@ -23,6 +23,7 @@ signals:
 private:
     QWidget* sealedBox(); ///< codes instead of conditions
     QWidget* sharedBox(); ///< what is the same of all of them
+    QString buttonText(const psychophysics::Condition& condition) const;
     QWidget* chooser();
     QWidget* stimulusBox();
     void addNames(FieldGrid& grid);

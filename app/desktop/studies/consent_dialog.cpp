@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/consent_dialog.h"
 
+#include "desktop/frame/languages.h"
+#include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>
@@ -10,17 +12,22 @@
 namespace chiron::desktop {
 
 ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const database::Participant& participant, QWidget* parent)
-    : FormDialog(context, QStringLiteral("consent"), tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent), m_texts(study.design.consent),
-      m_participant(participant) {
+    : FormDialog(context, QStringLiteral("consent"), tr("Consent of %1").arg(QString::fromStdString(participant.code)), parent), m_texts(study.design.consent), m_told(study.design.instructions), m_participant(participant) {
     m_language = new QComboBox;
     m_language->setObjectName(QStringLiteral("consent.language"));
     m_language->setAccessibleName(tr("Language"));
     for (const auto& [language, words] : m_texts)
         if (!words.empty())
-            m_language->addItem(QLocale(QString::fromStdString(language)).nativeLanguageName(), QString::fromStdString(language));
+            m_language->addItem(languageName(QString::fromStdString(language)), QString::fromStdString(language));
     m_language->setCurrentIndex(std::max(0, m_language->findData(context.language())));
     m_language->setVisible(m_language->count() > 1);
     column()->addWidget(m_language, 0, Qt::AlignLeft);
+    const kit::Box read = kit::box(theme()); // whoever agrees says that they have read it
+    read.layout->addWidget(kit::label(theme(), tr("Instructions"), TextStyle::title));
+    m_instructions = kit::label(theme(), {}, TextStyle::body);
+    m_instructions->setObjectName(QStringLiteral("consent.instructions"));
+    read.layout->addWidget(m_instructions);
+    column()->addWidget(read.frame);
     const kit::Box box = kit::box(theme());
     m_text = kit::label(theme(), {}, TextStyle::body);
     m_text->setObjectName(QStringLiteral("consent.text"));
@@ -36,9 +43,12 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
     connect(m_agreed, &QCheckBox::toggled, this, [this](bool agreed) { setAcceptable(agreed); });
     showText();
     m_agreed->setFocus();
+    if (parent)
+        resize(parent->window()->size()); // the participant reads it: what lies behind names conditions
 }
 
 void ConsentDialog::showText() {
+    m_instructions->setText(study_words::text(m_told, m_language->currentData().toString()));
     const auto found = m_texts.find(m_language->currentData().toString().toStdString());
     m_text->setText(found == m_texts.end() ? tr("This study has no consent text.") : QString::fromStdString(found->second));
     m_agreed->setChecked(false); // of another text

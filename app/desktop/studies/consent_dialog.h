@@ -10,7 +10,8 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// The consent text, read by the participant and agreed to; recorded with the text's SHA-256. GUI thread.
+/// Instructions and consent text, read by the participant and agreed to; recorded with the consent text's SHA-256. It covers the window, which
+/// names conditions. GUI thread.
 class ConsentDialog final : public FormDialog {
     Q_OBJECT
 public:
@@ -23,8 +24,10 @@ private:
     void showText();
 
     psychophysics::StudyText m_texts;
+    psychophysics::StudyText m_told; ///< the instructions
     database::Participant m_participant;
     QComboBox* m_language = nullptr;
+    QLabel* m_instructions = nullptr;
     QLabel* m_text = nullptr;
     QCheckBox* m_agreed = nullptr;
 };

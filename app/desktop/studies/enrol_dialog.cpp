@@ -78,7 +78,15 @@ void EnrolDialog::enrolled(const database::Participant& participant) {
     code->setTextInteractionFlags(Qt::TextSelectableByMouse);
     box.layout->addWidget(code);
     box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every sitting. Consent comes next."), TextStyle::body, "muted"));
+    auto* consent = kit::button(theme(), tr("Record the consent now"), "primary");
+    consent->setObjectName(QStringLiteral("enrol.consent"));
+    connect(consent, &QPushButton::clicked, this, [this, participant] {
+        accept();
+        emit consentAsked(participant);
+    });
+    box.layout->addWidget(consent, 0, Qt::AlignLeft);
     showResult(box.frame);
+    consent->setFocus();
     emit enrolledAs(QString::fromStdString(participant.code));
     emit changed();
 }

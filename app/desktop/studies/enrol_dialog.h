@@ -18,6 +18,7 @@ public:
 
 signals:
     void enrolledAs(const QString& code); ///< before changed()
+    void consentAsked(const chiron::database::Participant& participant); ///< as the next step
 
 protected:
     void submit() override;

@@ -97,7 +97,7 @@ FreezeCheck participantsCheck(const StudyDesign& design, const QLocale& locale) 
 FreezeCheck practiceCheck(const StudyDesign& design, const QLocale& locale) {
     const FreezeCheck check = checkOf("practice", CheckWords::tr("Practice"), StudyScreen::trialsTab, "trial.practice_trials");
     return design.trial.practiceTrials > 0
-               ? found(check, State::good, CheckWords::tr("%1 trials before each condition.").arg(locale.toString(design.trial.practiceTrials)))
+               ? found(check, State::good, CheckWords::tr("%n trial(s) before each condition.", nullptr, design.trial.practiceTrials))
                : found(check, State::advice, CheckWords::tr("There are no practice trials. The first trials that count are then the participant's first ever."));
 }
 

@@ -136,6 +136,7 @@ void ParticipantsPage::enrol() {
     auto* dialog = new EnrolDialog(m_app, m_study, window()); // it outlives this page, which is read anew
     connect(dialog, &EnrolDialog::enrolledAs, this, &ParticipantsPage::selectedChanged); // the new one, once the list is read anew
     connect(dialog, &EnrolDialog::changed, this, &ParticipantsPage::changed);
+    emit enrolOpened(dialog);
     dialog->open();
 }
 

@@ -9,6 +9,7 @@ class QPushButton;
 
 namespace chiron::desktop {
 
+class EnrolDialog;
 class FittedTable;
 
 /// Who takes part, by codes: enrol, consent, withdraw; who a code is, for those who may know. GUI thread.
@@ -20,6 +21,7 @@ public:
 
 signals:
     void selectedChanged(const QString& code);
+    void enrolOpened(chiron::desktop::EnrolDialog* dialog); ///< it outlives this page
     void changed(); ///< somebody was enrolled, consented or withdrew
 
 private:

@@ -4,6 +4,8 @@
 #include "desktop/accounts/notice_area.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/studies/check_page.h"
+#include "desktop/studies/consent_dialog.h"
+#include "desktop/studies/enrol_dialog.h"
 #include "desktop/studies/conditions_page.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/general_page.h"
@@ -19,6 +21,7 @@
 #include "desktop/widgets/state_panel.h"
 
 #include <QComboBox>
+#include <QScrollBar>
 #include <QTabBar>
 #include <algorithm>
 
@@ -275,6 +278,8 @@ void StudyScreen::showTab(int tab) {
     }
     note();
     showPage();
+    if (auto* page = qobject_cast<ScrollPage*>(m_view))
+        page->verticalScrollBar()->setValue(0); // a new page is read from its beginning
 }
 
 void StudyScreen::note() {
@@ -334,11 +339,19 @@ QWidget* StudyScreen::makePage() {
             note();
         });
         connect(participants, &ParticipantsPage::changed, this, [this] { reloadTo(participantsTab); });
+        connect(participants, &ParticipantsPage::enrolOpened, this,
+                [this](EnrolDialog* dialog) { connect(dialog, &EnrolDialog::consentAsked, this, &StudyScreen::askConsent); });
         return participants;
     }
     default:
         return new GeneralPage(page);
     }
+}
+
+void StudyScreen::askConsent(const database::Participant& participant) {
+    auto* dialog = new ConsentDialog(context(), m_open, participant, window());
+    connect(dialog, &ConsentDialog::changed, this, [this] { reloadTo(participantsTab); });
+    dialog->open();
 }
 
 QWidget* StudyScreen::makeCheckPage(const DesignPage& page) {

@@ -59,6 +59,7 @@ private:
     void goToField(int tab, int condition, const QString& field);
     void goToFirstFault();
     QWidget* makePage();
+    void askConsent(const database::Participant& participant);
     QWidget* makeCheckPage(const DesignPage& page);
     DesignPage designPage();
     bool readOnly() const;

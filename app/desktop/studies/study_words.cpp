@@ -107,11 +107,11 @@ QString taskInWords(Task task) {
 
 namespace {
 
-/// "firmer", "heavier" ...: the comparative of what is felt.
+/// "stiffer", "heavier" ...: the comparative of what is felt.
 QString more(Attribute attribute) {
     switch (attribute) {
     case Attribute::stiffness:
-        return Words::tr("firmer");
+        return Words::tr("stiffer");
     case Attribute::mass:
         return Words::tr("heavier");
     case Attribute::deformation:

@@ -16,8 +16,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(StudyControls)
 };
 
-bool isTakenHold(Attribute attribute) { return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute)); } // in the same order
-
 ControlHint moveHint(const StudyHand& hand) {
     return hand.pointer ? ControlHint{Pictogram::moveMouse, Words::tr("Move"), Words::tr("Move the mouse, or use the arrow keys.")}
                         : ControlHint{Pictogram::moveStylus, Words::tr("Move"), Words::tr("Take the handle and move it over the objects.")};
@@ -26,10 +24,10 @@ ControlHint moveHint(const StudyHand& hand) {
 ControlHint exploreHint(Attribute attribute, const StudyHand& hand) {
     if (hand.pointer)
         return isTakenHold(attribute)
-                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"), Words::tr("Lower the tool onto the ring: roll the wheel towards you, or hold Page Down. Away from you, or "
-                                                                                                  "Page Up, pulls.")}
+                   ? ControlHint{Pictogram::wheelAway, Words::tr("Take hold and pull"), Words::tr("Lower the tool into the ring: roll the wheel towards you, or hold Page Down. Away from you, or "
+                                                                                                  "Page Up, pulls. To let go, lower it well below the ring.")}
                    : ControlHint{Pictogram::wheelTowards, Words::tr("Press"), Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.")};
-    return isTakenHold(attribute) ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"), Words::tr("Lower the tip onto the ring, then raise the handle. Push on to let go.")}
+    return isTakenHold(attribute) ? ControlHint{Pictogram::pressStylus, Words::tr("Take hold and pull"), Words::tr("Lower the tip into the ring, then raise the handle. To let go, push it well below the ring.")}
                                   : ControlHint{Pictogram::pressStylus, Words::tr("Press"), Words::tr("Push the tip into the object, or stroke it. Raise the handle to let go.")};
 }
 
@@ -50,11 +48,17 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
     case Task::magnitude:
         return Words::tr("Type a number, then press Enter.");
     default:
-        return hand.pointer ? Words::tr("Press the number of the object: 1, 2 or 3.") : Words::tr("Press the number of the object, or the button of the handle while you touch it.");
+        if (hand.pointer)
+            return psychophysics::placesOf(task) == 2 ? Words::tr("Press the number of the object: 1 or 2.") : Words::tr("Press the number of the object: 1, 2 or 3.");
+        return Words::tr("Press the number of the object, or the button of the handle while you touch it.");
     }
 }
 
 } // namespace
+
+bool isTakenHold(Attribute attribute) {
+    return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute)); // in the same order
+}
 
 std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand) {
     const bool click = attribute == Attribute::apex;

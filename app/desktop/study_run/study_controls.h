@@ -14,6 +14,9 @@ struct StudyHand {
 };
 
 /// How a participant explores and answers a task with what they hold: the movements in the order in which they are needed. GUI thread.
+/// A ring is taken hold of, pulled or lifted, and let go; else the object is pressed or stroked.
+bool isTakenHold(psychophysics::Attribute attribute);
+
 std::vector<ControlHint> studyControls(psychophysics::Task task, psychophysics::Attribute attribute, const StudyHand& hand);
 /// The keys of a sitting beside those, as a line of text.
 QString studyKeys(psychophysics::Task task, psychophysics::Attribute attribute, const StudyHand& hand);

@@ -169,6 +169,9 @@ void TrialsScreen::onBreakButton() {
         return;
     }
     switch (m_live->view().state) {
+    case State::tried:
+        m_live->endTrying();
+        break;
     case State::breakDue:
         if (m_live->view().breakLeft_s <= 0.0)
             m_live->breakTaken();

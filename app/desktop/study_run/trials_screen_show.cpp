@@ -8,6 +8,7 @@
 #include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/places_view.h"
+#include "desktop/study_run/study_controls.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/key_filter.h"
 
@@ -95,6 +96,8 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::feedback:
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
+        if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) && !missingObjects(view).isEmpty())
+            return tr("To let go, lower the tool well below the ring. Touch next: %1.").arg(missingObjects(view));
         return view.canAnswer ? QString() : view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missingObjects(view));
     case State::answering:
         return tr("The time to explore is over. Answer now.");
@@ -152,14 +155,19 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
     case State::starting:
         m_break->say(tr("One moment …"), {}, {});
         break;
+    case State::tried:
+        m_break->say(tr("The free minute is over"), tr("The trials begin when you continue."), tr("Continue"));
+        break;
     case State::breakDue:
         m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
                                                            : tr("Continue when you are ready."),
                      tr("Continue"));
         break;
     case State::needsExperimenter:
-        m_break->say(tr("Please ask the experimenter"), tr("The last trial could not be presented accurately enough, even after several "
-                                                           "attempts."), tr("Continue"));
+        m_break->say(tr("Please ask the experimenter"),
+                     view.again ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.")
+                                : tr("The last trial could not be presented accurately enough, even after several attempts."),
+                     tr("Continue"));
         break;
     case State::stopped:
         m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));

@@ -38,6 +38,7 @@ struct LiveStudyView {
     enum class State {
         starting,         ///< the session comes up
         trying,           ///< the free minute; until endTrying() or its end
+        tried,            ///< it is over; the trials begin with endTrying()
         coming,           ///< the next objects are on their way; lift the tool off
         arming,           ///< they lie there; force is being armed
         exploring,

@@ -95,6 +95,8 @@ void LiveStudy::takeBack() {
 void LiveStudy::goOn() { m_state->enough = m_state->pending.has_value(); }
 
 void LiveStudy::endTrying() {
+    m_state->readySaid = true;
+    m_state->waitsForReady = false;
     if (m_state->trying())
         m_state->tried_s = m_state->tryFor_s; // the objects go with the next look
 }

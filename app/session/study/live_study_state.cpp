@@ -155,7 +155,7 @@ void LiveStudy::State::goOn() {
         return goOnTrying();
     if (stopping || progress.done())
         finish();
-    else if (!progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
+    else if (!waitsForReady && !progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
         present();
 }
 
@@ -185,6 +185,7 @@ void LiveStudy::State::goOnTrying() {
             posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
     } else if (over) {
         tryFor_s = 0.0;
+        waitsForReady = !readySaid && !stopping; // no clock of a trial starts under a hand that still tries
     } else if (last.phase == TrialPhase::idle || last.phase == TrialPhase::between) {
         posted = false;
         tryPresented = training->post(CommandKind::present, core::encode({mostAlike(), 0}));
@@ -264,6 +265,8 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
         return View::feedback;
     if (trying() && training->sessionId() != 0)
         return last.phase == TrialPhase::running ? View::trying : last.phase == TrialPhase::ready ? View::arming : View::coming;
+    if (waitsForReady)
+        return View::tried;
     if (!presented && progress.needsExperimenter())
         return View::needsExperimenter;
     if (!presented && progress.breakDue())

@@ -52,6 +52,7 @@ struct LiveStudy::State {
     double tryFor_s = 0.0;              ///< the free minute that is left to be given; 0: none
     double tried_s = 0.0;               ///< of it, in presentations that have ended
     bool tryPresented = false;
+    bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
     int answered = -1;
     std::optional<double> value;
     std::string spoiled;

@@ -207,9 +207,9 @@ void TestPeople::eraseAParticipant() {
     writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(goes.id, true); });
     const auto homeTells = [&desk] {
         desk.go(QStringLiteral("home"));
-        QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, 10000);
+        const bool read = QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, 10000);
         const auto notices = desk.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text"));
-        return std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("recordings to be erased")); });
+        return read && std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("recordings to be erased")); });
     };
     QVERIFY(homeTells());
 

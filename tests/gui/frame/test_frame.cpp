@@ -139,8 +139,8 @@ private slots:
         for (const auto& [language, territory] : {std::pair{"de", QLocale::Germany}, {"el", QLocale::Greece}, {"en", QLocale::UnitedKingdom}}) {
             Settings(file).setLanguage(QLatin1String(language));
             QCOMPARE(Settings(file).language(), QLatin1String(language));
-            QCOMPARE(Settings(file).locale().territory(), territory);
-            QCOMPARE(Settings(file).locale().name().left(2), QLatin1String(language));
+            QCOMPARE(Settings::localeOf(Settings(file).language()).territory(), territory);
+            QCOMPARE(Settings::localeOf(Settings(file).language()).name().left(2), QLatin1String(language));
         }
     }
 

@@ -459,7 +459,15 @@ void TestLiveStudy::theFreeMinuteEndsByItself() {
     Site site(false, [](psychophysics::StudyDesign& design) { design.trial.exploreLimit_s = 0.4; }); // objects go and come again meanwhile
     const auto live = site.sit(1.0);
     QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::trying, kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().tryLeft_s == 0.0 && live->view().canAnswer), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().state), View::tried, kPatience_ms);
+    QCOMPARE(live->view().tryLeft_s, 0.0);
+    for (int i = 0; i < 20; ++i) { // and no trial begins before somebody says so
+        QTest::qWait(20);
+        live->poll();
+        QCOMPARE(live->view().state, View::tried);
+    }
+    live->endTrying();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(storedTrials(site).empty());
 }
 
