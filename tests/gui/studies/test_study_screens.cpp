@@ -8,6 +8,7 @@
 #include "support/every_place.h"
 
 #include <QCheckBox>
+#include <QDialog>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
@@ -176,10 +177,13 @@ void TestStudyScreens::theNewOneIsSelected() {
     click("enrol.accept");
     QTRY_VERIFY(!text("enrol.code").isEmpty());
     const QString second = text("enrol.code");
-    click("enrol.cancel");
+    click("enrol.consent"); // the next step
+    QTRY_VERIFY(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")));
+    QVERIFY(!text("consent.instructions").isEmpty()); // who agrees says that they have read them
+    const auto* dialog = m_site->find<QDialog>(QStringLiteral("consent"));
+    QVERIFY(dialog && dialog->width() >= m_site->window->width() && dialog->height() >= m_site->window->height()); // what lies behind names conditions
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
     QTRY_COMPARE(selected(), second);
-    click("participants.consent");
     m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
     click("consent.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() && tests::waitUntilLoaded(*m_site), 10000);
