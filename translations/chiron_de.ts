@@ -775,7 +775,7 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>Ein Durchgang vor jeder Bedingung.</numerusform>
+                <numerusform>%n Durchgang vor jeder Bedingung.</numerusform>
                 <numerusform>%n Durchgänge vor jeder Bedingung.</numerusform>
             </translation>
     </message>
@@ -8503,7 +8503,7 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-            <numerusform>Eine Teilnahme an einer Studie wurde zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
+            <numerusform>%n Teilnahme an einer Studie wurde zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
             <numerusform>%n Teilnahmen an Studien wurden zurückgezogen, und die Aufzeichnungen sollen gelöscht werden. Wählen Sie unter Personen „Teilnehmer/in löschen“.</numerusform>
         </translation>
     </message>

@@ -775,7 +775,7 @@ Details: %2</source>
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>Μία δοκιμή πριν από κάθε συνθήκη.</numerusform>
+                <numerusform>%n δοκιμή πριν από κάθε συνθήκη.</numerusform>
                 <numerusform>%n δοκιμές πριν από κάθε συνθήκη.</numerusform>
             </translation>
     </message>
@@ -3367,7 +3367,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>semicolons</source>
-        <translation>ερωτηματικά (;)</translation>
+        <translation>ελληνικά ερωτηματικά</translation>
     </message>
     <message>
         <source>commas</source>
@@ -3618,7 +3618,7 @@ Do you want to replace it?</source>
     </message>
     <message>
         <source>My account</source>
-        <translation>Ο λογαριασμός μου</translation>
+        <translation>Λογαριασμός</translation>
     </message>
 </context>
 <context>
@@ -8503,7 +8503,7 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-            <numerusform>Ένας συμμετέχων αποσύρθηκε από μελέτη και ζήτησε να διαγραφούν οι καταγραφές του. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
+            <numerusform>%n συμμετέχων αποσύρθηκε από μελέτη και ζήτησε να διαγραφούν οι καταγραφές του. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
             <numerusform>%n συμμετέχοντες αποσύρθηκαν από μελέτη και ζήτησαν να διαγραφούν οι καταγραφές τους. Στα Άτομα επιλέξτε «Διαγραφή συμμετέχοντα».</numerusform>
         </translation>
     </message>
@@ -12932,7 +12932,7 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     </message>
     <message>
         <source>My account</source>
-        <translation>Ο λογαριασμός μου</translation>
+        <translation>Λογαριασμός</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,7 @@
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>One trial before each condition.</numerusform>
+                <numerusform>%n trial before each condition.</numerusform>
                 <numerusform>%n trials before each condition.</numerusform>
             </translation>
     </message>
@@ -511,7 +511,7 @@
     <message numerus="yes">
         <source>%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</source>
         <translation>
-            <numerusform>One participant withdrew from a study and asked for the recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
+            <numerusform>%n participant withdrew from a study and asked for the recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
             <numerusform>%n participants withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
         </translation>
     </message>

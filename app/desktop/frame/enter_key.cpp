@@ -2,7 +2,6 @@
 #include "desktop/frame/enter_key.h"
 
 #include <QApplication>
-#include <QDialog>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QToolButton>
@@ -29,7 +28,7 @@ bool EnterKey::eventFilter(QObject* watched, QEvent* event) {
     if (!button || !isPlainEnter(key) || !button->hasFocus())
         return false;
     const bool pushes = qobject_cast<QPushButton*>(button) || qobject_cast<QToolButton*>(button);
-    if (!pushes || qobject_cast<QDialog*>(button->window()))
+    if (!pushes)
         return false;
     if (!key.isAutoRepeat()) // held down it presses once
         button->click();

@@ -5,7 +5,7 @@
 
 namespace chiron::desktop {
 
-/// Enter presses the button that has the focus, on every screen; Qt does that by itself in dialogs alone. Text fields, tables
+/// Enter presses the button that has the focus, on every screen and in every dialog, whatever the dialog's default is. Text fields, tables
 /// and everything else keep their own meaning of Enter. A filter on the application. GUI thread.
 class EnterKey final : public QObject {
     Q_OBJECT

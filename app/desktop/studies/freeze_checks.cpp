@@ -94,7 +94,7 @@ FreezeCheck participantsCheck(const StudyDesign& design, const QLocale& locale) 
     return found(check, State::good, CheckWords::tr("%1 are planned.").arg(count));
 }
 
-FreezeCheck practiceCheck(const StudyDesign& design, const QLocale& locale) {
+FreezeCheck practiceCheck(const StudyDesign& design) {
     const FreezeCheck check = checkOf("practice", CheckWords::tr("Practice"), StudyScreen::trialsTab, "trial.practice_trials");
     return design.trial.practiceTrials > 0
                ? found(check, State::good, CheckWords::tr("%n trial(s) before each condition.", nullptr, design.trial.practiceTrials))
@@ -175,7 +175,7 @@ std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFac
             ethicsCheck(design),
             consentCheck(design),
             participantsCheck(design, locale),
-            practiceCheck(design, locale),
+            practiceCheck(design),
             durationCheck(design, facts, locale),
             precisionCheck(design, facts, locale),
             pilotCheck(facts)};

@@ -108,11 +108,17 @@ private slots:
     void theErrorPlotHoldsEveryPose() {
         PlatformCheck check = madeCheck(0.05, 1.0);
         check.verified.poses.back().measuredPitch_rad = core::radFromDeg(5.0);
-        const auto plot = platformErrorPlot(check, report::lightTheme(QLocale::c()));
+        const auto drawn = [](const PlatformCheck& of) {
+            auto plot = platformErrorPlot(of, report::lightTheme(QLocale::c()));
+            plot->resize(400, 300);
+            (void)plot->grab();
+            return plot;
+        };
+        const auto plot = drawn(check);
         QVERIFY2(plot->xHigh() > 5.0 && plot->xHigh() < 6.0, qPrintable(QString::number(plot->xHigh())));
         QCOMPARE(plot->xLow(), 0.0);
         check.verified.poses.back().measuredPitch_rad = 0.0;
-        QCOMPARE(platformErrorPlot(check, report::lightTheme(QLocale::c()))->xHigh(), 2.5);
+        QCOMPARE(drawn(check)->xHigh(), 2.5);
     }
 
     void aCheckIsShownAndReplaced() {
