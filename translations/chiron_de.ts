@@ -775,9 +775,9 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>%n Durchgang vor jeder Bedingung.</numerusform>
-                <numerusform>%n Durchgänge vor jeder Bedingung.</numerusform>
-            </translation>
+            <numerusform>%n Durchgang vor jeder Bedingung.</numerusform>
+            <numerusform>%n Durchgänge vor jeder Bedingung.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6148,6 +6148,10 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
         <translation>Das Passwort wurde nicht geändert.
 %1</translation>
     </message>
+    <message>
+        <source>Login name: %1. You can change it under People.</source>
+        <translation>Anmeldename: %1. Sie können ihn unter „Personen“ ändern.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AddPersonDialog</name>
@@ -9714,6 +9718,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Erase a participant …</source>
         <translation>Teilnehmer/in löschen …</translation>
+    </message>
+    <message>
+        <source>Nobody is found</source>
+        <translation>Niemand gefunden</translation>
+    </message>
+    <message>
+        <source>No name and no role matches &quot;%1&quot;.</source>
+        <translation>Kein Name und keine Rolle passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>Show everybody</source>
+        <translation>Alle anzeigen</translation>
     </message>
 </context>
 <context>

@@ -775,9 +775,9 @@ Details: %2</source>
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>%n δοκιμή πριν από κάθε συνθήκη.</numerusform>
-                <numerusform>%n δοκιμές πριν από κάθε συνθήκη.</numerusform>
-            </translation>
+            <numerusform>%n δοκιμή πριν από κάθε συνθήκη.</numerusform>
+            <numerusform>%n δοκιμές πριν από κάθε συνθήκη.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6148,6 +6148,10 @@ To change your password, first enter the one that you have now.</source>
         <translation>Ο κωδικός πρόσβασης δεν άλλαξε.
 %1</translation>
     </message>
+    <message>
+        <source>Login name: %1. You can change it under People.</source>
+        <translation>Όνομα χρήστη: %1. Μπορείτε να το αλλάξετε στην οθόνη «Άτομα».</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AddPersonDialog</name>
@@ -9714,6 +9718,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Erase a participant …</source>
         <translation>Διαγραφή συμμετέχοντα …</translation>
+    </message>
+    <message>
+        <source>Nobody is found</source>
+        <translation>Δεν βρέθηκε κανείς</translation>
+    </message>
+    <message>
+        <source>No name and no role matches &quot;%1&quot;.</source>
+        <translation>Κανένα όνομα και κανένας ρόλος δεν ταιριάζει με «%1».</translation>
+    </message>
+    <message>
+        <source>Show everybody</source>
+        <translation>Εμφάνιση όλων</translation>
     </message>
 </context>
 <context>

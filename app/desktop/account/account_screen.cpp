@@ -141,7 +141,8 @@ void AccountScreen::loaded(const core::Result<database::Person>& person) {
         return;
     }
     m_storedName = QString::fromStdString(person->displayName);
-    m_loginName->setText(tr("Login name: %1. An administrator can change it.").arg(QString::fromStdString(person->name)));
+    m_loginName->setText((context().has(database::Role::admin) ? tr("Login name: %1. You can change it under People.") : tr("Login name: %1. An administrator can change it."))
+                             .arg(QString::fromStdString(person->name)));
     m_newPassword->setLoginName(QString::fromStdString(person->name));
     m_fullName->setText(m_storedName);
     m_panel->showContent();

@@ -86,6 +86,10 @@ void LoginForm::showRefusal(const database::Refusal& refusal) {
         setFocus(); // on no control, so that Return does nothing meanwhile
 }
 
+void LoginForm::clearPassword() {
+    m_password->clear();
+}
+
 void LoginForm::focusFirst() {
     if (m_names->name().isEmpty())
         m_names->focusField();

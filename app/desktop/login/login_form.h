@@ -26,6 +26,7 @@ public:
     void showDemonstrationHint(const QString& text);
     void setWorking(bool working); ///< while the password is being checked
     void showRefusal(const database::Refusal& refusal);
+    void clearPassword();
     void focusFirst();
     QString name() const;
     void setName(const QString& name);

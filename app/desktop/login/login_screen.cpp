@@ -173,6 +173,7 @@ void LoginScreen::setPage(QWidget* page) {
 
 void LoginScreen::showForm() {
     setPage(nullptr);
+    m_form->clearPassword(); // whoever comes back may be somebody else
     m_form->setWorking(false);
     m_form->focusFirst();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/people/people_model.h"
 
+#include "desktop/frame/palette_search.h"
+
 #include "desktop/accounts/account_words.h"
 
 #include <algorithm>
@@ -40,6 +42,9 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const {
     const database::Person& person = m_people[static_cast<std::size_t>(index.row())];
     if (role == kPersonId)
         return static_cast<qlonglong>(person.id);
+    if (role == kSearch)
+        return forSearch(QStringList{QString::fromStdString(person.name), QString::fromStdString(person.displayName), rolesInWords(person.roles).join(QLatin1Char(' ')),
+                                     stateWords(person)}.join(QLatin1Char(' ')));
     if (role == kChips && index.column() == roles)
         return rolesInWords(person.roles);
     if (role == Qt::DecorationRole && index.column() == account)

@@ -16,6 +16,7 @@ public:
     enum Column { name, fullName, roles, account, columnCountAll };
     static constexpr int kChips = Qt::UserRole; ///< QStringList of role names, for RoleChips
     static constexpr int kPersonId = Qt::UserRole + 1;
+    static constexpr int kSearch = Qt::UserRole + 2; ///< of any cell of a row: its words as forSearch() makes them
 
     PeopleModel(const Theme& theme, QObject* parent);
 

@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_service.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/palette_search.h"
 #include "desktop/people/people_model.h"
 #include "desktop/people/role_chips.h"
 #include "desktop/widgets/flow_layout.h"
@@ -91,8 +92,8 @@ QWidget* PeopleScreen::listPart() {
     m_model = new PeopleModel(theme, this);
     m_found = new QSortFilterProxyModel(this);
     m_found->setSourceModel(m_model);
-    m_found->setFilterKeyColumn(-1);
-    m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_found->setFilterKeyColumn(0);
+    m_found->setFilterRole(PeopleModel::kSearch);
     m_found->setSortCaseSensitivity(Qt::CaseInsensitive);
     m_table = new QTableView;
     m_table->setObjectName(QStringLiteral("people.table"));
@@ -117,7 +118,7 @@ QWidget* PeopleScreen::listPart() {
     m_panel->setMinimumHeight(theme.px(kListHeight));
     m_panel->setContent(m_table);
     m_panel->showLoading(tr("Reading the list of people …"));
-    connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) { m_found->setFilterFixedString(text.trimmed()); });
+    connect(m_search, &QLineEdit::textChanged, this, &PeopleScreen::find);
     connect(m_search, &QLineEdit::returnPressed, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         m_chosen = row.isValid() ? row.data(PeopleModel::kPersonId).toLongLong() : 0;
@@ -180,8 +181,22 @@ void PeopleScreen::loaded(core::Result<std::vector<database::Person>> people) {
     const database::PersonId before = m_chosen;
     m_model->setPeople(std::move(*people));
     m_panel->showContent();
+    find(m_search->text());
     fitColumns();
     choose(before);
+}
+
+void PeopleScreen::find(const QString& text) {
+    m_found->setFilterFixedString(forSearch(text.trimmed()));
+    if (m_panel->state() == StatePanel::State::loading || m_panel->state() == StatePanel::State::error)
+        return;
+    if (m_found->rowCount() > 0 || m_model->rowCount() == 0)
+        m_panel->showContent();
+    else
+        m_panel->showEmpty(tr("Nobody is found"), tr("No name and no role matches \"%1\".").arg(text.trimmed()), tr("Show everybody"), [this] {
+            m_search->clear();
+            m_search->setFocus();
+        });
 }
 
 void PeopleScreen::fitColumns() {

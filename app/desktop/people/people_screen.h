@@ -47,6 +47,7 @@ private:
     QWidget* actionPart();
     void load();
     void loaded(core::Result<std::vector<database::Person>> people);
+    void find(const QString& text);
     void fitColumns();
     void choose(database::PersonId person);
     const database::Person* chosen() const; ///< null while nobody is

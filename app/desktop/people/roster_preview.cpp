@@ -111,7 +111,11 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
                                  change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
                                  change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
         for (int column = 0; column < static_cast<int>(std::size(cells)); ++column)
-            table->setItem(row, column, new QTableWidgetItem(cells[column]));
+            {
+            auto* item = new QTableWidgetItem(cells[column]);
+            item->setToolTip(cells[column]); // where the window is small
+            table->setItem(row, column, item);
+        }
         ++row;
     }
     table->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);

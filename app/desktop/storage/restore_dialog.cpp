@@ -58,7 +58,7 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
                             working ? tr("Password in the backup") : tr("Password in the damaged file"), true);
     m_otherBox->hide();
     column->addWidget(m_otherBox);
-    connect(m_other, &QCheckBox::toggled, m_otherBox, &QWidget::setVisible);
+    connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::showOther);
     connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
     auto* row = new QHBoxLayout;
     row->addStretch();
@@ -73,6 +73,14 @@ RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QStr
     connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
     check();
     (administrator.isEmpty() ? m_name : m_password)->setFocus();
+}
+
+/// With room for every line, so that none lies over another.
+void RestoreDialog::showOther(bool shown) {
+    m_otherBox->setVisible(shown);
+    layout()->invalidate();
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width()) : layout()->totalSizeHint().height();
+    resize(width(), height);
 }
 
 QLineEdit* RestoreDialog::field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret) {

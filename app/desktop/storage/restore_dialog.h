@@ -41,6 +41,7 @@ public:
 private:
     QLineEdit* field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret);
     void check();
+    void showOther(bool shown);
 
     const Replaces m_replaces;
     QLineEdit* m_name = nullptr;

@@ -87,6 +87,12 @@ void TestPeople::findByTyping() {
     QVERIFY(!desk.isEnabled("people.erase"));      // nobody is chosen
     desk.choose(QStringLiteral("ada"));
     QVERIFY(desk.isEnabled("people.erase"));
+    desk.set("people.search", QStringLiteral("LÓVELACE")); // as somebody types it who has no such keys, or others
+    QCOMPARE(desk.table()->model()->rowCount(), 1);
+    desk.set("people.search", QStringLiteral("zzz"));
+    QCOMPARE(desk.find<desktop::StatePanel>(QStringLiteral("people.panel"))->state(), desktop::StatePanel::State::empty); // it is said, not only shown
+    desk.click("state.action");
+    QCOMPARE(desk.table()->model()->rowCount(), 5);
     desk.set("people.search", QStringLiteral("zzz"));
     QVERIFY(!desk.isEnabled("people.erase")); // nobody out of sight is ever acted on
 }
