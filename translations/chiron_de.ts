@@ -6029,6 +6029,18 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
         <source>%1 percentage points</source>
         <translation>%1 Prozentpunkte</translation>
     </message>
+    <message>
+        <source>The demonstration passed</source>
+        <translation>Die Demonstration ist bestanden</translation>
+    </message>
+    <message>
+        <source>The demonstration was stopped</source>
+        <translation>Die Demonstration wurde beendet</translation>
+    </message>
+    <message>
+        <source>%1 What was recorded can be played back.</source>
+        <translation>%1 Was aufgezeichnet wurde, lässt sich wiedergeben.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AccountScreen</name>

@@ -6029,6 +6029,18 @@ Recording and scores are kept but do not count.</source>
         <source>%1 percentage points</source>
         <translation>%1 ποσοστιαίες μονάδες</translation>
     </message>
+    <message>
+        <source>The demonstration passed</source>
+        <translation>Η επίδειξη πέτυχε</translation>
+    </message>
+    <message>
+        <source>The demonstration was stopped</source>
+        <translation>Η επίδειξη διακόπηκε</translation>
+    </message>
+    <message>
+        <source>%1 What was recorded can be played back.</source>
+        <translation>%1 Όσα καταγράφηκαν μπορούν να αναπαραχθούν.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AccountScreen</name>

@@ -52,7 +52,7 @@ void styleAxis(QCPAxis* axis, const PlotTheme& theme) {
 /// Leaves the wheel to the page that the plot stands on: nobody is held up by a plot while they scroll.
 class QuietPlot final : public QCustomPlot {
 public:
-    using QCustomPlot::QCustomPlot;
+    explicit QuietPlot(QWidget* parent) : QCustomPlot(parent) { setAttribute(Qt::WA_NoMousePropagation, false); } // QCustomPlot would keep what it ignores
 
 protected:
     void wheelEvent(QWheelEvent* event) override { event->ignore(); }

@@ -17,12 +17,17 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(Verdict)
 };
 
+/// A script's own session: nobody passed or stopped anything.
+bool isDemonstration(const DebriefHead& head) {
+    return !head.record.summary.operatorName.empty() && head.record.summary.person == database::Actor::kSimulatedPerson;
+}
+
 Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {
     if (!head.report.passed)
         return {"info", QStringLiteral("dialog-ok-apply"), Words::tr("Completed"),
                 Words::tr("This level has no pass mark. Everything below is for you to compare."), {}};
     if (*head.report.passed)
-        return {"good", QStringLiteral("dialog-ok-apply"), Words::tr("Passed"),
+        return {"good", QStringLiteral("dialog-ok-apply"), isDemonstration(head) ? Words::tr("The demonstration passed") : Words::tr("Passed"),
                 Words::tr("Every pass mark of this level was met."), {}};
     Verdict verdict{"warning", QStringLiteral("dialog-warning"), Words::tr("Not passed yet"), {}, {}};
     for (const report::MetricRow& row : head.report.metrics)
@@ -48,8 +53,8 @@ Verdict ofUnfinished(const DebriefHead& head, SessionState state) {
     Verdict verdict{"warning", stateIcon(state), {}, {}, {}};
     switch (state) {
     case SessionState::stopped:
-        verdict.title = Words::tr("Stopped before the end");
-        verdict.text = Words::tr("%1 What was recorded is kept and can be played back. The session does not count towards passing; try "
+        verdict.title = isDemonstration(head) ? Words::tr("The demonstration was stopped") : Words::tr("Stopped before the end");
+        verdict.text = isDemonstration(head) ? Words::tr("%1 What was recorded can be played back.").arg(reached(head)) : Words::tr("%1 What was recorded is kept and can be played back. The session does not count towards passing; try "
                                  "again when you are ready.").arg(reached(head));
         break;
     case SessionState::interrupted:

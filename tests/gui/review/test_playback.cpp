@@ -6,6 +6,7 @@
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/playback/scrubber.h"
+#include "desktop/widgets/scroll_page.h"
 #include "review_sessions.h"
 #include "session/playback_builder.h"
 
@@ -15,6 +16,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QWheelEvent>
 #include <algorithm>
@@ -223,6 +225,19 @@ void TestPlayback::theWheelIsThePages() {
             QApplication::sendEvent(part, &turned);
             QVERIFY(!turned.isAccepted());
         }
+    }
+    m_site->window->resize(1000, 600); // and the page takes it
+    auto* page = screen()->findChild<desktop::ScrollPage*>();
+    QVERIFY(page);
+    QTRY_VERIFY(page->verticalScrollBar()->maximum() > 100);
+    page->verticalScrollBar()->setValue(0);
+    for (const char* name : {"playback.force", "playback.speed_plot"}) {
+        const int before = page->verticalScrollBar()->value();
+        auto* plot = find<QWidget>(name)->findChild<QWidget*>();
+        const QPoint at = plot->rect().center();
+        QWheelEvent turned(at, plot->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(plot, &turned);
+        QVERIFY(page->verticalScrollBar()->value() > before);
     }
 }
 

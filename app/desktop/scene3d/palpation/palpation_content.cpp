@@ -185,7 +185,9 @@ void PalpationContent::showLumps(const SceneState& state) {
     for (int i = 0; i < m_lumps; ++i) {
         const core::LumpCue& lump = state.palpation.lump[std::size_t(i)];
         const bool missed = (state.lumpsMissed >> i & 1) != 0;
-        lumps[i / 3].setColumn(i % 3, QVector4D(toMillimetres({lump.p_W[0], lump.p_W[1], lump.p_W[2]}), float((missed ? -1e3 : 1e3) * lump.radius_m)));
+        const core::Vec3 centre(lump.p_W[0], lump.p_W[1], lump.p_W[2]);
+        const core::Vec3 above = m_surface.nearest(centre, centre.head<2>()).p_W; // where it is felt and marked: drawn at its depth, it would be seen beside that place
+        lumps[i / 3].setColumn(i % 3, QVector4D(toMillimetres(above), float((missed ? -1e3 : 1e3) * lump.radius_m)));
     }
     m_lumpsNear->setValue(lumps[0]);
     m_lumpsFar->setValue(lumps[1]);
