@@ -3529,6 +3529,13 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Line %1, column “%2”: %3</source>
         <translation>Zeile %1, Spalte „%2“: %3</translation>
     </message>
+    <message numerus="yes">
+        <source>%n people would no longer be administrators.</source>
+        <translation>
+                <numerusform>%n Person hätte keine Administrationsrechte mehr.</numerusform>
+                <numerusform>%n Personen hätten keine Administrationsrechte mehr.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>

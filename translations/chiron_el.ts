@@ -3529,6 +3529,13 @@ Do you want to replace it?</source>
         <source>Line %1, column “%2”: %3</source>
         <translation>Γραμμή %1, στήλη «%2»: %3</translation>
     </message>
+    <message numerus="yes">
+        <source>%n people would no longer be administrators.</source>
+        <translation>
+                <numerusform>%n άτομο δεν θα ήταν πλέον διαχειριστής.</numerusform>
+                <numerusform>%n άτομα δεν θα ήταν πλέον διαχειριστές.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>

@@ -40,9 +40,9 @@
     <message numerus="yes">
         <source>%n trial(s) before each condition.</source>
         <translation>
-                <numerusform>%n trial before each condition.</numerusform>
-                <numerusform>%n trials before each condition.</numerusform>
-            </translation>
+            <numerusform>%n trial before each condition.</numerusform>
+            <numerusform>%n trials before each condition.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -157,6 +157,13 @@
             <numerusform>%n password would be made. It is shown once, right after the import, to be printed as a slip.</numerusform>
             <numerusform>%n passwords would be made. They are shown once, right after the import, to be printed as slips.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people would no longer be administrators.</source>
+        <translation>
+                <numerusform>%n person would no longer be an administrator.</numerusform>
+                <numerusform>%n people would no longer be administrators.</numerusform>
+            </translation>
     </message>
 </context>
 <context>

@@ -78,6 +78,11 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be added. Each must choose a password of their own at the first login."), added);
     if (updated > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be updated; their passwords remain valid."), updated);
+    const auto lost = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) {
+        return step.kind == Kind::update && step.rolesBefore.contains(database::Role::admin) && !step.roles.contains(database::Role::admin);
+    }));
+    if (lost > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."), lost);
     if (left > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
     const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
@@ -119,6 +124,7 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
         ++row;
     }
     table->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setStretchLastSection(true);
     return table;

@@ -69,6 +69,7 @@ QWidget* SlipsPanel::peopleTable() const {
         password->setFont(theme.font(TextStyle::mono));
         table->setItem(row, 2, password);
     }
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setStretchLastSection(true);
     return table;

@@ -161,8 +161,11 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
     auto* help = button(bench, "training.ready.help");
     help->setFocus();
     QTest::keyClick(help, Qt::Key_Return);
-    QTRY_VERIFY(std::any_of(QApplication::topLevelWidgets().begin(), QApplication::topLevelWidgets().end(),
-                            [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); }));
+    const auto dialogIsThere = [] {
+        const QWidgetList tops = QApplication::topLevelWidgets();
+        return std::any_of(tops.begin(), tops.end(), [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); });
+    };
+    QTRY_VERIFY(dialogIsThere());
     QVERIFY(card(bench) && !bench.screen()->feed());
 }
 

@@ -50,6 +50,7 @@ database::PersonExport everything() {
     session.scores->passed = true;
     session.scores->metrics = {{"path_length", 1, "m", 0.5, "", true}};
     held.sessions = {session};
+    held.earlierNames = {{61, "timmy", "Timmy Ö", "renamed", 8}};
     database::PersonParticipation part;
     part.studyKey = "soft";
     part.studyTitle = "Softness";
@@ -114,11 +115,12 @@ QByteArray textOf(const QJsonValue& value) { return value.isArray() ? QJsonDocum
 
 void TestPersonJson::everythingIsNamed() {
     const QJsonObject json = session::personExportJson(everything());
-    QCOMPARE(json.keys(), (QStringList{"audit", "comments_written", "failed_logins", "has_password", "participations", "person", "sessions"}));
+    QCOMPARE(json.keys(), (QStringList{"audit", "comments_written", "earlier_names", "failed_logins", "has_password", "participations", "person", "sessions"}));
     QCOMPARE(json["has_password"].toBool(), true);
     QCOMPARE(json["failed_logins"].toInt(), 2);
     QCOMPARE(textOf(json["person"]), textOf(objectOf(R"({"id":7,"name":"tim","display_name":"Tim \"T\" Ö","code":"K7M-4QX","roles":["trainee","admin"],"enabled":false,
         "must_change_password":true,"created":"created"})")));
+    QCOMPARE(textOf(json["earlier_names"]), textOf(objectOf(R"({"a":[{"name":"timmy","display_name":"Timmy Ö","until_utc":"renamed","changed_by":8}]})")["a"]));
     QCOMPARE(textOf(json["comments_written"]), textOf(objectOf(R"({"a":[{"id":31,"author":7,"utc":"comment utc","text":"a word","tick":42},
         {"id":32,"author":8,"utc":"later","text":"of the whole","tick":null}]})")["a"]));
     QCOMPARE(textOf(json["audit"]), textOf(objectOf(R"({"a":[{"sequence":51,"utc":"audit utc","actor_kind":"person","actor":7,"action":"login","target":"person",

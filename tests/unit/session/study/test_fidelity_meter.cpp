@@ -123,6 +123,15 @@ session::TrialFidelity underLimits(const psychophysics::FidelityLimits& limits) 
 class TestFidelityMeter : public QObject {
     Q_OBJECT
 private slots:
+    /// What a trial says of itself comes back from where it is stored, a tick of 0 too; what it does not say stays unsaid.
+    void circumstancesComeBack() {
+        session::TrialFidelity told;
+        told.circumstances = {"de", session::TrialCircumstances::kMaskingNoise, 0};
+        const session::TrialCircumstances back = session::circumstancesOf(session::fidelityJson(told));
+        QVERIFY(back.language == "de" && back.masking == session::TrialCircumstances::kMaskingNoise);
+        QVERIFY(back.answerTick == std::optional<std::uint64_t>(0));
+        QVERIFY(!session::circumstancesOf(session::fidelityJson({})).answerTick);
+    }
     void aSpringWithinTheLimitIsFound() {
         const auto fidelity = pressed(0.004, 0.004);
         QVERIFY(std::abs(fidelity.places[0].rendered / kStiffness_N_per_m - 1.0) < 1e-4);
