@@ -5,6 +5,7 @@
 #include "support/desktop_fixture.h"
 
 #include <QCheckBox>
+#include <QDialog>
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
@@ -199,6 +200,24 @@ private slots:
             QTest::keyClicks(field, QLatin1String(password));
             QTest::mouseClick(confirm, Qt::LeftButton);
         };
+        screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click(); // where two administrators are asked for, each field has its room
+        auto* dialog = desktop.find<QDialog>(QStringLiteral("restore"));
+        QVERIFY(dialog);
+        for (const bool both : {true, false}) {
+            desktop.find<QCheckBox>(QStringLiteral("restore.other"))->setChecked(both);
+            QTest::qWait(50);
+            int lowest = 0;
+            for (const char* name : {"restore.name", "restore.password", "restore.other_name", "restore.other_password", "restore.confirm"}) {
+                const auto* part = dialog->findChild<QWidget*>(QLatin1String(name));
+                if (!part->isVisible())
+                    continue;
+                QVERIFY2(part->mapTo(dialog, QPoint()).y() >= lowest && part->height() > part->fontMetrics().height() + 8, name);
+                lowest = part->mapTo(dialog, QPoint(0, part->height())).y();
+            }
+            QVERIFY(lowest <= dialog->height());
+        }
+        dialog->reject();
+        QTRY_VERIFY(!desktop.find<QDialog>(QStringLiteral("restore")));
         QSignalSpy ended(screen, &StorageScreen::taskEnded);
         answer("wrong-password-here");
         QVERIFY(!screen->mayLeave()); // there is no database meanwhile
