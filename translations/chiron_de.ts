@@ -3532,9 +3532,9 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n people would no longer be administrators.</source>
         <translation>
-                <numerusform>%n Person hätte keine Administrationsrechte mehr.</numerusform>
-                <numerusform>%n Personen hätten keine Administrationsrechte mehr.</numerusform>
-            </translation>
+            <numerusform>%n Person hätte keine Administrationsrechte mehr.</numerusform>
+            <numerusform>%n Personen hätten keine Administrationsrechte mehr.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11985,6 +11985,14 @@ Eingabetaste oder Doppelklick öffnet einen Versuch. „Meine Daten exportieren�
     <message>
         <source>All sessions of this person</source>
         <translation>Alle Sitzungen dieser Person</translation>
+    </message>
+    <message>
+        <source>The results of one person.
+
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Return or double-click to open an attempt.</source>
+        <translation>Die Ergebnisse einer Person.
+
+Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Punkt für jeden abgeschlossenen Versuch; Versuche mit gespürter und mit nur angezeigter Kraft werden nie verglichen. Mit der Eingabetaste oder einem Doppelklick öffnen Sie einen Versuch.</translation>
     </message>
 </context>
 <context>

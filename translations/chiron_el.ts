@@ -3532,9 +3532,9 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>%n people would no longer be administrators.</source>
         <translation>
-                <numerusform>%n άτομο δεν θα ήταν πλέον διαχειριστής.</numerusform>
-                <numerusform>%n άτομα δεν θα ήταν πλέον διαχειριστές.</numerusform>
-            </translation>
+            <numerusform>%n άτομο δεν θα ήταν πλέον διαχειριστής.</numerusform>
+            <numerusform>%n άτομα δεν θα ήταν πλέον διαχειριστές.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11985,6 +11985,14 @@ Press Return or double-click to open an attempt. &quot;Export my data&quot; writ
     <message>
         <source>All sessions of this person</source>
         <translation>Όλες οι συνεδρίες του ατόμου</translation>
+    </message>
+    <message>
+        <source>The results of one person.
+
+Choose an exercise, a level and a metric. The curve has a point for each completed attempt; attempts with felt force and attempts with force shown only are never compared. Press Return or double-click to open an attempt.</source>
+        <translation>Τα αποτελέσματα ενός ατόμου.
+
+Επιλέξτε άσκηση, επίπεδο και μέτρηση. Η καμπύλη έχει ένα σημείο για κάθε ολοκληρωμένη προσπάθεια· προσπάθειες με δύναμη που γίνεται αισθητή και με δύναμη που μόνο εμφανίζεται δεν συγκρίνονται ποτέ. Με Enter ή διπλό κλικ ανοίγει μια προσπάθεια.</translation>
     </message>
 </context>
 <context>

@@ -115,8 +115,7 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
         const QString cells[] = {QLocale().toString(step.line), kindWords(step.kind), QString::fromStdString(step.name),
                                  change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
                                  change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
-        for (int column = 0; column < static_cast<int>(std::size(cells)); ++column)
-            {
+        for (int column = 0; column < static_cast<int>(std::size(cells)); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setToolTip(cells[column]); // where the window is small
             table->setItem(row, column, item);
