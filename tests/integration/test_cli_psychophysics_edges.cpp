@@ -19,6 +19,9 @@ private slots:
     void noBetterThanGuessing_data();
     void noBetterThanGuessing();
     void countsGivenTwice();
+    void tablesOfCounts();
+    void tablesThatHoldNoCounts_data();
+    void tablesThatHoldNoCounts();
     void fitsOfWhatIsNotThere();
     void rowsLeftOutAreNamed();
     void tauOfEachJudge();
@@ -142,6 +145,45 @@ void TestCliPsychophysicsEdges::countsGivenTwice() {
     QString fault = refusalFault(runCli({"psychophysics", "dprime", table, "--task", "2afc", "--correct", "3", "--total", "5"}), 2, QStringList{"--correct beside a table"});
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
     fault = refusalFault(runCli({"psychophysics", "dprime", "--task", "2afc", "--correct", "3", "--total", "5", "--proportion", "0.6"}), 2, QStringList{"beside --proportion"});
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+}
+
+/// d' of each line of a table is d' of the same counts as options, wherever its columns stand.
+void TestCliPsychophysicsEdges::tablesOfCounts() {
+    const auto lines = [](const QStringList& arguments) {
+        const CliRun run = runCli(QStringList{"psychophysics", "dprime"} + arguments + QStringList{"--json"});
+        return object(run.out);
+    };
+    const QJsonObject pairs = lines({file("pairs.csv", "n_correct,n_total,who\n40,50,a\n30,50,b\n"), "--task", "2afc"});
+    const QJsonArray two = pairs["rows"].toArray();
+    QCOMPARE(two.size(), 2);
+    const QJsonObject first = lines({"--task", "2afc", "--correct", "40", "--total", "50"}), second = lines({"--task", "2afc", "--correct", "30", "--total", "50"});
+    QVERIFY(first["d_prime"].toDouble() > second["d_prime"].toDouble() && second["d_prime"].toDouble() > 0.0);
+    QCOMPARE(two[0].toObject()["d_prime"], first["d_prime"]);
+    QCOMPARE(two[1].toObject()["d_prime"], second["d_prime"]);
+    const QJsonArray rates = lines({file("rates.csv", "correct_rejections,hits,misses,false_alarms\n40,35,15,10\n45,20,30,5\n")})["rows"].toArray();
+    QCOMPARE(rates.size(), 2);
+    QCOMPARE(rates[0].toObject()["d_prime"], lines({"--hits", "35", "--misses", "15", "--false-alarms", "10", "--correct-rejections", "40"})["d_prime"]);
+    QCOMPARE(rates[1].toObject()["d_prime"], lines({"--hits", "20", "--misses", "30", "--false-alarms", "5", "--correct-rejections", "45"})["d_prime"]);
+}
+
+void TestCliPsychophysicsEdges::tablesThatHoldNoCounts_data() {
+    QTest::addColumn<QByteArray>("table");
+    QTest::addColumn<QString>("task");
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("no column") << QByteArray("n_correct\n5\n") << "2afc" << QStringList{"counts.csv:1", "column n_total is missing"};
+    QTest::newRow("none of four") << QByteArray("hits,misses,false_alarms\n5,5,5\n") << "yes-no" << QStringList{"counts.csv:1", "correct_rejections"};
+    QTest::newRow("half a trial") << QByteArray("n_correct,n_total\n5,10\n4.5,10\n") << "2afc" << QStringList{"counts.csv:3", "n_correct", "a whole number from 0 to 1e9"};
+    QTest::newRow("below nothing") << QByteArray("n_correct,n_total\n-1,10\n") << "2afc" << QStringList{"counts.csv:2", "a whole number from 0 to 1e9"};
+    QTest::newRow("too many") << QByteArray("n_correct,n_total\n5,2e9\n") << "2afc" << QStringList{"counts.csv:2", "n_total", "a whole number from 0 to 1e9"};
+    QTest::newRow("more than all") << QByteArray("n_correct,n_total\n11,10\n") << "2afc" << QStringList{"counts.csv:2", "at most n_total"};
+}
+
+void TestCliPsychophysicsEdges::tablesThatHoldNoCounts() {
+    QFETCH(QByteArray, table);
+    QFETCH(QString, task);
+    QFETCH(QStringList, words);
+    const QString fault = refusalFault(runCli({"psychophysics", "dprime", file("counts.csv", table), "--task", task}), 3, words);
     QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
