@@ -33,7 +33,13 @@ struct Measurement {
     static Measurement undefined(UndefinedReason why, const std::array<int, 3>& counts = {}) { return {std::nullopt, storedText({why, counts})}; }
 };
 
-/// One metric in one version (models.md §6). Filter, rate and thresholds belong to the version: changing any
+/// What somebody who only guesses reaches in a metric: a value whatever was there, or the session's value of another metric.
+struct ChanceLevel {
+    std::optional<double> value{}; ///< in the metric's unit
+    std::string_view metric{};     ///< id, empty where there is none
+};
+
+/// One metric in one version (models.md §6): one row of a file in metrics/, which screens, papers, the command line and exports read. Filter, rate and thresholds belong to the version: changing any
 /// of them is a new entry beside the old one, so that stored scores stay explicable and can be recomputed
 /// under either.
 struct MetricDefinition {
@@ -45,8 +51,11 @@ struct MetricDefinition {
     Aggregate aggregate = Aggregate::mean;
     MetricTools tools = MetricTools::first;
     bool needsForces = false;    ///< null, with its reason, for a trace without force columns
+    std::string_view title{};    ///< for people, English; QT_TRANSLATE_NOOP (marked_texts.h) marks it for translation
+    std::string_view meaning{};  ///< what it measures, in a sentence for people; marked likewise
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
+    ChanceLevel chance{};
     /// The value over these trials: called with one trial for `trials[]`, with all of them where aggregate is
     /// pooled.
     Measurement (*measure)(std::span<const PreparedTrial> trials) = nullptr;

@@ -8,7 +8,7 @@
 
 namespace chiron::scoring {
 
-/// Every metric in every version, in the order of models.md §6; explicit lines in metric_catalogue.cpp.
+/// Every metric in every version, subject by subject; each subject is a file in metrics/ and a line in metric_catalogue.cpp.
 std::span<const MetricDefinition> metricCatalogue();
 
 /// The entry with this id and version; version 0 is the newest. Null if there is none.

@@ -11,7 +11,7 @@
 namespace chiron::scoring {
 
 /// Why a metric has no value. Each has one stored text (storedText), which scores keep: a text is never changed, and of a reason that is
-/// not used any more it stays, so that stored scores keep their meaning. Words for people: session_report/metric_words.
+/// not used any more it stays, so that stored scores keep their meaning.
 enum class UndefinedReason : std::uint8_t {
     noForces,
     noTrials,
@@ -79,6 +79,8 @@ struct Undefined {
 
 /// How many counts a reason tells: 0 or 3.
 std::size_t countsOf(UndefinedReason reason) noexcept;
+/// What people read, English, marked for translation (marked_texts.h), with %1, %2, %3 for its counts.
+std::string_view wordsOf(UndefinedReason reason) noexcept;
 /// What a score keeps: English, unambiguous. A reason without counts is its text alone.
 std::string storedText(const Undefined& undefined);
 /// The reason of a stored text; nothing where it is none of ours (a score of a later version). The inverse of storedText.

@@ -63,6 +63,7 @@ private slots:
     void unevenTimesAreInterpolated();
     void longGapEndsARun();
     void emptyTrialsHaveReasons();
+    void everyRowIsWhole();
 };
 
 void TestMetrics::pathOfCircle() {
@@ -264,6 +265,25 @@ void TestMetrics::longGapEndsARun() {
     for (std::size_t i = 1000; i < tool.t_s.size(); ++i)
         tool.t_s[i] += 3.0;
     QVERIFY(valueOf(session(tool), "path_length") < 1e-6); // nobody knows what happened in those 3 s
+}
+
+void TestMetrics::everyRowIsWhole() {
+    std::map<std::string_view, const MetricDefinition*> last;
+    for (const MetricDefinition& metric : metricCatalogue()) {
+        const char* id = metric.id.data();
+        QVERIFY2(QRegularExpression(QStringLiteral("^[a-z][a-z0-9_]*$")).match(QString::fromLatin1(id)).hasMatch(), id);
+        for (const std::string_view text : {metric.title, metric.meaning, metric.definition, metric.source})
+            QVERIFY2(!text.empty() && text.front() != ' ' && text.back() != ' ', id);
+        QVERIFY2(metric.meaning.back() == '.' && metric.title.back() != '.', id);
+        QVERIFY2(metric.measure != nullptr, id);
+        QVERIFY2(metric.chance.metric.empty() || findMetric(metric.chance.metric) != nullptr, id);
+        const MetricDefinition*& before = last[metric.id];
+        QVERIFY2(metric.version == (before ? before->version + 1 : 1), id);
+        // A new version measures anew; what people call it and what it is counted in stay.
+        QVERIFY2(!before || (metric.title == before->title && metric.meaning == before->meaning && metric.unit == before->unit && metric.measure != before->measure), id);
+        before = &metric;
+    }
+    QVERIFY(last.size() > 60);
 }
 
 void TestMetrics::emptyTrialsHaveReasons() {

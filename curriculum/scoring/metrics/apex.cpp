@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scoring/median.h"
+#include "scoring/metrics/apex_answer.h"
+#include "scoring/metrics/metric_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::scoring {
+
+namespace {
+
+Measurement measureApexErrorMean(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    double sum = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += std::abs(answer.errorX_percent) + std::abs(answer.errorY_percent);
+    return Measurement::of(sum / (2.0 * static_cast<double>(all.answers.size())));
+}
+
+Measurement measureApexErrorMean2(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    double sum = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += answer.countedX_percent() + answer.countedY_percent();
+    return Measurement::of(sum / (2.0 * static_cast<double>(all.answers.size())));
+}
+
+/// The median of the true places is the answer that is best if it is always the same.
+Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) {
+    if (trials.empty())
+        return Measurement::undefined(UndefinedReason::noTrials);
+    std::vector<double> x_m, y_m;
+    for (const PreparedTrial& trial : trials) {
+        if (!trial.trial->apex || !(trial.trial->apex->radius_m > 0.0))
+            return Measurement::undefined(UndefinedReason::apexUnknown);
+        x_m.push_back(trial.trial->apex->x_m);
+        y_m.push_back(trial.trial->apex->y_m);
+    }
+    if (trials.size() < 2)
+        return Measurement::undefined(UndefinedReason::oneTrialHasNoChance);
+    const double bestX_m = median(x_m), bestY_m = median(y_m);
+    double sum = 0.0;
+    for (const PreparedTrial& trial : trials) {
+        const ApexTruth& truth = *trial.trial->apex;
+        sum += (std::abs(truth.x_m - bestX_m) + std::abs(truth.y_m - bestY_m)) / truth.radius_m;
+    }
+    return Measurement::of(100.0 * sum / (2.0 * static_cast<double>(trials.size())));
+}
+
+Measurement measureApexErrorSd(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    if (all.answers.size() < 2)
+        return Measurement::undefined(UndefinedReason::needsTwoTrials);
+    const double n = 2.0 * static_cast<double>(all.answers.size());
+    double sum = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += std::abs(answer.errorX_percent) + std::abs(answer.errorY_percent);
+    double squares = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        squares += std::pow(std::abs(answer.errorX_percent) - sum / n, 2) +
+                   std::pow(std::abs(answer.errorY_percent) - sum / n, 2);
+    return Measurement::of(std::sqrt(squares / (n - 1.0)));
+}
+
+Measurement measureApexErrorSd2(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    if (all.answers.size() < 2)
+        return Measurement::undefined(UndefinedReason::needsTwoTrials);
+    const double n = 2.0 * static_cast<double>(all.answers.size());
+    double sum = 0.0, squares = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += answer.countedX_percent() + answer.countedY_percent();
+    for (const ApexAnswer& answer : all.answers)
+        squares += std::pow(answer.countedX_percent() - sum / n, 2) + std::pow(answer.countedY_percent() - sum / n, 2);
+    return Measurement::of(std::sqrt(squares / (n - 1.0)));
+}
+
+Measurement measureApexBiasX(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    double sum = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += answer.errorX_percent;
+    return Measurement::of(sum / static_cast<double>(all.answers.size()));
+}
+
+Measurement measureApexBiasY(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    double sum = 0.0;
+    for (const ApexAnswer& answer : all.answers)
+        sum += answer.errorY_percent;
+    return Measurement::of(sum / static_cast<double>(all.answers.size()));
+}
+
+Measurement measureApexMisses(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    return Measurement::of(static_cast<double>(
+        std::count_if(all.answers.begin(), all.answers.end(), [](const ApexAnswer& a) { return a.miss; })));
+}
+
+} // namespace
+
+std::vector<MetricDefinition> apexMetrics() {
+    MetricRows rows;
+    rows.add({.id = "apex_error_mean",
+              .unit = "% of R",
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses "
+                                                      "included."),
+              .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses included.",
+              .source = "models.md §2.3; P2, Preliminary Validation",
+              .measure = measureApexErrorMean});
+    rows.next({.definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials; a miss counts as an error of R at "
+                             "least.",
+               .measure = measureApexErrorMean2});
+    rows.add({.id = "apex_error_mean_by_chance",
+              .unit = "% of R",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not "
+                                                      "smaller shows no skill."),
+              .definition = "apex_error_mean of one who always marks the same place, the best for this session (the median of the apexes): what "
+                            "feeling nothing gives.",
+              .source = "our definition",
+              .measure = measureApexErrorMeanByChance});
+    rows.add({.id = "apex_error_sd",
+              .unit = "% of R",
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark."),
+              .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
+              .source = "models.md §2.3; P2, Preliminary Validation",
+              .measure = measureApexErrorSd});
+    rows.next({.direction = Direction::neutral, // a hand that always misses by R has none
+               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials; a miss counts as an "
+                             "error of R at least.",
+               .measure = measureApexErrorSd2});
+    rows.add({.id = "apex_bias_x",
+              .unit = "% of R",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, left to right"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error to the right (positive) or left (negative)."),
+              .definition = "Mean of the signed errors 100 (x - x0)/R; nearer zero is better.",
+              .source = "models.md §2.3; P2, Preliminary Validation",
+              .measure = measureApexBiasX});
+    rows.add({.id = "apex_bias_y",
+              .unit = "% of R",
+              .direction = Direction::neutral,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, front to back"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person."),
+              .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
+              .source = "models.md §2.3; P2, Preliminary Validation",
+              .measure = measureApexBiasY});
+    rows.add({.id = "apex_misses",
+              .unit = "count",
+              .wrench = MetricWrench::tissue,
+              .aggregate = Aggregate::pooled,
+              .title = QT_TRANSLATE_NOOP("Metrics", "Misses"),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same."),
+              .definition = "Trials marked out of contact, marked farther than R from the apex, or not marked in time; their errors count all the "
+                            "same.",
+              .source = "models.md §2.3; P2, Preliminary Validation",
+              .measure = measureApexMisses});
+    return rows.take();
+}
+
+} // namespace chiron::scoring
