@@ -92,7 +92,7 @@ core::Result<void> addReport(DemoPictures& drawn, database::Database& database, 
     if (!connection)
         return tl::unexpected(connection.error());
     const database::Actor actor = database::Actor::simulated();
-    auto session = session::StoredSession::open(**connection, actor, shown.result.session);
+    auto session = session::SessionView::open(**connection, actor, shown.result.session);
     if (!session)
         return tl::unexpected(session.error());
     auto data = session_report::reportDataOf(**session, **connection, actor, "en");

@@ -4,7 +4,6 @@
 #include "scoring/detection/finding_matches.h"
 #include "scoring/detection/palpation_answer.h"
 #include "scoring/metrics/apex_answer.h"
-#include "session/device_time.h"
 #include "session/palpation_marks.h"
 
 #include <algorithm>
@@ -32,16 +31,15 @@ public:
     }
     bool empty() const noexcept { return m_wanted.empty(); }
 
-    void place(const core::HapticFrame& frame) {
+    void place(const FrameTime& frame) {
         constexpr double kSameTime_s = 0.6e-6; // traces hold whole microseconds
-        const double t_s = m_time.at(frame);
         for (Wanted& wanted : m_wanted) {
-            const bool here = wanted.tick ? frame.header.index >= *wanted.tick : t_s + kSameTime_s >= wanted.from_s;
+            const bool here = wanted.tick ? frame.tick >= *wanted.tick : frame.t_s + kSameTime_s >= wanted.from_s;
             if (wanted.placed || !here)
                 continue;
             wanted.placed = true;
-            wanted.event.tick = frame.header.index;
-            wanted.event.time_s = std::max(0.0, t_s);
+            wanted.event.tick = frame.tick;
+            wanted.event.time_s = std::max(0.0, frame.t_s);
         }
     }
 
@@ -86,25 +84,19 @@ private:
     }
 
     std::vector<Wanted> m_wanted;
-    DeviceTime m_time;
 };
 
 } // namespace
 
-core::Result<std::vector<database::EventRecord>> answerEvents(StoredSession& session, const scoring::SessionTrace& trace,
-                                                              std::span<const database::TrialRecord> trials) {
+std::vector<database::EventRecord> answerEvents(std::span<const FrameTime> frames, const scoring::SessionTrace& trace,
+                                                std::span<const database::TrialRecord> trials) {
     AnswerEvents events;
     for (std::size_t i = 0; i < std::min(trace.trials.size(), trials.size()); ++i)
         events.add(trace.trials[i], trials[i]);
     if (events.empty())
-        return std::vector<database::EventRecord>{};
-    auto read = session.eachChunk([&events](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        for (const core::HapticFrame& frame : frames)
-            events.place(frame);
         return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
+    for (const FrameTime& frame : frames)
+        events.place(frame);
     return events.take();
 }
 

@@ -100,7 +100,7 @@ QByteArray rowOf(const core::HapticFrame& frame, const core::ToolState& pose, do
     return row;
 }
 
-core::Result<Written> writeSamples(QFile& file, StoredSession& session, const std::vector<BidsEvent>& events) {
+core::Result<Written> writeSamples(QFile& file, SessionView& session, const std::vector<BidsEvent>& events) {
     Written written;
     written.onset_s.assign(events.size(), -1.0);
     written.end_s.assign(events.size(), -1.0);
@@ -132,7 +132,7 @@ core::Result<Written> writeSamples(QFile& file, StoredSession& session, const st
     return written;
 }
 
-QByteArray sidecar(const StoredSession& session, const BidsRecording& recording, const Written& written) {
+QByteArray sidecar(const SessionView& session, const BidsRecording& recording, const Written& written) {
     const double frequency = written.duration_s > 0.0 ? static_cast<double>(written.samples - 1) / written.duration_s : 1.0 / kTick_s;
     QJsonObject json{{"TaskName", recording.task},
                      {"TaskDescription", recording.taskDescription},
@@ -208,7 +208,7 @@ std::map<QString, QString> bidsLabels(QStringList words) {
     return labels;
 }
 
-core::Result<void> writeBidsMotion(NewFolder& folder, StoredSession& session, const BidsRecording& recording, const std::vector<BidsEvent>& events) {
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording, const std::vector<BidsEvent>& events) {
     const QString base = QStringLiteral("sub-%1/motion/%2").arg(recording.subject, recording.stem());
     const QString tracked = base + QStringLiteral("_tracksys-haptic") + recording.tail();
     const auto path = folder.place(tracked + "_motion.tsv");

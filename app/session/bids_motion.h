@@ -3,7 +3,7 @@
 
 #include "core/result.h"
 #include "session/new_folder.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <QString>
 #include <QStringList>
@@ -42,9 +42,9 @@ std::map<QString, QString> bidsLabels(QStringList words);
 /// Writes sub-X/motion/..._motion.tsv (no heading), _motion.json, _channels.tsv, _channels.json and _events.tsv of one stored session:
 /// each executed tick of tool 0, position and orientation in the workspace's frame, time since the first tick, tissue, commanded and
 /// measured force as MISC channels. Failure: the reader's, storage.
-core::Result<void> writeBidsMotion(NewFolder& folder, StoredSession& session, const BidsRecording& recording, const std::vector<BidsEvent>& events);
+core::Result<void> writeBidsMotion(NewFolder& folder, SessionView& session, const BidsRecording& recording, const std::vector<BidsEvent>& events);
 
 /// Writes `folder` as a BIDS dataset of this session alone, its trials as events. Failure: badInput where it exists, storage, the reader's.
-core::Result<void> exportSessionBids(StoredSession& session, const std::filesystem::path& folder);
+core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder);
 
 } // namespace chiron::session

@@ -105,7 +105,7 @@ core::Result<void> checkAgain(database::Database& database, const database::Acto
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    auto stored = StoredSession::open(**connection, actor, result.result.session);
+    auto stored = SessionView::open(**connection, actor, result.result.session);
     if (!stored)
         return tl::unexpected(stored.error());
     auto replay = replaySession(**stored);

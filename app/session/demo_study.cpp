@@ -80,7 +80,7 @@ core::Result<bool> replaysAlike(database::Database& database, const database::Ac
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    auto stored = StoredSession::open(**connection, author, session);
+    auto stored = SessionView::open(**connection, author, session);
     if (!stored)
         return tl::unexpected(stored.error());
     const auto replay = replaySession(**stored);

@@ -3,7 +3,7 @@
 
 #include "scoring/detection/palpation_answer.h"
 #include "session/level_cues.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <variant>
 
@@ -41,7 +41,7 @@ void addDetection(PooledDetection& pooled, const scoring::SessionTrace& trace) {
 }
 
 core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor, const DetectionQuery& query,
-                                          const PlaybackProgress& progress) {
+                                          const ReadProgress& progress) {
     database::SessionFilter filter;
     filter.person = query.person;
     filter.exercise = "palpation";
@@ -58,7 +58,7 @@ core::Result<PooledDetection> detectionOf(database::Connection& connection, cons
             return core::fail(core::ErrorCode::cancelled, "detection: stopped by the person");
         if (!isWanted(summary, query))
             continue;
-        auto stored = StoredSession::open(connection, actor, summary.id);
+        auto stored = SessionView::open(connection, actor, summary.id);
         if (!stored)
             return tl::unexpected(stored.error());
         if (!tellsDetection((*stored)->setup().level, query))
@@ -66,7 +66,7 @@ core::Result<PooledDetection> detectionOf(database::Connection& connection, cons
         auto trace = (*stored)->trace();
         if (!trace)
             return tl::unexpected(trace.error());
-        addDetection(pooled, *trace);
+        addDetection(pooled, **trace);
     }
     return pooled;
 }

@@ -5,7 +5,7 @@
 #include "core/result.h"
 #include "database/repositories/session_reader.h"
 #include "scoring/detection/roc_curve.h"
-#include "session/playback_builder.h"
+#include "session/session_view.h"
 
 #include <string>
 
@@ -36,7 +36,7 @@ bool tellsDetection(const catalogue::ExerciseLevel& level, const DetectionQuery&
 /// Opens each session that `actor` may see and judges its trials from the recording (`scoring::judgePalpation`): about a second a
 /// session of ten minutes, so on a worker. Failure: the reader's; cancelled.
 core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor, const DetectionQuery& query,
-                                          const PlaybackProgress& progress = {});
+                                          const ReadProgress& progress = {});
 
 /// Adds a session's trials.
 void addDetection(PooledDetection& pooled, const scoring::SessionTrace& trace);

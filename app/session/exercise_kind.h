@@ -23,6 +23,7 @@
 namespace chiron::session {
 
 struct SessionSetup;
+class PlaybackTrack;
 
 /// A scripted trainee: what moves each hand (one a tool; of one mind where there are several), and what the hands are like.
 struct ScriptedTrainee {
@@ -115,6 +116,11 @@ public:
     /// What could be touched in each trial, for playback: the geometry that was felt.
     virtual std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                         std::uint64_t seed) const = 0;
+    /// Whether addMarks() needs the trace: it then is of the same pass as the track.
+    virtual bool marksFromTrace() const noexcept { return false; }
+    /// Adds to a track what only the whole of a trial tells: what an answer was worth, what scores count. By the same judgement as the
+    /// scores. Marks stay in the order of time. `trace` is null unless marksFromTrace(). Failure: a trace that cannot be scored.
+    virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/, PlaybackTrack&) const { return {}; }
 };
 
 /// Where the bases of a level's tools stand when nobody mounts them elsewhere.

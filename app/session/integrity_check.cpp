@@ -2,7 +2,7 @@
 #include "session/integrity_check.h"
 
 #include "database/repositories/score_repository.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 namespace chiron::session {
 
@@ -17,7 +17,7 @@ database::Finding finding(database::SessionId session, const std::string& detail
 std::vector<database::Finding> checkScores(database::Connection& connection, database::SessionId session) {
     // The program itself looks: the check changes nothing and shows nothing of anybody but whether it holds.
     const database::Actor actor = database::Actor::maintenance();
-    auto stored = StoredSession::open(connection, actor, session);
+    auto stored = SessionView::open(connection, actor, session);
     if (!stored)
         return {finding(session, "cannot be recomputed: " + stored.error().message)};
     auto kept = database::ScoreRepository(connection, actor).scores(session);

@@ -3,6 +3,8 @@
 
 #include "operators/palpation/palpation_operator.h"
 #include "session/level_cues.h"
+#include "session/palpation_marks.h"
+#include "session/playback_track.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/palpation/palpation_plan.h"
 #include "simulation/exercises/palpation/palpation_scene.h"
@@ -210,6 +212,13 @@ void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_
 
 std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
     return std::make_unique<PalpationSurfaces>(parametersOf(level), seed);
+}
+
+core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+    // Movement and force do not depend on what was found: where it cannot be told, the track goes without.
+    if (const auto outcomes = palpationOutcomes(*trace))
+        addPalpationMarks(track, *outcomes);
+    return {};
 }
 
 } // namespace chiron::session

@@ -41,6 +41,8 @@ public:
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
     /// The tissue's surface; the object of a trial is its lumps, in the middle of the search area.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    bool marksFromTrace() const noexcept override { return true; }
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session

@@ -31,7 +31,7 @@ bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
                        [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
 }
 
-void addReports(PlaybackTrack& track, const PalpationTrialRecord& record) {
+void addReports(PlaybackTrack& track, const PalpationOutcome& record) {
     for (std::size_t i = 0; i < record.answer.reports.size(); ++i) {
         const scoring::TimedReport& report = record.answer.reports[i];
         if (report.field != core::ReportField::found && report.field != core::ReportField::remove)
@@ -54,8 +54,8 @@ std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answe
     return reports;
 }
 
-void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationTrialRecord> records) {
-    for (const PalpationTrialRecord& record : records) {
+void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> outcomes) {
+    for (const PalpationOutcome& record : outcomes) {
         addReports(track, record);
         const PlaybackTrial* trial = track.trial(record.trial);
         if (trial == nullptr || !(record.completed || record.timedOut))

@@ -15,7 +15,7 @@ std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answe
 
 /// Adds to a track what happened in its palpations: findings marked and taken back, a finding that is there at the trial's end and
 /// found no lump as a false alarm where it was marked, and at the end of a trial that came to one each lump that was missed. The
-/// same list as the scores' (PalpationTrialRecord::answer). Marks stay in the order of time. Pure.
-void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationTrialRecord> records);
+/// same list as the scores' (PalpationOutcome::answer). Marks stay in the order of time. Pure.
+void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> outcomes);
 
 } // namespace chiron::session

@@ -4,7 +4,7 @@
 #include "session/palpation_presses.h"
 
 #include <string>
-#include <variant>
+#include <utility>
 
 namespace chiron::session {
 
@@ -55,29 +55,27 @@ simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const
     return presses.map();
 }
 
-core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::SessionTrace& trace,
-                                                                const simulation::PalpationParameters& level) {
-    std::vector<PalpationTrialRecord> records;
+core::Result<std::vector<PalpationOutcome>> palpationOutcomes(const scoring::SessionTrace& trace) {
+    std::vector<PalpationOutcome> outcomes;
     for (const scoring::TrialTrace& trial : trace.trials) {
         scoring::JudgedTrial judged = scoring::judgePalpation(trial);
         if (!judged.answer)
             return core::fail(core::ErrorCode::badInput,
                               "trial " + std::to_string(trial.trial + 1) + ": " + scoring::storedText({judged.reason, {}}));
-        records.push_back({trial.trial, trial.completed, trial.timedOut, std::move(*judged.answer), mapOf(level, trial),
-                           lastCoverage(trial)});
+        outcomes.push_back({trial.trial, trial.completed, trial.timedOut, std::move(*judged.answer)});
     }
-    return records;
+    return outcomes;
 }
 
-core::Result<std::vector<PalpationTrialRecord>> palpationRecord(StoredSession& session) {
-    const auto* level = std::get_if<simulation::PalpationParameters>(&session.setup().level.parameters);
-    if (level == nullptr)
-        return core::fail(core::ErrorCode::badInput,
-                          "session " + std::to_string(session.record().summary.id) + ": expected a palpation");
-    auto trace = session.trace();
-    if (!trace)
-        return tl::unexpected(trace.error());
-    return palpationRecord(*trace, *level);
+core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::SessionTrace& trace,
+                                                                const simulation::PalpationParameters& level) {
+    auto outcomes = palpationOutcomes(trace);
+    if (!outcomes)
+        return tl::unexpected(outcomes.error());
+    std::vector<PalpationTrialRecord> records;
+    for (std::size_t i = 0; i < outcomes->size(); ++i)
+        records.push_back({std::move((*outcomes)[i]), mapOf(level, trace.trials[i]), lastCoverage(trace.trials[i])});
+    return records;
 }
 
 } // namespace chiron::session

@@ -5,7 +5,6 @@
 #include "scoring/detection/palpation_answer.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
-#include "session/stored_session.h"
 #include "simulation/exercises/palpation/palpation_parameters.h"
 #include "simulation/palpation/map_bands.h"
 #include "simulation/palpation/surface_map.h"
@@ -14,14 +13,18 @@
 
 namespace chiron::session {
 
-/// One trial of a palpation, looked back at: what debrief, playback and report show. W, SI.
-struct PalpationTrialRecord {
+/// What became of one trial of a palpation. W, SI.
+struct PalpationOutcome {
     int trial = 0; ///< from 0
     bool completed = false;
     bool timedOut = false;
     /// Truth, reports (times as PlaybackTrack's), findings at the end, what each found (`matches`), and the regions: what metrics
     /// judge. `scoring::findingsAfter(answer.reports, t_s)` is the book at any moment.
     scoring::PalpationAnswer answer;
+};
+
+/// One trial of a palpation, looked back at: what debrief, playback and report show.
+struct PalpationTrialRecord : PalpationOutcome {
     simulation::SurfaceMap map; ///< of all presses of the trial
     double coverage = 0.0;      ///< as recorded at the trial's end, 0..1
 };
@@ -38,11 +41,10 @@ simulation::SurfaceMap mapOf(const simulation::PalpationParameters& level, const
 /// The map of trial `trial` (from 0) as it was at `t_s`, from a track's samples (largest force of four ticks each).
 simulation::SurfaceMap mapAt(const simulation::PalpationParameters& level, const PlaybackTrack& track, int trial, double t_s);
 
-/// One record a trial that was begun. Failure: badInput naming the trial, where its trace has no reports or no truth.
+/// What became of each trial that was begun. Failure: badInput naming the trial, where its trace has no reports or no truth.
+core::Result<std::vector<PalpationOutcome>> palpationOutcomes(const scoring::SessionTrace& trace);
+/// One record per trial that was begun. Failure: as above.
 core::Result<std::vector<PalpationTrialRecord>> palpationRecord(const scoring::SessionTrace& trace,
                                                                 const simulation::PalpationParameters& level);
-/// The same of a stored session; reads the whole recording: on a worker. Failure: also badInput for another exercise, and the
-/// reader's.
-core::Result<std::vector<PalpationTrialRecord>> palpationRecord(StoredSession& session);
 
 } // namespace chiron::session

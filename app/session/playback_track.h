@@ -87,7 +87,7 @@ struct PlaybackView {
     std::vector<double> quantities; ///< as PlaybackTrack::quantities, of the earlier sample
 };
 
-/// A stored session made ready for playback: built once on a worker (buildPlaybackTrack), then a value that any one
+/// A stored session made ready for playback: built once on a worker (SessionView::track), then a value that any one
 /// thread reads without a database. 250 samples a second; about 200 bytes a sample and tool.
 class PlaybackTrack {
 public:

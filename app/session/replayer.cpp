@@ -55,7 +55,7 @@ double largestDifference(std::span<const core::HapticFrame> stored, std::span<co
 /// The loop of a replay: the session's own code with a recording in the place of devices and people.
 class Replay {
 public:
-    explicit Replay(StoredSession& session) : m_session(session) {}
+    explicit Replay(SessionView& session) : m_session(session) {}
 
     core::Result<void> prepare() {
         const SessionSetup& setup = m_session.setup();
@@ -117,7 +117,7 @@ private:
         return {};
     }
 
-    StoredSession& m_session;
+    SessionView& m_session;
     std::vector<std::unique_ptr<devices::RecordedDevice>> m_devices;
     haptics::RecordedInputs m_inputs;
     haptics::SafetySupervisor m_supervisor;
@@ -129,7 +129,7 @@ private:
 
 } // namespace
 
-core::Result<ReplayReport> replaySession(StoredSession& session) {
+core::Result<ReplayReport> replaySession(SessionView& session) {
     ReplayReport report;
     const database::NewSession& stored = session.record().setup;
     const std::string needed = core::modelsOfBuild(stored.buildId);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +21,6 @@ struct ReplayReport {
 
 /// Re-simulates a session from its recorded inputs through the same loop, scene and supervisor, and compares the
 /// forces. Failure: the reader's (damaged chunks), badInput where the recording has gaps.
-core::Result<ReplayReport> replaySession(StoredSession& session);
+core::Result<ReplayReport> replaySession(SessionView& session);
 
 } // namespace chiron::session

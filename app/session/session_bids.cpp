@@ -9,7 +9,7 @@
 
 namespace chiron::session {
 
-core::Result<void> exportSessionBids(StoredSession& session, const std::filesystem::path& folder) {
+core::Result<void> exportSessionBids(SessionView& session, const std::filesystem::path& folder) {
     auto made = NewFolder::begin(folder);
     if (!made)
         return tl::unexpected(made.error());

@@ -34,7 +34,7 @@ core::Vec3 torqueOf(const core::Array6& wrench) {
 /// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
 class RowMaker {
 public:
-    RowMaker(StoredSession& session, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
+    RowMaker(SessionView& session, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
         : m_session(session), m_columns(columns), m_quantities(session.reader().table()) {
         for (const scoring::TrialTrace& trial : trials)
             m_trials[trial.trial] = &trial;
@@ -115,7 +115,7 @@ private:
                                       row.t_s);
     }
 
-    StoredSession& m_session;
+    SessionView& m_session;
     const scoring::TraceColumns& m_columns;
     RecordedQuantities m_quantities;
     std::map<int, const scoring::TrialTrace*> m_trials;
@@ -123,7 +123,7 @@ private:
     DeviceTime m_time;
 };
 
-scoring::TraceColumns columnsOf(StoredSession& session, const std::vector<scoring::TrialTrace>& trials) {
+scoring::TraceColumns columnsOf(SessionView& session, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
     columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact = true;
@@ -147,16 +147,16 @@ scoring::TraceColumns columnsOf(StoredSession& session, const std::vector<scorin
 
 } // namespace
 
-core::Result<void> exportCsv(StoredSession& session, const QString& path) {
+core::Result<void> exportCsv(SessionView& session, const QString& path) {
     auto trace = session.trace();
     if (!trace)
         return tl::unexpected(trace.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(cannotWrite(path, file.errorString()));
-    const scoring::TraceColumns columns = columnsOf(session, trace->trials);
+    const scoring::TraceColumns columns = columnsOf(session, (*trace)->trials);
     std::string text = scoring::traceCsvHeader(columns);
-    RowMaker rows(session, trace->trials, columns);
+    RowMaker rows(session, (*trace)->trials, columns);
     const int tools = session.positions().tools();
     const auto flush = [&]() -> core::Result<void> {
         if (file.write(text.data(), qint64(text.size())) != qint64(text.size()))
@@ -182,7 +182,7 @@ core::Result<void> exportCsv(StoredSession& session, const QString& path) {
     return {};
 }
 
-core::Result<void> exportJson(StoredSession& session, const QJsonObject& summary, const QString& path) {
+core::Result<void> exportJson(SessionView& session, const QJsonObject& summary, const QString& path) {
     QJsonObject document = summary;
     const auto& setup = session.record().setup;
     const auto embed = [](const std::string& text) {

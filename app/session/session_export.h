@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -12,9 +12,9 @@ namespace chiron::session {
 /// Writes a session's raw samples as a trace file (cli.md, Trace files), every executed tick, with trial, phase, pause,
 /// commanded and measured force, the scene's quantities and the truth beside them: `metrics` on this file gives the session's own scores.
 /// Replaces `path` only when the whole file is written. Failure: storage, the reader's.
-core::Result<void> exportCsv(StoredSession& session, const QString& path);
+core::Result<void> exportCsv(SessionView& session, const QString& path);
 
 /// Writes what is known of a session beside its samples (setup, states, trials, events, scores) as one JSON document.
-core::Result<void> exportJson(StoredSession& session, const QJsonObject& summary, const QString& path);
+core::Result<void> exportJson(SessionView& session, const QJsonObject& summary, const QString& path);
 
 } // namespace chiron::session

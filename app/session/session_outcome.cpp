@@ -5,7 +5,7 @@
 #include "database/repositories/session_repository.h"
 #include "session/answer_events.h"
 #include "session/event_extractor.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -68,44 +68,41 @@ std::string truthJson(const scoring::TrialTrace& trial) {
     return QJsonDocument(truth).toJson(QJsonDocument::Compact).toStdString();
 }
 
-core::Result<EventExtractor> extract(StoredSession& stored) {
-    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
-    auto read = stored.eachChunk([&seen](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        seen.add(frames);
-        return {};
-    });
-    if (!read)
-        return tl::unexpected(read.error());
-    return seen;
-}
-
 /// What a session's last transaction stores.
 struct Conclusion {
     SessionState state = SessionState::completed;
-    scoring::SessionTrace trace; ///< the truth of each trial goes with its row
+    EventExtractor seen;
+    std::shared_ptr<const scoring::SessionTrace> trace; ///< the truth of each trial goes with its row
     core::Result<scoring::ScoreCard> card;
     std::vector<database::EventRecord> answers; ///< what the answers were worth
 };
 
-core::Result<Conclusion> conclude(StoredSession& stored, const EventExtractor& seen, const RunEnding& ending) {
-    auto trace = stored.trace();
+core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
+    EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
+    std::vector<FrameTime> times;
+    DeviceTime time;
+    auto trace = stored.trace([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+        seen.add(frames);
+        for (const core::HapticFrame& frame : frames)
+            times.push_back({frame.header.index, time.at(frame)});
+        return {};
+    });
     if (!trace)
         return tl::unexpected(trace.error());
     const SessionState state = stateOf(seen, ending);
-    auto card = stored.scoresOf(*trace, state == SessionState::completed);
-    auto answers = answerEvents(stored, *trace, seen.trials());
-    if (!answers)
-        return tl::unexpected(answers.error());
-    return Conclusion{state, std::move(*trace), std::move(card), std::move(*answers)};
+    auto card = stored.scoresOf(**trace, state == SessionState::completed);
+    auto answers = answerEvents(times, **trace, seen.trials());
+    return Conclusion{state, std::move(seen), std::move(*trace), std::move(card), std::move(answers)};
 }
 
 core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor, database::SessionId id,
-                            const Conclusion& conclusion, const EventExtractor& seen, const RunEnding& ending) {
+                            const Conclusion& conclusion, const RunEnding& ending) {
+    const EventExtractor& seen = conclusion.seen;
     database::SessionRepository sessions(context.connection(), actor);
     for (std::size_t i = 0; i < seen.trials().size(); ++i) {
         database::TrialRecord trial = withFate(seen.trials()[i], conclusion.state);
-        if (i < conclusion.trace.trials.size())
-            trial.sceneJson = truthJson(conclusion.trace.trials[i]);
+        if (i < conclusion.trace->trials.size())
+            trial.sceneJson = truthJson(conclusion.trace->trials[i]);
         if (auto done = sessions.storeTrial(id, trial); !done)
             return done;
     }
@@ -131,18 +128,15 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
     if (!connection)
         return tl::unexpected(connection.error());
     // The program ends what it recorded, also a sitting of a blinded study, which nobody may open. What is stored is the actor's to store.
-    auto stored = StoredSession::open(**connection, database::Actor::maintenance(), session);
+    auto stored = SessionView::open(**connection, database::Actor::maintenance(), session);
     if (!stored)
         return tl::unexpected(stored.error());
-    auto seen = extract(**stored);
-    if (!seen)
-        return tl::unexpected(seen.error());
-    auto conclusion = conclude(**stored, *seen, ending);
+    auto conclusion = conclude(**stored, ending);
     if (!conclusion)
         return tl::unexpected(conclusion.error());
     // One transaction: a program killed here leaves a session that is either to be recovered or has its scores.
     auto done = database.write([&](database::WriteContext& context) -> core::Result<void> {
-        if (auto ended = storeEnd(context, actor, session, *conclusion, *seen, ending); !ended || !conclusion->card)
+        if (auto ended = storeEnd(context, actor, session, *conclusion, ending); !ended || !conclusion->card)
             return ended;
         auto kept = database::ScoreRepository(context.connection(), actor).storeScores(session, *conclusion->card);
         return kept ? core::Result<void>() : tl::unexpected(kept.error());

@@ -2,6 +2,7 @@
 #include "session/sphere_apex_kind.h"
 
 #include "operators/sphere_apex/sphere_apex_operator.h"
+#include "session/playback_track.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
@@ -58,6 +59,23 @@ private:
     std::unique_ptr<simulation::TouchedDome> m_dome; ///< of a level on meshes: in its rest shape
 };
 
+/// An answer beside the sphere, or in the air, is a miss (as apex_misses counts it): said right after its mark.
+void noteMisses(PlaybackTrack& track) {
+    std::vector<PlaybackMark> marks;
+    for (const PlaybackMark& mark : track.marks) {
+        marks.push_back(mark);
+        const PlaybackTrial* trial = mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
+        if (trial == nullptr || !trial->object)
+            continue;
+        const core::Vec3 d = trial->p_WEnd - trial->object->p_WObject;
+        if (trial->endedInContact && std::hypot(d.x(), d.y()) <= trial->object->radius_m)
+            continue;
+        marks.push_back(mark);
+        marks.back().kind = PlaybackMarkKind::missed;
+    }
+    track.marks = std::move(marks);
+}
+
 } // namespace
 
 std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup& setup) const {
@@ -112,6 +130,11 @@ void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64
 std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::ExerciseLevel& level,
                                                             std::uint64_t seed) const {
     return std::make_unique<SphereApexSurfaces>(parametersOf(level), seed);
+}
+
+core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::SessionTrace*, PlaybackTrack& track) const {
+    noteMisses(track);
+    return {};
 }
 
 } // namespace chiron::session

@@ -22,6 +22,7 @@ public:
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                 std::uint64_t seed) const override;
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session

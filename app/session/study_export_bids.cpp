@@ -108,7 +108,7 @@ core::Result<void> writeSittings(NewFolder& folder, database::Connection& connec
         if (trial.session > 0 && std::find(sessions.begin(), sessions.end(), trial.session) == sessions.end())
             sessions.push_back(trial.session);
     for (std::size_t i = 0; i < sessions.size(); ++i) {
-        auto session = StoredSession::open(connection, actor, sessions[i]);
+        auto session = SessionView::open(connection, actor, sessions[i]);
         if (!session) {
             if (session.error().code == core::ErrorCode::notFound || session.error().code == core::ErrorCode::notAllowed)
                 continue;

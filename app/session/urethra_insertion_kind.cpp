@@ -2,13 +2,17 @@
 #include "session/urethra_insertion_kind.h"
 
 #include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "scoring/insertion_events.h"
 #include "session/device_friction.h"
+#include "session/insertion_marks.h"
 #include "session/insertion_series.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/urethra_insertion/drawn_tip.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace chiron::session {
 
@@ -33,6 +37,17 @@ public:
 private:
     simulation::DrawnTip m_drawn;
 };
+
+void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
+    if (!any)
+        return; // its device could not be turned, or nothing was begun
+    std::vector<double> times_s;
+    times_s.reserve(track.moments.size());
+    for (const PlaybackMoment& moment : track.moments)
+        times_s.push_back(moment.t_s);
+    track.insertion = playbackInsertionOf(trace, times_s);
+}
 
 } // namespace
 
@@ -77,6 +92,17 @@ void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::
 
 std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t) const {
     return std::make_unique<UrethraInsertionSurfaces>(parametersOf(level));
+}
+
+core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+    const auto& metrics = setup.level.metrics;
+    const bool traumaIsCritical = std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
+        return metric.id == "critical_errors" && metric.version >= scoring::kTraumaIsCriticalFrom;
+    });
+    if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
+        return done;
+    addInsertion(track, *trace);
+    return {};
 }
 
 } // namespace chiron::session

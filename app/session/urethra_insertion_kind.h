@@ -26,6 +26,8 @@ public:
     /// which stage follows from stored channels alone. Left out where the trace has no orientation.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    bool marksFromTrace() const noexcept override { return true; }
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
 };
 
 } // namespace chiron::session

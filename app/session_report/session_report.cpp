@@ -7,7 +7,6 @@
 #include "session_report/exercise_parts.h"
 #include "session_report/metric_words.h"
 #include "session_report/track_series.h"
-#include "session/playback_builder.h"
 
 #include <QCryptographicHash>
 #include <QJsonDocument>
@@ -94,7 +93,7 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
 }
 
 /// BLAKE2b-256 over the chunks' digests of force, hex: what the footer of every page names the recording by.
-core::Result<QString> recordingDigestOf(session::StoredSession& session) {
+core::Result<QString> recordingDigestOf(session::SessionView& session) {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     for (std::size_t i = 0; i < session.reader().chunkCount(); ++i) {
         auto digest = session.reader().forceHash(i);
@@ -155,22 +154,20 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
     return data;
 }
 
-core::Result<ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
+core::Result<ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language) {
     auto head = reportHeadOf(session.record(), session.setup(), connection, actor, language);
     if (!head)
         return head;
     ReportData data = std::move(*head);
-    auto trace = session.trace();
-    if (!trace)
-        return tl::unexpected(trace.error());
-    static_cast<ExerciseParts&>(data) = exercisePartsOf(*trace, session.setup().level);
-    data.force = feltFactsOf(*trace);
-    auto track = session::buildPlaybackTrack(session); // curves and critical errors are playback's own
-    if (!track)
-        return tl::unexpected(track.error());
-    data.series = seriesOf(*track, session.setup().level.parameters, QLocale(QString::fromStdString(language)));
-    data.duration_s = track->duration_s;
+    if (auto read = session.decode(); !read)
+        return tl::unexpected(read.error());
+    const scoring::SessionTrace& trace = **session.trace();
+    static_cast<ExerciseParts&>(data) = exercisePartsOf(trace, session.setup().level);
+    data.force = feltFactsOf(trace);
+    const session::PlaybackTrack& track = **session.track(); // curves and critical errors are playback's own
+    data.series = seriesOf(track, session.setup().level.parameters, QLocale(QString::fromStdString(language)));
+    data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
     if (!digest)
         return tl::unexpected(digest.error());

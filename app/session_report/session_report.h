@@ -3,13 +3,13 @@
 
 #include "core/result.h"
 #include "report/report_data.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 namespace chiron::session_report {
 
 /// Everything the printed report and the debrief show of one stored session: facts, stored scores, trials, samples.
 /// `language` picks the content's texts. Reads through the session's connection, on its thread. Failure: the reader's.
-core::Result<report::ReportData> reportDataOf(session::StoredSession& session, database::Connection& connection,
+core::Result<report::ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language);
 
 /// The same without what has to be read from the recording (samples, answers, duration): for a debrief that must not wait, and

@@ -4,7 +4,7 @@
 #include "catalogue/catalogue.h"
 #include "database/query.h"
 #include "session/exercise_kind.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 #include "session/training_run.h"
 
 #include <QJsonDocument>
@@ -144,7 +144,7 @@ core::Result<std::vector<Totals>> SummarySite::askAll() {
 }
 
 core::Result<std::vector<Sample>> SummarySite::samples(int recorded) {
-    auto stored = session::StoredSession::open(*m_reader, database::Actor::simulated(),
+    auto stored = session::SessionView::open(*m_reader, database::Actor::simulated(),
                                                m_recorded[static_cast<std::size_t>(recorded)]);
     if (!stored)
         return tl::unexpected(stored.error());

@@ -7,7 +7,7 @@
 #include "session/integrity_check.h"
 #include "session/recovery.h"
 #include "session/replayer.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <QDir>
 
@@ -29,7 +29,7 @@ QString said(const database::VerifyReport& report) {
 
 /// What a stored session must show by itself: an unbroken row of frames that can be re-simulated, and scores.
 QString checkStored(database::Connection& connection, database::SessionId id, std::uint64_t frames) {
-    auto stored = session::StoredSession::open(connection, database::Actor::anonymous(), id);
+    auto stored = session::SessionView::open(connection, database::Actor::anonymous(), id);
     auto all = stored ? (*stored)->reader().allFrames() : tl::unexpected(stored.error());
     if (!all)
         return words(all.error());

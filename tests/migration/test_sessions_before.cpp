@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sites with a session of every exercise, as earlier versions recorded and scored them: their sessions list,
 // play and score as they did, and a replay says that the laws are others now, not that somebody tampered.
+#include "support/looked_back.h"
 #include "stored_site.h"
 
 #include "core/fp_environment.h"
@@ -8,9 +9,8 @@
 #include "database/integrity/verifier.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
-#include "session/playback_builder.h"
 #include "session/replayer.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <zstd.h>
 
@@ -122,11 +122,11 @@ void TestSessionsBefore::everySessionListsPlaysAndScores() {
     const auto& opened = m_sites[static_cast<std::size_t>(site)];
     auto connection = opened.site->database->openReader();
     REQUIRE(connection);
-    auto stored = session::StoredSession::open(**connection, *opened.ada, SessionId{id});
+    auto stored = session::SessionView::open(**connection, *opened.ada, SessionId{id});
     REQUIRE(stored);
     QCOMPARE((*stored)->record().summary.exercise, exercise.toStdString());
 
-    const auto track = session::buildPlaybackTrack(**stored);
+    const auto track = tests::trackOf(**stored);
     REQUIRE(track);
     QVERIFY(track->duration_s > 1.0);
 

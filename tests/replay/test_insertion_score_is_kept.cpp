@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A whole insertion, played from a trace: its scores are those of its path, they are the same from the recording and from the
 // exported file, and what they count is marked in playback.
+#include "support/looked_back.h"
 #include "core/units.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
-#include "session/playback_builder.h"
 #include "session/session_export.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 #include "support/session_fixture.h"
@@ -176,7 +176,7 @@ void TestInsertionScoreIsKept::trialAndEventsAreStored() {
 
 void TestInsertionScoreIsKept::penaltiesAreMarks() {
     OpenStored stored(*m_site->database, m_result.session);
-    const auto track = session::buildPlaybackTrack(*stored.session);
+    const auto track = tests::trackOf(*stored.session);
     QVERIFY(track);
     QVERIFY(track->trials.at(0).completed);
     std::vector<session::PlaybackMark> stages;
@@ -209,7 +209,7 @@ void TestInsertionScoreIsKept::unfinishedProcedure() {
         QCOMPARE(metric.reason, std::string("no trial was finished"));
     }
     OpenStored stored(*m_site->database, cut.session);
-    auto as = stored.session->trace(); // scored as sessions were that say nothing of it
+    auto as = tests::traceOf(*stored.session); // scored as sessions were that say nothing of it
     QVERIFY(as && as->trials.at(0).unfinished);
     as->trials.at(0).unfinished = false;
     const auto before = stored.session->scoresOf(*as, false);

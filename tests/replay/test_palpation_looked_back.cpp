@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stored palpations looked back at: the map rebuilt from the recording, the same judgement as the scores, and which sessions are
 // pooled for the ROC.
+#include "support/looked_back.h"
 #include "session/detection_record.h"
 #include "session/palpation_record.h"
-#include "session/playback_builder.h"
 #include "support/made_session.h"
 
 #include <QtTest>
@@ -43,6 +43,15 @@ double sessionValue(const scoring::ScoreCard& card, const std::string& id) {
 
 } // namespace
 
+namespace {
+
+core::Result<std::vector<session::PalpationTrialRecord>> recordOf(session::SessionView& view) {
+    const auto trace = tests::traceOf(view);
+    return trace ? session::palpationRecord(*trace, std::get<simulation::PalpationParameters>(view.setup().level.parameters)) : tl::unexpected(trace.error());
+}
+
+} // namespace
+
 class TestPalpationReview : public QObject {
     Q_OBJECT
 private slots:
@@ -57,10 +66,10 @@ private slots:
     void mapsComeBack() {
         OpenStored stored(*m_site.database, m_session);
         const auto level = std::get<simulation::PalpationParameters>(stored.session->setup().level.parameters);
-        const auto records = session::palpationRecord(*stored.session);
+        const auto records = recordOf(*stored.session);
         QVERIFY2(records, records ? "" : records.error().message.c_str());
         QCOMPARE(records->size(), std::size_t{2});
-        const auto track = session::buildPlaybackTrack(*stored.session);
+        const auto track = tests::trackOf(*stored.session);
         QVERIFY(track);
         for (const session::PalpationTrialRecord& record : *records) {
             QVERIFY2(record.coverage > 0.05, qPrintable(QString::number(record.coverage)));
@@ -75,7 +84,7 @@ private slots:
 
     void judgementIsThatOfTheScores() {
         OpenStored stored(*m_site.database, m_session);
-        const auto records = session::palpationRecord(*stored.session);
+        const auto records = recordOf(*stored.session);
         int hits = 0;
         int alarms = 0;
         int lumps = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What playback shows is what was recorded: poses, forces, events and spans on the device's time.
+#include "support/looked_back.h"
 #include "database/repositories/session_reader.h"
-#include "session/playback_builder.h"
 #include "session/playback_ghost.h"
 #include "session/worst_moment.h"
 #include "support/made_session.h"
@@ -20,7 +20,7 @@ namespace {
 
 PlaybackTrack trackOf(database::Database& database, database::SessionId id) {
     OpenStored stored(database, id);
-    auto track = session::buildPlaybackTrack(*stored.session);
+    auto track = tests::trackOf(*stored.session);
     if (!track)
         qFatal("%s", track.error().message.c_str());
     return std::move(*track);
@@ -50,6 +50,7 @@ class TestPlaybackTrack : public QObject {
 private slots:
     void initTestCase();
     void samplesAreTheFrames();
+    void oneReadingForAll();
     void proxyIsTheFeltSurface();
     void nothingHoldsAToolThatIsThrough();
     void lookUpByTime();
@@ -81,7 +82,7 @@ void TestPlaybackTrack::initTestCase() {
 void TestPlaybackTrack::samplesAreTheFrames() {
     OpenStored stored(*m_site.database, m_expert);
     auto frames = stored.session->reader().allFrames();
-    auto track = session::buildPlaybackTrack(*stored.session);
+    auto track = tests::trackOf(*stored.session);
     QVERIFY(frames && track);
     const std::uint64_t origin_us = frames->front().tool[0].deviceTime_us;
     double largest_N = 0.0;
@@ -129,7 +130,7 @@ void TestPlaybackTrack::proxyIsTheFeltSurface() {
 void TestPlaybackTrack::nothingHoldsAToolThatIsThrough() {
     OpenStored stored(*m_site.database, m_unsafe);
     auto frames = stored.session->reader().allFrames();
-    auto track = session::buildPlaybackTrack(*stored.session);
+    auto track = tests::trackOf(*stored.session);
     QVERIFY(frames && track);
     std::size_t f = 0;
     int through = 0;
@@ -165,7 +166,7 @@ void TestPlaybackTrack::lookUpByTime() {
 void TestPlaybackTrack::trialsAndMarks() {
     const PlaybackTrack track = trackOf(*m_site.database, m_unsafe);
     OpenStored stored(*m_site.database, m_unsafe);
-    auto trace = stored.session->trace();
+    auto trace = tests::traceOf(*stored.session);
     QVERIFY(trace);
     QCOMPARE(track.trials.size(), trace->trials.size());
     for (std::size_t i = 0; i < track.trials.size(); ++i) {
@@ -272,22 +273,52 @@ void TestPlaybackTrack::damagedChunkIsNamed() {
     QCOMPARE(sqlite3_changes(raw), 1);
     sqlite3_close(raw);
     OpenStored stored(*site.database, result->session);
-    const auto track = session::buildPlaybackTrack(*stored.session);
+    const auto track = tests::trackOf(*stored.session);
     QVERIFY(!track);
     QCOMPARE(track.error().code, core::ErrorCode::doesNotHold);
     QVERIFY2(QString::fromStdString(track.error().message).contains("chunk 3"), track.error().message.c_str());
 }
 
+/// Scores, trace and track of one pass are those of passes of their own, and nothing is read twice.
+void TestPlaybackTrack::oneReadingForAll() {
+    OpenStored together(*m_site.database, m_unsafe);
+    QVERIFY(together.session->decode());
+    const auto trace = together.session->trace();
+    const auto track = together.session->track();
+    const auto scores = together.session->computeScores();
+    QVERIFY(trace && track && scores);
+    QCOMPARE(together.session->decodings(), 1);
+    QVERIFY(trace->get() == together.session->trace()->get() && track->get() == together.session->track()->get());
+
+    OpenStored apart(*m_site.database, m_unsafe);
+    const auto ownTrack = apart.session->track();
+    QVERIFY(ownTrack);
+    QCOMPARE(apart.session->decodings(), 1); // an apex is marked from the track alone
+    const auto ownScores = apart.session->computeScores();
+    QVERIFY(ownScores && session::sameScores(*scores, *ownScores));
+    QCOMPARE(apart.session->decodings(), 2);
+    QCOMPARE((*ownTrack)->moments.size(), (*track)->moments.size());
+    QCOMPARE((*ownTrack)->marks.size(), (*track)->marks.size());
+    QCOMPARE((*ownTrack)->duration_s, (*track)->duration_s);
+    std::size_t frames = 0;
+    QVERIFY(together.session->trace([&frames](std::span<const core::HapticFrame> seen) -> core::Result<void> {
+        frames += seen.size();
+        return {};
+    }));
+    QCOMPARE(frames, static_cast<std::size_t>(together.session->record().summary.frames)); // who wants to see frames sees all of them
+}
+
 void TestPlaybackTrack::canBeStopped() {
     OpenStored stored(*m_site.database, m_expert);
     double heard = -1.0;
-    const auto track = session::buildPlaybackTrack(*stored.session, [&heard](double part) {
+    const auto track = tests::trackOf(*stored.session, [&heard](double part) {
         heard = part;
         return part < 0.5;
     });
     QVERIFY(!track);
     QCOMPARE(track.error().code, core::ErrorCode::cancelled);
     QVERIFY(heard >= 0.5 && heard < 1.0);
+    QVERIFY(tests::trackOf(*stored.session)); // nothing half-read was kept
 }
 
 void TestPlaybackTrack::ghostStartsWithTheTrial() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/looked_back.h"
 #include "session/insertion_series.h"
-#include "session/playback_builder.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
 #include "support/session_fixture.h"
@@ -134,7 +134,7 @@ void TestUrethraReplay::stagesOfTheSeriesAreThoseOfTheScene() {
     QVERIFY(result);
     OpenStored stored(*site.database, result->session);
     auto frames = stored.session->reader().allFrames();
-    auto trace = stored.session->trace();
+    auto trace = tests::traceOf(*stored.session);
     QVERIFY(frames && trace);
     QCOMPARE(trace->trials.size(), std::size_t{1});
     QVERIFY(trace->trials[0].insertion.has_value());
@@ -197,9 +197,11 @@ void TestUrethraReplay::playbackDrawsTheTipInside() {
     auto result = site.run(played(2, 0.060));
     QVERIFY(result);
     OpenStored stored(*site.database, result->session);
-    auto track = session::buildPlaybackTrack(*stored.session, {});
+    auto track = tests::trackOf(*stored.session, {});
     QVERIFY2(track, track ? "" : track.error().message.c_str());
     QVERIFY(!track->moments.empty());
+    QVERIFY(tests::traceOf(*stored.session));
+    QCOMPARE(stored.session->decodings(), 1); // its marks are of the trace, which came with the track
     for (std::size_t i = 0; i < track->moments.size(); ++i)
         QVERIFY((track->tool(i, 0).p_WProxy - track->tool(i, 0).p_WT).norm() < 1e-9); // a perfect hand is where it is drawn
     const auto kind = session::exerciseKind("urethra_insertion");

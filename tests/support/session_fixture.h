@@ -4,7 +4,7 @@
 #include "catalogue/catalogue.h"
 #include "database/database.h"
 #include "session/exercise_kind.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 #include "session/training_run.h"
 
 #include <QJsonArray>
@@ -82,13 +82,13 @@ struct OpenStored {
         if (!opened)
             qFatal("%s", opened.error().message.c_str());
         connection = std::move(*opened);
-        auto stored = session::StoredSession::open(*connection, database::Actor::simulated(), id);
+        auto stored = session::SessionView::open(*connection, database::Actor::simulated(), id);
         if (!stored)
             qFatal("%s", stored.error().message.c_str());
         session = std::move(*stored);
     }
     std::unique_ptr<database::Connection> connection;
-    std::unique_ptr<session::StoredSession> session;
+    std::unique_ptr<session::SessionView> session;
 };
 
 } // namespace chiron::tests

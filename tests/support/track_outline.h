@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/playback_builder.h"
-#include "session/stored_session.h"
+#include "support/looked_back.h"
+#include "session/session_view.h"
 #include "session/worst_moment.h"
 #include "session_report/mark_words.h"
 

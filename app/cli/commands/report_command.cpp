@@ -24,7 +24,7 @@ core::Result<CommandOutput> report(const Arguments& arguments) {
     auto connection = site->database->openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    auto session = session::StoredSession::open(**connection, site->actor, id);
+    auto session = session::SessionView::open(**connection, site->actor, id);
     if (!session)
         return tl::unexpected(session.error());
     auto data = session_report::reportDataOf(**session, **connection, site->actor, "en");

@@ -17,7 +17,7 @@ namespace {
 struct Opened {
     Site site;
     std::unique_ptr<database::Connection> connection;
-    std::unique_ptr<session::StoredSession> session;
+    std::unique_ptr<session::SessionView> session;
 };
 
 core::Result<Opened> openStored(const Arguments& arguments) {
@@ -30,7 +30,7 @@ core::Result<Opened> openStored(const Arguments& arguments) {
     auto connection = site->database->openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    auto session = session::StoredSession::open(**connection, site->actor, *id);
+    auto session = session::SessionView::open(**connection, site->actor, *id);
     if (!session)
         return tl::unexpected(session.error());
     return Opened{std::move(*site), std::move(*connection), std::move(*session)};
@@ -75,7 +75,7 @@ core::Result<CommandOutput> score(const Arguments& arguments) {
     auto trace = opened->session->trace();
     if (!trace)
         return tl::unexpected(trace.error());
-    const scoring::ForceFacts force = scoring::forceFactsOf(*trace);
+    const scoring::ForceFacts force = scoring::forceFactsOf(**trace);
     const bool felt = opened->session->record().setup.felt;
     QJsonObject json = scoreJson(*view);
     json.insert("force", forceJson(force, felt));

@@ -81,7 +81,7 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
     return CommandOutput{QJsonDocument(json), scoreText(*view) + yieldsText(yields), 0};
 }
 
-core::Result<void> writeFormat(const QString& format, session::StoredSession& session, const QJsonObject& summary,
+core::Result<void> writeFormat(const QString& format, session::SessionView& session, const QJsonObject& summary,
                                const QString& path) {
     if (format == QLatin1String("bids"))
         return session::exportSessionBids(session, path.toStdString());
@@ -103,7 +103,7 @@ core::Result<CommandOutput> exportSession(const Arguments& arguments) {
     auto reading = openReading(arguments);
     if (!reading)
         return tl::unexpected(reading.error());
-    auto session = session::StoredSession::open(*reading->connection, reading->site.actor, *id);
+    auto session = session::SessionView::open(*reading->connection, reading->site.actor, *id);
     if (!session)
         return tl::unexpected(session.error());
     auto view = viewOf(*reading->connection, reading->site.actor, *id);

@@ -4,8 +4,8 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "session/level_standing.h"
-#include "session/palpation_marks.h"
-#include "session/playback_builder.h"
+#include "session/palpation_record.h"
+#include "session/session_view.h"
 #include "session_report/exercise_parts.h"
 #include "session_report/session_report.h"
 
@@ -78,46 +78,43 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
 
 core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
                                                 database::SessionId session, const std::atomic<bool>& cancelled) {
-    auto stored = session::StoredSession::open(connection, actor, session);
+    auto stored = session::SessionView::open(connection, actor, session);
     if (!stored)
         return tl::unexpected(stored.error());
-    auto track = session::buildPlaybackTrack(**stored, [&cancelled](double) { return !cancelled.load(); });
-    if (!track)
-        return tl::unexpected(track.error());
+    if (auto read = (*stored)->decode([&cancelled](double) { return !cancelled.load(); }); !read)
+        return tl::unexpected(read.error());
+    const session::PlaybackTrack& track = **(*stored)->track();
+    const scoring::SessionTrace& trace = **(*stored)->trace();
     DebriefDetails details;
     const catalogue::ExerciseLevel& level = (*stored)->setup().level;
-    auto trace = (*stored)->trace();
-    if (!trace)
-        return tl::unexpected(trace.error());
-    details.parts = session_report::exercisePartsOf(*trace, level);
-    details.force = session_report::feltFactsOf(*trace);
+    details.parts = session_report::exercisePartsOf(trace, level);
+    details.force = session_report::feltFactsOf(trace);
     if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters)) {
-        if (auto records = session::palpationRecord(*trace, *palpation)) {
-            session::addPalpationMarks(*track, *records);
+        if (auto records = session::palpationRecord(trace, *palpation))
             details.palpation = std::move(*records);
-        } else
+        else
             details.palpationLost = std::move(records.error());
     }
-    details.duration_s = track->duration_s;
+    details.duration_s = track.duration_s;
     auto comments = loadComments(connection, actor, session);
     if (!comments)
         return tl::unexpected(comments.error());
     for (NamedComment& named : *comments) {
         const auto tick = named.comment.tick;
-        details.comments.push_back({std::move(named), tick ? std::optional(track->timeOfTick(*tick)) : std::nullopt});
+        details.comments.push_back({std::move(named), tick ? std::optional(track.timeOfTick(*tick)) : std::nullopt});
     }
     std::stable_sort(details.comments.begin(), details.comments.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)
         return tl::unexpected(card.error());
     const bool judged = (*stored)->record().summary.state == database::SessionState::completed;
-    details.worst = session::worstMoment(*track, card && judged ? *card : scoring::ScoreCard{}, level.gates);
+    details.worst = session::worstMoment(track, card && judged ? *card : scoring::ScoreCard{}, level.gates);
     return details;
 }
 
 core::Result<report::ReportData> loadReport(database::Connection& connection, const database::Actor& actor,
                                             database::SessionId session, const std::string& language) {
-    auto stored = session::StoredSession::open(connection, actor, session);
+    auto stored = session::SessionView::open(connection, actor, session);
     if (!stored)
         return tl::unexpected(stored.error());
     return session_report::reportDataOf(**stored, connection, actor, language);

@@ -3,8 +3,8 @@
 
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
-#include "session/palpation_marks.h"
-#include "session/playback_builder.h"
+#include "session/palpation_record.h"
+#include "session/session_view.h"
 
 #include <algorithm>
 #include <map>
@@ -44,18 +44,16 @@ GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& c
 
 namespace {
 
-/// What was found and what was true, and findings as marks among the others. Movement and force do not depend on it: where it
-/// cannot be told, the playback goes on without.
-void addPalpation(session::StoredSession& stored, PlaybackData& data) {
+/// What was found and what was true. Movement and force do not depend on it: where it cannot be told, the playback goes on without.
+void addPalpation(const scoring::SessionTrace& trace, PlaybackData& data) {
     const auto* level = std::get_if<simulation::PalpationParameters>(&data.setup.level.parameters);
     if (!level)
         return;
-    auto records = session::palpationRecord(stored);
+    auto records = session::palpationRecord(trace, *level);
     if (!records) {
         data.palpationLost = std::move(records.error());
         return;
     }
-    session::addPalpationMarks(data.track, *records);
     data.palpation.emplace(*level, std::move(*records));
 }
 
@@ -75,14 +73,13 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     data.grasp = GraspReplay::of(data.setup);
     if (data.record.summary.recordingErased)
         return data;
-    auto stored = session::StoredSession::open(connection, actor, session);
+    auto stored = session::SessionView::open(connection, actor, session);
     if (!stored)
         return tl::unexpected(stored.error());
-    auto track = session::buildPlaybackTrack(**stored, progress);
-    if (!track)
-        return tl::unexpected(track.error());
-    data.track = std::move(*track);
-    addPalpation(**stored, data);
+    if (auto read = (*stored)->decode(progress); !read)
+        return tl::unexpected(read.error());
+    data.track = **(*stored)->track();
+    addPalpation(**(*stored)->trace(), data);
     return data;
 }
 

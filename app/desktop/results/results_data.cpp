@@ -6,7 +6,7 @@
 #include "database/repositories/session_reader.h"
 #include "session/person_json.h"
 #include "session/session_export.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -31,7 +31,7 @@ core::Result<void> writeJson(const QString& path, const QJsonObject& json) {
 
 core::Result<void> writeSamples(database::Connection& connection, const database::Actor& actor, database::SessionId session,
                                 const QDir& folder) {
-    auto stored = session::StoredSession::open(connection, actor, session);
+    auto stored = session::SessionView::open(connection, actor, session);
     if (!stored)
         return tl::unexpected(stored.error());
     return session::exportCsv(**stored, folder.filePath(QStringLiteral("session_%1.csv").arg(session)));

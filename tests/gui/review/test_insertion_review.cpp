@@ -7,6 +7,7 @@
 #include "report/report_writer.h"
 #include "session/playback_ghost.h"
 #include "session_report/insertion_profile.h"
+#include "session_report/mark_words.h"
 #include "session_report/session_report.h"
 #include "session_report/track_series.h"
 #include "support/insertion_session.h"
@@ -122,7 +123,7 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     QVERIFY(!desktop.find<report::PlotView>(QStringLiteral("debrief.scatter")));
     QVERIFY(desktop.find<QLabel>(QStringLiteral("debrief.verdict")));
     auto connection = desktop.database().openReader();
-    auto stored = session::StoredSession::open(**connection, desktop.actor("tina"), id);
+    auto stored = session::SessionView::open(**connection, desktop.actor("tina"), id);
     QVERIFY(stored.has_value());
     QVERIFY((*stored)->record().summary.state == database::SessionState::completed);
     const auto report = session_report::reportDataOf(**stored, **connection, desktop.actor("tina"), "en");

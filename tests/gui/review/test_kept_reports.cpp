@@ -3,6 +3,7 @@
 // exercise, however they ended, with what playback shows of them (support/track_outline.h), and studies. What a session's recording and scores
 // come to is in it, so that a changed force or metric shows here, too. A change that is meant is kept anew, and the difference is read in review:
 // CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_reports
+#include "support/looked_back.h"
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/plots/session_words.h"
@@ -159,9 +160,9 @@ void TestKeptReports::sessionIsPaintedAsItWas() {
     const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), pages.take());
     QVERIFY2(differs.isEmpty(), qPrintable(differs));
     // And what playback shows of the same session, by its marks' own words.
-    auto stored = session::StoredSession::open(**connection, *m_tina, session);
+    auto stored = session::SessionView::open(**connection, *m_tina, session);
     QVERIFY2(stored, stored ? "" : stored.error().message.c_str());
-    auto track = session::buildPlaybackTrack(**stored);
+    auto track = tests::trackOf(**stored);
     const auto card = (*stored)->computeScores();
     QVERIFY2(track && card, track ? card ? "" : card.error().message.c_str() : track.error().message.c_str());
     if (track->empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored session on the screen: what is shown is what was recorded, at the same moment everywhere.
+#include "support/looked_back.h"
 #include "database/repositories/score_repository.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
@@ -8,7 +9,6 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/widgets/scroll_page.h"
 #include "review_sessions.h"
-#include "session/playback_builder.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -292,7 +292,7 @@ void TestPlayback::ghostBesideIt() {
 
 void TestPlayback::sceneStateIsTheRecording() {
     tests::OpenStored stored(m_site->database(), 1); // a scripted one: everybody may read it
-    auto track = session::buildPlaybackTrack(*stored.session);
+    auto track = tests::trackOf(*stored.session);
     QVERIFY(track);
     const session::PlaybackTrial& trial = track->trials.at(1);
     const double t_s = 0.5 * (trial.start_s + trial.end_s);

@@ -176,7 +176,7 @@ void TestStoredReport::thePublishedBandIsOfThoseWhoFelt() {
 void TestStoredReport::theWholeReportNamesItsRecording() {
     QStringList digests;
     for (const database::SessionId id : {m_good, m_shown}) {
-        auto stored = session::StoredSession::open(*m_reader, *m_tina, id);
+        auto stored = session::SessionView::open(*m_reader, *m_tina, id);
         QVERIFY(stored);
         const auto whole = session_report::reportDataOf(**stored, *m_reader, *m_tina, "en");
         QVERIFY2(whole, whole ? "" : whole.error().message.c_str());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A station that cannot be heard: it says why, and a session is shown and recorded as ever.
+#include "support/looked_back.h"
 #include "desktop/sound/sound_loader.h"
 #include "gui/training/training_bench.h"
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -45,9 +46,9 @@ private slots:
         const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
         auto connection = bench.desktop.database().openReader();
         QVERIFY(connection);
-        auto stored = session::StoredSession::open(**connection, bench.desktop.context.actor(), id);
+        auto stored = session::SessionView::open(**connection, bench.desktop.context.actor(), id);
         QVERIFY(stored);
-        const auto trace = (*stored)->trace();
+        const auto trace = tests::traceOf(**stored);
         QVERIFY(trace && trace->trials.size() == 1);
         double most_N = 0.0;
         for (const core::Vec3& tissue_N : trace->trials[0].tools[0].tissue_N)

@@ -65,7 +65,7 @@ private:
         QCOMPARE(listed->size(), std::size_t{1});
         QCOMPARE(listed->front().state, database::SessionState::interrupted);
         QVERIFY(listed->front().frames >= kTicks);
-        auto stored = session::StoredSession::open(**reader, actor, listed->front().id);
+        auto stored = session::SessionView::open(**reader, actor, listed->front().id);
         QVERIFY(stored);
         const auto replay = session::replaySession(**stored);
         QVERIFY2(replay && replay->identical, replay ? replay->note.c_str() : replay.error().message.c_str());

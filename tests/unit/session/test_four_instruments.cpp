@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two and four simulated gimbals at once on one scene: caps, stop, arming, recording, recovery and replay hold for each of them.
+#include "support/looked_back.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/scripted_motion.h"
 #include "recording/crash_ring.h"
@@ -167,7 +168,7 @@ void TestFourInstruments::theSessionReplaysToTheSameBits() {
     QVERIFY2(report, report ? "" : report.error().message.c_str());
     QVERIFY(report->comparable && report->identical);
     QCOMPARE(report->maximumDifference_N, 0.0);
-    const auto trace = stored.session->trace();
+    const auto trace = tests::traceOf(*stored.session);
     QVERIFY(trace && trace->trials.size() == 1);
     QCOMPARE(trace->trials[0].tools.size(), static_cast<std::size_t>(tools));
     for (const scoring::ToolTrace& tool : trace->trials[0].tools) {

@@ -263,7 +263,7 @@ private slots:
 
     void findingsThatFoundNothingAndLumpsThatNobodyFoundAreEvents() {
         PlaybackTrack track = quietEnd();
-        PalpationTrialRecord record{0, true, false, {}, simulation::SurfaceMap(core::Vec2(0.04, 0.04), 0.005, 0.5), 1.0};
+        PalpationOutcome record{0, true, false, {}};
         record.answer.truth.lumps.resize(2);
         const auto report = [](double t_s, core::ReportField field, int finding) {
             scoring::TimedReport made;

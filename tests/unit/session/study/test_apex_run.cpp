@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/looked_back.h"
 #include "catalogue/apex_study_content.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
@@ -94,7 +95,7 @@ private slots:
             QVERIFY(p.cues.empty());
             QCOMPARE(p.radius_m, 0.02);
             QCOMPARE(p.stiffnessLow_N_per_m, 500.0);
-            const auto trace = stored.session->trace();
+            const auto trace = tests::traceOf(*stored.session);
             QVERIFY(trace);
             const auto mark = session::apexMarkOf(trial.fidelityJson);
             const auto at = std::find_if(trace->trials.begin(), trace->trials.end(), [&](const scoring::TrialTrace& t) {

@@ -238,7 +238,7 @@ private slots:
                 const auto report = site.run(study, "S01", code, false, 2);
                 QCOMPARE(report.runs.front().condition, code);
                 auto connection = site.fixture.database->openReader();
-                const auto stored = session::StoredSession::open(**connection, database::Actor::maintenance(), report.runs.front().session);
+                const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(), report.runs.front().session);
                 QVERIFY(stored);
                 const auto& parameters = std::get<simulation::ComparisonParameters>((*stored)->setup().level.parameters);
                 QCOMPARE(parameters.values.front()[0], conditions.at(code) == "downy" ? 150.0 : 437.5);

@@ -179,7 +179,7 @@ void TestLiveApex::marksBecomeTrialsAndTheAnalysisSaysTheSame() {
         QCOMPARE(run.apex->axes[axis].sd_mm, numbers.apex->axes[axis].sd_mm);
     }
     QCOMPARE(run.replayed.same, run.replayed.trials);
-    auto stored = session::StoredSession::open(**connection, site.actor, trials.front().session);
+    auto stored = session::SessionView::open(**connection, site.actor, trials.front().session);
     QVERIFY(stored);
     const auto replayed = session::replaySession(**stored); // to the same bits
     QVERIFY2(replayed, replayed ? "" : replayed.error().message.c_str());

@@ -172,9 +172,9 @@ private slots:
         QVERIFY(!sealed.empty());
         auto connection = site.fixture.database->openReader();
         const auto id = report->runs.front().session;
-        const auto closed = session::StoredSession::open(**connection, site.actor, id);
+        const auto closed = session::SessionView::open(**connection, site.actor, id);
         QVERIFY(!closed && closed.error().code == core::ErrorCode::notAllowed); // to whom it belongs, too
-        const auto stored = session::StoredSession::open(**connection, database::Actor::maintenance(), id);
+        const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(), id);
         QVERIFY(stored);
         const QJsonObject level = QJsonDocument::fromJson(QByteArray::fromStdString((*stored)->record().setup.contentJson)).object()["level"].toObject();
         QCOMPARE(level["id"].toString().toStdString(), sealed);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/stored_session.h"
+#include "session/session_view.h"
 
 #include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"
 #include "session/exercise_kind.h"
 #include "session/trace_assembler.h"
+#include "session/track_builder.h"
 
 #include <algorithm>
 #include <bit>
 
 namespace chiron::session {
 
-core::Result<std::unique_ptr<StoredSession>> StoredSession::open(database::Connection& connection,
+core::Result<std::unique_ptr<SessionView>> SessionView::open(database::Connection& connection,
                                                                  const database::Actor& actor,
                                                                  database::SessionId session) {
-    std::unique_ptr<StoredSession> stored(new StoredSession);
+    std::unique_ptr<SessionView> stored(new SessionView);
     database::SessionReader sessions(connection, actor);
     auto record = sessions.session(session);
     if (!record)
@@ -39,8 +40,8 @@ core::Result<std::unique_ptr<StoredSession>> StoredSession::open(database::Conne
     return stored;
 }
 
-core::Result<void> StoredSession::eachChunk(
-    const std::function<core::Result<void>(std::span<const core::HapticFrame>)>& visit) {
+core::Result<void> SessionView::eachChunk(const FrameVisitor& visit) {
+    ++m_decodings;
     for (std::size_t i = 0; i < m_reader->chunkCount(); ++i) {
         auto frames = m_reader->framesOf(i);
         if (!frames)
@@ -51,17 +52,63 @@ core::Result<void> StoredSession::eachChunk(
     return {};
 }
 
-core::Result<scoring::SessionTrace> StoredSession::trace() {
-    auto kind = exerciseKind(m_setup.level.exercise);
+core::Result<void> SessionView::decode(const ReadProgress& progress) { return derive(true, true, progress, {}); }
+
+core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace() { return trace(FrameVisitor{}); }
+
+core::Result<std::shared_ptr<const scoring::SessionTrace>> SessionView::trace(const FrameVisitor& also) {
+    if (auto done = derive(true, false, {}, also); !done)
+        return tl::unexpected(done.error());
+    return m_trace;
+}
+
+core::Result<std::shared_ptr<const PlaybackTrack>> SessionView::track(const ReadProgress& progress) {
+    if (auto done = derive(false, true, progress, {}); !done)
+        return tl::unexpected(done.error());
+    return m_track;
+}
+
+core::Result<void> SessionView::derive(bool trace, bool track, const ReadProgress& progress, const FrameVisitor& also) {
+    const auto kind = exerciseKind(m_setup.level.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    TraceAssembler assembler(*m_positions, m_positions->tools(), m_positions.get(), RecordedQuantities(m_reader->table()));
-    auto read = eachChunk([&assembler](std::span<const core::HapticFrame> frames) -> core::Result<void> {
-        assembler.add(frames);
+    track = track && !m_track;
+    trace = !m_trace && (trace || (track && (*kind)->marksFromTrace()));
+    if (!trace && !track && !also)
         return {};
+    std::optional<TraceAssembler> assembler;
+    if (trace)
+        assembler.emplace(*m_positions, m_positions->tools(), m_positions.get(), RecordedQuantities(m_reader->table()));
+    std::unique_ptr<TrialSurfaces> surfaces;
+    std::optional<TrackBuilder> builder;
+    if (track) {
+        surfaces = (*kind)->makeSurfaces(m_setup.level, m_setup.seed);
+        builder.emplace(*this, *surfaces);
+    }
+    std::size_t read = 0;
+    auto done = eachChunk([&](std::span<const core::HapticFrame> frames) -> core::Result<void> {
+        if (progress && !progress(static_cast<double>(read++) / static_cast<double>(m_reader->chunkCount())))
+            return core::fail(core::ErrorCode::cancelled, "reading a recording: stopped by the person");
+        if (assembler)
+            assembler->add(frames);
+        if (builder)
+            builder->add(frames);
+        return also ? also(frames) : core::Result<void>();
     });
-    if (!read)
-        return tl::unexpected(read.error());
+    if (!done)
+        return done;
+    if (assembler)
+        keep(*assembler, **kind);
+    if (!builder)
+        return {};
+    PlaybackTrack built = builder->take();
+    done = (*kind)->addMarks(m_setup, m_trace.get(), built);
+    if (done)
+        m_track = std::make_shared<const PlaybackTrack>(std::move(built));
+    return done;
+}
+
+void SessionView::keep(TraceAssembler& assembler, const ExerciseKind& kind) {
     scoring::SessionTrace trace;
     trace.exercise = m_setup.level.exercise;
     trace.forceLimit_N = m_record.setup.forceLimit_N;
@@ -70,22 +117,22 @@ core::Result<scoring::SessionTrace> StoredSession::trace() {
     if (m_setup.scoring == ScoringRule::finishedTrials && assembler.lastIsCutOff() && !trace.trials.empty())
         trace.trials.back().unfinished = true;
     for (scoring::TrialTrace& trial : trace.trials)
-        (*kind)->addTruth(m_setup.level, m_setup.seed, trial);
-    return trace;
+        kind.addTruth(m_setup.level, m_setup.seed, trial);
+    m_trace = std::make_shared<const scoring::SessionTrace>(std::move(trace));
 }
 
-core::Result<scoring::ScoreCard> StoredSession::computeScores() { return computeScores(0); }
+core::Result<scoring::ScoreCard> SessionView::computeScores() { return computeScores(0); }
 
-core::Result<scoring::ScoreCard> StoredSession::computeScores(int metricVersion) {
-    auto session = trace();
+core::Result<scoring::ScoreCard> SessionView::computeScores(int metricVersion) {
+    const auto session = trace();
     if (!session)
         return tl::unexpected(session.error());
     const bool completed = m_record.summary.state == database::SessionState::completed ||
                            m_record.stateBeforeVoid == database::SessionState::completed;
-    return scoresOf(*session, completed, metricVersion);
+    return scoresOf(**session, completed, metricVersion);
 }
 
-core::Result<scoring::ScoreCard> StoredSession::scoresOf(const scoring::SessionTrace& trace, bool completed,
+core::Result<scoring::ScoreCard> SessionView::scoresOf(const scoring::SessionTrace& trace, bool completed,
                                                          int metricVersion) const {
     std::vector<scoring::MetricRequest> requests;
     const auto& metrics = m_setup.level.metrics;
