@@ -39,6 +39,17 @@ std::vector<double> evenly(double low, double high, int count) {
 
 } // namespace
 
+struct ProcedureForm::FieldsOf {
+    ProcedureForm& form;
+    void operator()(const StaircaseSpec&) const { form.staircaseFields(); }
+    void operator()(const PestSpec&) const { form.pestFields(); }
+    void operator()(const ConstantSpec&) const { form.constantFields(); }
+    void operator()(const DescendingSpec&) const { form.descendingFields(); }
+    void operator()(const QuestSpec&) const { form.questFields(); }
+    void operator()(const QuestPlusSpec&) const { form.questPlusFields(); }
+    void operator()(const Rank3Spec&) const { form.rank3Fields(); }
+};
+
 ProcedureForm::ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent)
     : FieldGrid(theme, locale, readOnly, parent), m_draft(draft), m_place(place), m_units(draft.design().conditions[place.condition].scale) {
     const std::string kind(kindOf(condition().procedures[place.procedure]));
@@ -58,11 +69,7 @@ ProcedureForm::ProcedureForm(const Theme& theme, const QLocale& locale, bool rea
         }, true);
     });
     wide(kit::label(theme, study_words::procedureInWords(kind), TextStyle::small, kind == "descending" ? "warning" : "muted"));
-    using Fields = void (ProcedureForm::*)();
-    static constexpr Fields kFields[] = {&ProcedureForm::staircaseFields,  &ProcedureForm::pestFields,  &ProcedureForm::constantFields,
-                                         &ProcedureForm::descendingFields, &ProcedureForm::questFields, &ProcedureForm::questPlusFields,
-                                         &ProcedureForm::rank3Fields};
-    (this->*kFields[condition().procedures[place.procedure].index()])();
+    std::visit(FieldsOf{*this}, condition().procedures[place.procedure]);
 }
 
 QString ProcedureForm::nameOf(const char* key) const {

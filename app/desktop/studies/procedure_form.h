@@ -31,6 +31,7 @@ public:
     ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent = nullptr);
 
 private:
+    struct FieldsOf; ///< the fields of each kind of procedure
     /// How a stored number is shown: shown = to(stored), stored = from(shown).
     struct Shown {
         std::function<double(double)> to, from;

@@ -42,9 +42,7 @@ struct FactoryOf {
 } // namespace
 
 std::string_view kindOf(const ProcedureSpec& spec) noexcept {
-    constexpr std::string_view kKinds[] = {"staircase", "pest", "constant", "descending", "quest", "quest_plus", "rank3_quest_plus"};
-    static_assert(std::size(kKinds) == std::variant_size_v<ProcedureSpec>);
-    return kKinds[spec.index()];
+    return std::visit([](const auto& of) { return of.kKind; }, spec);
 }
 
 core::Result<ProcedureFactory> procedureFactory(const ProcedureSpec& spec) { return std::visit(FactoryOf{}, spec); }

@@ -30,6 +30,7 @@ struct StopRule {
 
 /// Transformed and weighted up–down (Levitt 1971; Kaernbach 1991; García-Pérez 1998).
 struct StaircaseSpec {
+    static constexpr std::string_view kKind = "staircase";
     double start = 0.0;
     int up = 1;                       ///< consecutive wrong answers before a step up
     int down = 3;                     ///< consecutive right answers before a step down
@@ -48,6 +49,7 @@ struct StaircaseSpec {
 };
 
 struct PestSpec { ///< Taylor & Creelman 1967
+    static constexpr std::string_view kKind = "pest";
     double start = 0.0;
     double target = 0.75;
     double waldDeviation = 1.0;
@@ -60,6 +62,7 @@ struct PestSpec { ///< Taylor & Creelman 1967
 };
 
 struct ConstantSpec {
+    static constexpr std::string_view kKind = "constant";
     std::vector<double> levels;
     int repeats = 20;
     bool shuffled = true; ///< by blocks of one of each level; else in the order given
@@ -67,12 +70,14 @@ struct ConstantSpec {
 
 /// P2's descending rule: difference shrinks until the participant fails. "legacy": overestimates the JND (psychophysics.md §1).
 struct DescendingSpec {
+    static constexpr std::string_view kKind = "descending";
     std::vector<double> levels; ///< descending
     int repeats = 3;            ///< presentations a level
     int passes = 2;             ///< right ones needed to go on
 };
 
 struct QuestSpec { ///< Watson & Pelli 1983
+    static constexpr std::string_view kKind = "quest";
     double priorMean = 0.0;
     double priorSd = 0.5;
     double target = 0.82;
@@ -96,6 +101,7 @@ struct ParameterGrid {
 };
 
 struct QuestPlusSpec { ///< Watson 2017
+    static constexpr std::string_view kKind = "quest_plus";
     std::string function = "weibull_log10"; ///< weibull_db, weibull_log10, weibull, norm_cdf, norm_cdf_2, logistic, gumbel, ... ; rank3; table
     std::vector<std::pair<std::string, std::vector<double>>> stimuli; ///< a dimension each: name, values
     std::vector<ParameterGrid> parameters; ///< in the function's own order
@@ -110,6 +116,7 @@ struct QuestPlusSpec { ///< Watson 2017
 /// Rank-3 with the Thurstone observer (psychophysics.md §4): QUEST+ over (log10 σ, λ), six outcomes; with ties over
 /// (log10 σ, tie, λ), 13 outcomes (observers/tied_orders.h); x is D in log10 units.
 struct Rank3Spec {
+    static constexpr std::string_view kKind = "rank3_quest_plus";
     std::vector<double> differences; ///< candidates D > 0, log10 of the ratio, ascending
     std::vector<double> log10Sigma;  ///< grid; empty: from a tenth of the least difference to three times the largest, 0.05 apart
     std::vector<double> lapse{0.0, 0.02, 0.05, 0.1}; ///< JSON: lapse_rates
@@ -121,7 +128,7 @@ struct Rank3Spec {
 
 using ProcedureSpec = std::variant<StaircaseSpec, PestSpec, ConstantSpec, DescendingSpec, QuestSpec, QuestPlusSpec, Rank3Spec>;
 
-/// "staircase", "pest", "constant", "descending", "quest", "quest_plus", "rank3_quest_plus".
+/// The procedure's id, as content and exports say it: its specification's kKind.
 std::string_view kindOf(const ProcedureSpec& spec) noexcept;
 /// Failure: badInput naming the key and what was expected. `seed`: of whatever the procedure draws.
 core::Result<std::unique_ptr<Procedure>> makeProcedure(const ProcedureSpec& spec, std::uint64_t seed);
