@@ -31,15 +31,15 @@ QString AnswerNote::markedWords(const session::LiveSample& at) const {
 }
 
 // Matched as scoring matches them.
-std::vector<scoring::FindingMatch> AnswerNote::matches(const session::TrialObject& object) const {
+std::vector<scoring::FindingMatch> AnswerNote::matches(const session::TrialObject& object, const Findings& findings) {
     scoring::PalpationTruth truth;
     truth.hitRadius_m = 0.0; // each lump's own reach is its radius here
     for (const session::TrialLump& lump : object.lumps)
         truth.lumps.push_back({.place_W = lump.p_WAbove, .radius_m = lump.reach_m});
     core::FindingsBook book;
-    for (std::size_t i = 0; i < m_findings.size(); ++i)
-        if (m_findings[i].present)
-            book.place(static_cast<int>(i), m_findings[i].p_W);
+    for (std::size_t i = 0; i < findings.size(); ++i)
+        if (findings[i].present)
+            book.place(static_cast<int>(i), findings[i].p_W);
     return scoring::matchesOf(book, truth);
 }
 
@@ -47,7 +47,7 @@ QString AnswerNote::foundWords() const {
     const auto object = m_palpates ? truth() : std::nullopt;
     if (!object)
         return {};
-    const std::vector<scoring::FindingMatch> matches = this->matches(*object);
+    const std::vector<scoring::FindingMatch> matches = this->matches(*object, m_findings);
     const auto hits = static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
     const int wrong = static_cast<int>(matches.size()) - hits;
     const auto lumps = static_cast<int>(object->lumps.size());
@@ -69,7 +69,7 @@ void AnswerNote::keepTruth(const session::LiveSample& at) {
     const auto object = truth();
     if (!object || (!m_palpates && object->radius_m <= 0.0) || (m_palpates && marked)) // a finding is marked, the trial goes on
         return;
-    m_shown.emplace(Shown{*object, {}});
+    m_shown.emplace(Shown{*object, m_findings, {}});
     if (marked)
         m_shown->p_WMark = core::Vec3(static_cast<double>(at.p_WT_m[0]), static_cast<double>(at.p_WT_m[1]), static_cast<double>(at.p_WT_m[2]));
 }
@@ -131,10 +131,10 @@ void AnswerNote::show(std::int64_t now_ns, scene3d::SceneState& drawn) const {
 /// As playback shows them: each lump, whether it was found, and what became of each finding.
 void AnswerNote::showLumps(scene3d::SceneState& drawn) const {
     const std::vector<session::TrialLump>& lumps = m_shown->object.lumps;
-    const std::vector<scoring::FindingMatch> matches = this->matches(m_shown->object);
+    const std::vector<scoring::FindingMatch> matches = this->matches(m_shown->object, m_shown->findings);
     core::PalpationCues& cues = drawn.palpation;
     cues.present = true;
-    cues.finding = m_findings;
+    cues.finding = m_shown->findings;
     cues.selected = -1;
     cues.lumps = static_cast<int>(std::min(lumps.size(), cues.lump.size()));
     drawn.lumpsMissed = 0;

@@ -41,9 +41,11 @@ public:
     bool holdsNext(std::int64_t now_ns) const { return m_shown && now_ns - m_since_ns < kHeld_ns; }
 
 private:
+    using Findings = std::array<core::Finding, core::kMaxFindings>;
     /// Of the trial that has just ended.
     struct Shown {
         session::TrialObject object;
+        Findings findings;                 ///< at its end
         std::optional<core::Vec3> p_WMark; ///< nothing where time ran out
     };
 
@@ -51,7 +53,7 @@ private:
     std::optional<session::TrialObject> truth() const { return m_truth ? m_truth->object(m_trial) : std::nullopt; }
     void keepTruth(const session::LiveSample& at);
     void showLumps(scene3d::SceneState& drawn) const;
-    std::vector<scoring::FindingMatch> matches(const session::TrialObject& object) const;
+    static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object, const Findings& findings);
     QString markedWords(const session::LiveSample& at) const;
     QString foundWords() const; ///< of the findings as they were at the end; empty where nothing was to be found
 
@@ -60,7 +62,7 @@ private:
     std::unique_ptr<session::TrialSurfaces> m_truth;
     int m_trial = 0; ///< that runs, or ran last
     bool m_palpates = false;
-    std::array<core::Finding, core::kMaxFindings> m_findings{}; ///< in the newest state of the trial
+    Findings m_findings{}; ///< in the newest state of the trial
     QString m_said;
     std::optional<Shown> m_shown;
     std::int64_t m_since_ns = 0;
