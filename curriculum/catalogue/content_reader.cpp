@@ -185,7 +185,7 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
                 problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("each metric once")});
         });
     if (reader.has("legend"))
-        reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("cue"), entry.translated("text")}); });
+        reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("mark"), entry.translated("text")}); });
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     QJsonObject stored = resolved; // with a session; words about it are not part of what was done

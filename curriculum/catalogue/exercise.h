@@ -68,7 +68,7 @@ struct ExerciseLevel {
 
 /// What something drawn in the scene means.
 struct LegendLine {
-    std::string cue; ///< told on levels that give it
+    std::string mark; ///< which one; told on levels whose scene may draw it
     Translated text;
 };
 

@@ -143,6 +143,8 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
     painter.setClipRect(panel.plot());
     m_content->paint(painter, panel, m_setup, m_state);
     FlatTools tools(painter, panel, m_setup);
+    if (m_state.answered)
+        tools.paintAnswer(m_state.p_WAnswer);
     if (m_state.marked) {
         core::Vec3 p = m_state.p_WMark;
         p.z() = std::max(p.z(), m_content->groundHeight_m(m_state, p.x(), p.y()));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_tools.h"
 
+#include "desktop/scene3d/scene_marks.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chiron::scene3d {
 
@@ -164,6 +167,16 @@ void FlatTools::paintPin(const core::Vec3& p_W) {
     }
     m_painter.drawLine(foot, foot - QPointF(0, 20 * u));
     m_painter.drawEllipse(foot - QPointF(0, 24 * u), 5.5 * u, 5.5 * u);
+}
+
+void FlatTools::paintAnswer(const core::Vec3& p_W) {
+    const QPointF at = m_panel.project(p_W);
+    m_painter.setBrush(Qt::NoBrush);
+    for (const double radius_mm : kAnswerRings_mm)
+        for (const auto& [colour, wide] : {std::pair{m_setup.colours.background, 4.5}, {m_setup.colours.ink, 2.0}}) {
+            m_painter.setPen(QPen(colour, wide * m_panel.unit()));
+            m_painter.drawEllipse(at, m_panel.pixels(radius_mm), m_panel.pixels(radius_mm));
+        }
 }
 
 } // namespace chiron::scene3d

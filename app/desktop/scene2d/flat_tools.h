@@ -22,6 +22,7 @@ public:
     void paintArrow(const ToolView& tool);
     void paintDropLine(const ToolView& tool, double ground_m);
     void paintPin(const core::Vec3& p_W);
+    void paintAnswer(const core::Vec3& p_W); ///< where the mark should have been: a double ring
 
 private:
     void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge);

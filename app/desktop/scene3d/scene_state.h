@@ -43,8 +43,10 @@ struct SceneState {
     bool dimpleShown =
         false; ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
-    bool marked = false;                            ///< playback: the place where the person marked
+    bool marked = false; ///< playback, and feedback after a trial: the place where the person marked
     core::Vec3 p_WMark = core::Vec3::Zero();
+    bool answered = false; ///< feedback after a trial: where the mark should have been
+    core::Vec3 p_WAnswer = core::Vec3::Zero();
     core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
     int activeTool = -1; ///< which one mouse and keyboard move, where there are several; it wears a collar
     core::LaparoscopyCues laparoscopy; ///< exercises that grasp: tube, bodies, target, bands

@@ -77,6 +77,7 @@ private:
     QString whyNoAnswer(const session::LiveStudyView& view) const;
     QString apexWords(const session::LiveStudyView& view) const;
     QString stoppedText() const;
+    QString triedText() const;
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);

@@ -21,6 +21,10 @@ namespace chiron::desktop {
 
 using State = session::LiveStudyView::State;
 
+namespace {
+constexpr int kFreeMinuteEnds_s = 10; // told so long before: time to finish what is at hand
+}
+
 void TrialsScreen::showState(const session::LiveStudyView& view) {
     m_progress->setValue(view.ofAtMost > 0 ? 100 * view.trial / view.ofAtMost : 0);
     m_progress->setVisible(view.ofAtMost > 0);
@@ -63,7 +67,9 @@ void TrialsScreen::hearMasking(bool scene) {
 void TrialsScreen::showStrip(const session::LiveStudyView& view) {
     const bool trying = view.state == State::trying;
     const int left_s = static_cast<int>(std::ceil(view.tryLeft_s));
-    m_strip->setText(trying             ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
+    const bool ends = trying && left_s <= kFreeMinuteEnds_s;
+    m_strip->setText(ends               ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
+                     : trying           ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
                      : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
                                         : QString());
     m_takeBack->setVisible(view.mayTakeBack);
@@ -149,6 +155,13 @@ QString TrialsScreen::stoppedText() const {
     return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;
 }
 
+/// What comes after the free minute.
+QString TrialsScreen::triedText() const {
+    return m_live->design().trial.practiceTrials > 0
+               ? tr("What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.")
+               : tr("What you tried does not count. From now on every answer counts. Press Continue when you are ready.");
+}
+
 void TrialsScreen::showBreak(const session::LiveStudyView& view) {
     m_stage->setCurrentWidget(m_break);
     switch (view.state) {
@@ -156,7 +169,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("One moment …"), {}, {});
         break;
     case State::tried:
-        m_break->say(tr("The free minute is over"), tr("The trials begin when you continue."), tr("Continue"));
+        m_break->say(tr("The free minute is over"), triedText(), tr("Continue"));
         break;
     case State::breakDue:
         m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))

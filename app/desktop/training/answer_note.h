@@ -3,7 +3,9 @@
 
 #include "catalogue/exercise.h"
 #include "desktop/scene3d/scene_note.h"
+#include "desktop/scene3d/scene_state.h"
 #include "haptics/display_state.h"
+#include "scoring/detection/finding_matches.h"
 #include "session/live_sample.h"
 #include "session/trial_surfaces.h"
 
@@ -12,25 +14,46 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace chiron::desktop {
 
-/// What is said over the scene for two seconds once a trial has its answer or its end: where the level gives feedback, how far a mark
-/// lies from the top, or which lumps were found; where it does not, that it was taken; and that time ran out. GUI thread.
+/// What is said over the scene for three seconds once a trial has its answer or its end: where the level gives feedback, how far a mark
+/// lies from the top, or which lumps were found, with the true place drawn beside the mark; where it does not, that it was taken; and that
+/// time ran out. GUI thread.
 class AnswerNote {
 public:
-    static constexpr std::int64_t kSaid_ns = 2'000'000'000;
+    static constexpr std::int64_t kSaid_ns = 3'000'000'000;
+    /// For so long the next trial is kept from coming while a truth is looked at; the level's own time between trials follows.
+    static constexpr std::int64_t kHeld_ns = 2'000'000'000;
 
     /// `truth`: of the session, what was there to be found; the state on the screen does not tell where a hidden object lies. Empty: marks
-    /// are taken without a word about them.
+    /// are taken without a word about them. A level without feedback keeps none of it, so that none of it can be drawn.
     AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth);
 
     /// Each frame: the newest state, and every tick since the frame before.
     void take(const haptics::DisplayState& state, std::span<const session::LiveSample> samples);
     scene3d::SceneNote note(std::int64_t now_ns) const;
+    /// Adds the mark and what was true to the picture, as long as it is spoken of.
+    void show(std::int64_t now_ns, scene3d::SceneState& drawn) const;
+    bool holdsNext(std::int64_t now_ns) const { return m_shown && now_ns - m_since_ns < kHeld_ns; }
 
 private:
+    using Findings = std::array<core::Finding, core::kMaxFindings>;
+    /// Of the trial that has just ended.
+    struct Shown {
+        session::TrialObject object;
+        Findings findings;                 ///< at its end
+        std::optional<core::Vec3> p_WMark; ///< nothing where time ran out
+    };
+
+    bool says(std::int64_t now_ns) const { return !m_said.isEmpty() && now_ns - m_since_ns <= kSaid_ns; }
+    std::optional<session::TrialObject> truth() const { return m_truth ? m_truth->object(m_trial) : std::nullopt; }
+    void keepTruth(const session::LiveSample& at);
+    void showLumps(scene3d::SceneState& drawn) const;
+    static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object, const Findings& findings);
     QString markedWords(const session::LiveSample& at) const;
     QString foundWords() const; ///< of the findings as they were at the end; empty where nothing was to be found
 
@@ -39,8 +62,9 @@ private:
     std::unique_ptr<session::TrialSurfaces> m_truth;
     int m_trial = 0; ///< that runs, or ran last
     bool m_palpates = false;
-    std::array<core::Finding, core::kMaxFindings> m_findings{}; ///< in the newest state of the trial
+    Findings m_findings{}; ///< in the newest state of the trial
     QString m_said;
+    std::optional<Shown> m_shown;
     std::int64_t m_since_ns = 0;
 };
 

@@ -34,6 +34,11 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     QVBoxLayout& column = *page->column();
     column.setSpacing(m_theme.px(10));
     column.addWidget(kit::label(m_theme, tr("%1 · %2").arg(facts.exercise, facts.level), TextStyle::body, "muted"));
+    if (!facts.practised.isEmpty()) {
+        auto* over = kit::label(m_theme, facts.practised, TextStyle::strong);
+        over->setObjectName(QStringLiteral("training.ready.practised"));
+        column.addWidget(over);
+    }
     auto* goal = kit::label(m_theme, facts.goal, TextStyle::title);
     goal->setObjectName(QStringLiteral("training.ready.goal"));
     column.addWidget(goal);
@@ -88,10 +93,10 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         flow->addWidget(button);
         return button;
     };
-    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : tr("Go (Enter)"), "primary", "training.ready.go");
+    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : facts.practised.isEmpty() ? tr("Go (Enter)") : tr("Continue (Enter)"), "primary", "training.ready.go");
     connect(m_go, &QPushButton::clicked, this, &ReadyCard::goAsked);
     if (m_kind != Kind::paused && facts.offersPractice) {
-        auto* practice = add(tr("Practise for a minute"), "", "training.ready.practice");
+        auto* practice = add(facts.practised.isEmpty() ? tr("Practise for a minute") : tr("Practise for another minute"), "", "training.ready.practice");
         practice->setToolTip(tr("Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
         connect(practice, &QPushButton::clicked, this, &ReadyCard::practiceAsked);
     }

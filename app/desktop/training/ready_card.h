@@ -22,6 +22,7 @@ struct ReadyFacts {
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
     bool offersPractice = true;        ///< a minute that does not count can be had from the card
+    QString practised;                 ///< that minute has just ended: what comes now; empty: it was not taken
     QString clock;                     ///< how many trials, and when the clock starts
 };
 

@@ -21,8 +21,17 @@ void SessionControl::pause() {
 void SessionControl::resume() {
     if (!m_paused || m_stopped)
         return;
-    post(CommandKind::resume);
+    if (!m_kept)
+        post(CommandKind::resume);
     m_paused = false;
+}
+
+void SessionControl::keepNext(bool kept) {
+    if (kept == m_kept)
+        return;
+    m_kept = kept;
+    if (!m_paused)
+        post(kept ? CommandKind::pause : CommandKind::resume);
 }
 
 void SessionControl::rearm() {

@@ -20,6 +20,9 @@ public:
     void resume(); ///< nothing while stopped: that takes rearm()
     void pauseOrResume() { m_paused ? resume() : pause(); }
     void rearm(); ///< after a stop or a fault: explicit, and the trial goes on
+    /// Between two trials: what came of the last one is looked at, and the next does not begin yet. No pause of the person's: paused() says
+    /// nothing of it, and their own pause outlasts it.
+    void keepNext(bool kept);
     void resumeHere() { post(core::CommandKind::confirmHold); }
     void mark() { post(core::CommandKind::mark); }
     void report(core::ReportField field, unsigned value) { m_training.post(core::CommandKind::report, core::reportWord(field, value)); }
@@ -36,6 +39,7 @@ private:
 
     session::LiveTraining& m_training;
     bool m_paused = false;
+    bool m_kept = false; ///< the next trial
     bool m_stopped = false;
     bool m_sawLatched = false; ///< the newest state showed a stop or a fault
 };

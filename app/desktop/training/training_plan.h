@@ -38,6 +38,8 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level);
 
 /// In a place of the training screen, beside its plan: true where nobody has to be asked whether they are ready.
 inline constexpr const char* kAtOnce = "at_once";
+/// The same: true where a practice of this level has just ended.
+inline constexpr const char* kPractised = "practised";
 /// The person's setting (Settings::ofPerson) that tells that they know this level's ready card.
 QString readyKey(const TrainingPlan& plan);
 

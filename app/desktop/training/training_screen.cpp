@@ -68,6 +68,8 @@ void TrainingScreen::take(core::Result<session::TrainingRequest> request) {
     m_request = std::move(*request);
     const auto kind = session::exerciseKind(m_level->exercise);
     m_answer.emplace(*m_level, context().locale(), kind ? (*kind)->makeSurfaces(*m_level, m_request->seed) : nullptr);
+    if (graspingOf(*m_level))
+        m_grasp.emplace(*m_level, context().locale(), m_plan.practises());
     if (m_wentAhead)
         loadScene();
 }
@@ -171,9 +173,10 @@ void TrainingScreen::onFrame() {
     if (m_hand && m_tools > 1)
         drawn.activeTool = m_hand->activeTool();
     showMap(drawn);
-    m_answer->take(state, m_feed->samples());
+    takeAnswer(drawn);
     drawn.note = noteNow();
-    m_scene->show(drawn);
+    m_drawn = drawn;
+    m_scene->show(m_drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
     m_sound.play(state, m_feed->contacts(), m_control->held());
@@ -190,6 +193,17 @@ void TrainingScreen::onFrame() {
     }
 }
 
+/// What came of the trial that has just ended, in words and in the picture. Whose own hand it is has time to look: the next one waits.
+void TrainingScreen::takeAnswer(scene3d::SceneState& drawn) {
+    const haptics::DisplayState& state = m_feed->state();
+    m_answer->take(state, m_feed->samples());
+    m_answer->show(state.now_ns, drawn);
+    if (m_grasp)
+        m_grasp->take(state);
+    if (m_plan.ownHand())
+        m_control->keepNext(m_answer->holdsNext(state.now_ns) && state.phase == core::TrialPhase::between);
+}
+
 scene3d::SceneNote TrainingScreen::noteNow() const {
     using Kind = scene3d::SceneNote::Kind;
     const haptics::DisplayState& state = m_feed->state();
@@ -197,7 +211,11 @@ scene3d::SceneNote TrainingScreen::noteNow() const {
         return {Kind::stopped, tr("Force is stopped"), tr("The clock is stopped. Press Re-arm or R to go on.")};
     if (m_control->paused())
         return {Kind::paused, tr("Paused"), tr("The clock is stopped. Press Resume or Space to go on.")};
-    return m_answer->note(state.now_ns);
+    if (const scene3d::SceneNote said = m_answer->note(state.now_ns); said.kind != Kind::none)
+        return said;
+    if (const scene3d::SceneNote said = m_grasp ? m_grasp->note(state.now_ns) : scene3d::SceneNote(); said.kind != Kind::none)
+        return said;
+    return practiceNote();
 }
 
 void TrainingScreen::showControls() {
@@ -222,7 +240,9 @@ void TrainingScreen::onFinished() {
         fail(result.error());
     } else if (m_plan.practises() && !m_again) {
         m_plan.practice_s = 0.0;
-        context().navigator().replace({QStringLiteral("training"), m_plan.toMap()}); // what was practised waits, with its card
+        QVariantMap plan = m_plan.toMap();
+        plan.insert(QString::fromLatin1(kPractised), true);
+        context().navigator().replace({QStringLiteral("training"), plan}); // what was practised waits, with its card
     } else if (m_again) {
         QVariantMap plan = m_plan.toMap();
         plan.insert(QString::fromLatin1(kAtOnce), true);

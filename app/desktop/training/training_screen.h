@@ -7,6 +7,7 @@
 #include "desktop/training/answer_note.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_words.h"
+#include "desktop/training/grasp_note.h"
 #include "desktop/training/live_feed.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/palpation_map.h"
@@ -54,6 +55,7 @@ public:
 
     LiveFeed* feed() const { return m_feed.get(); } ///< null before the session begins
     scene3d::ISceneView* scene() const { return m_scene.get(); }
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state that was drawn
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -80,11 +82,13 @@ private:
     // training_screen_ready.cpp: the card before the clock starts, and on F1
     bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
     ReadyFacts readyFacts() const;
+    QStringList markWords() const;
     void showCard(bool whole);
     void showCardAgain(); ///< while a session waits
     void takeCardAway();
     void go();
     void practise();
+    scene3d::SceneNote practiceNote() const; ///< of its last seconds
 
     // training_screen.cpp: from prepared to stored
     void prepare();
@@ -94,6 +98,7 @@ private:
     void connectPointer();
     void takeGraspers(double scale);
     void onFrame();
+    void takeAnswer(scene3d::SceneState& drawn);
     void showControls();
     void onFinished();
     void fail(const core::Error& error);
@@ -136,12 +141,14 @@ private:
     QStackedWidget* m_pages = nullptr; ///< of the stage: the ready card, the scene
     ReadyCard* m_card = nullptr;       ///< null while none is shown
     bool m_wentAhead = false;          ///< "Go", or nothing to wait for
+    bool m_practised = false;          ///< the card comes after a practice
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
     const simulation::PalpationParameters* m_palpated = nullptr; ///< the level's; null where nothing is palpated
     PalpationPanel* m_palpation = nullptr; ///< m_info, where something is palpated
     std::optional<PalpationMap> m_map;     ///< of the trial that runs, where the level shows it
     std::optional<AnswerNote> m_answer;    ///< once the session is prepared
+    std::optional<GraspNote> m_grasp;      ///< as m_answer, where something is grasped
     ForceNotice* m_notice = nullptr;
     SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
     ControlBar* m_controls = nullptr;
@@ -161,6 +168,7 @@ private:
     std::int64_t m_start_ns = 0;
     scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;
+    scene3d::SceneState m_drawn;
     std::optional<session::TrainingRequest> m_request; ///< prepared, waits for the scene
     SoundCuePlayer m_sound;
     // In this order: the session outlives what talks to it.

@@ -54,6 +54,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
     m_sound.setSwitches({on("contact"), on("force"), on("lean"), on("warning")});
+    m_practised = place.parameters.value(QString::fromLatin1(kPractised)).toBool();
     build();
     buildKeys();
     m_wentAhead = !m_level || !hasCard() || place.parameters.value(QString::fromLatin1(kAtOnce)).toBool();

@@ -3,18 +3,36 @@
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/help_dialogs.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/ready_card.h"
+#include "desktop/training/scene_feed.h"
 #include "desktop/training/training_screen.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QStackedWidget>
 #include <algorithm>
+#include <cmath>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr double kPractice_s = 60.0; // long enough to try every control once, short enough to be taken
+constexpr double kPracticeEnds_s = 10.0; // told so long before: time to finish what is at hand
+}
+
+/// Of everything that this level's scene may draw to guide somebody.
+QStringList TrainingScreen::markWords() const {
+    QStringList words;
+    const catalogue::Exercise* exercise = context().site().catalogue().find(m_level->exercise);
+    if (!exercise)
+        return words;
+    const scene3d::SceneSetup setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
+    const std::vector<std::string> drawn = scene3d::marksOf({setup, m_cues.coverage, m_level->feedback});
+    for (const catalogue::LegendLine& line : exercise->legend)
+        if (std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end())
+            words << QString::fromStdString(catalogue::textIn(line.text, context().language().toStdString()));
+    return words;
 }
 
 ReadyFacts TrainingScreen::readyFacts() const {
@@ -29,14 +47,14 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.limit = tr("Force limit: %1 N. %2.").arg(context().locale().toString(m_limit_N, 'g', 3), deviceTitle(m_plan));
     for (const scoring::Gate& gate : m_level->gates)
         facts.gates << gateInWords(gate, context().locale());
-    if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_level->exercise)) {
-        const std::vector<std::string>& cues = session::cueWordsOf(*m_level, false);
-        for (const catalogue::LegendLine& line : exercise->legend)
-            if (std::find(cues.begin(), cues.end(), line.cue) != cues.end())
-                facts.marks << text(line.text);
-    }
+    facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
-    facts.clock = tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, kind ? (*kind)->trialCount(*m_level) : 1);
+    const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
+    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue or move the tool with a key.", nullptr, trials)
+                              : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
+    if (m_practised)
+        facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
+                                                 : tr("The practice is over and does not count. The trials that count begin when you press Continue.");
     return facts;
 }
 
@@ -102,6 +120,13 @@ void TrainingScreen::practise() {
     TrainingPlan plan = m_plan;
     plan.practice_s = kPractice_s;
     context().navigator().replace({QStringLiteral("training"), plan.toMap()});
+}
+
+scene3d::SceneNote TrainingScreen::practiceNote() const {
+    const double left_s = m_plan.practice_s - m_feed->worked_s();
+    if (!m_plan.practises() || m_storing || left_s > kPracticeEnds_s)
+        return {};
+    return {scene3d::SceneNote::Kind::said, tr("Practice ends in %1 s").arg(context().locale().toString(std::max(1, static_cast<int>(std::ceil(left_s))))), {}};
 }
 
 bool TrainingScreen::helpItself() {

@@ -137,6 +137,8 @@ void LiveApex::takeBack() {
 void LiveApex::goOn() { m_state->enough = m_state->pending.has_value(); }
 
 void LiveApex::endTrying() {
+    m_state->readySaid = true;
+    m_state->waitsForReady = false;
     if (m_state->tries)
         m_state->tried_s = m_state->tryFor_s;
 }

@@ -178,6 +178,7 @@ void LiveApex::State::sessionEnded() {
     drain(); // what came with the last ticks
     const bool tried = std::exchange(tries, false);
     tryFor_s = tried ? 0.0 : tryFor_s;
+    waitsForReady = tried && !readySaid && !stopping; // no clock of a trial starts under a hand that still tries
     if (!training->result())
         result = tl::unexpected(training->result().error());
     const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
@@ -191,6 +192,8 @@ void LiveApex::State::sessionEnded() {
 void LiveApex::State::goOnWithNext() {
     if (stopping || !nextStation)
         return conclude();
+    if (waitsForReady)
+        return;
     if (control.held() || heldBetween())
         return control.hold(heldBetween());
     auto station = nextStation();
@@ -249,6 +252,8 @@ LiveStudyView::State LiveApex::State::where() const {
         return View::paused;
     if (view.beside_m || pending)
         return View::feedback;
+    if (waitsForReady)
+        return View::tried;
     if (!watch->inTrial() && progress.needsExperimenter())
         return View::needsExperimenter;
     if (!watch->inTrial() && progress.breakDue())

@@ -56,6 +56,7 @@ struct LiveApex::State {
     double tryFor_s = 0.0; ///< the session at hand is the free minute, so long
     double tried_s = 0.0;
     bool tries = false;    ///< in this session
+    bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
     Clock::time_point feedbackSince, breakSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 

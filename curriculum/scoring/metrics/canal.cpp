@@ -267,7 +267,10 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment, root mean square"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In "
+                                                      "the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the "
+                                                      "urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow "
+                                                      "for them."),
               .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples in the "
                             "urethra (0 <= s <= L), on the way in and out.",
               .source = "models.md §6, insertion",
@@ -276,7 +279,8 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment at the bend"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the "
+                                                      "endoscope has to be turned. In line, the wall near the tip is equally wide all round."),
               .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples of the "
                             "insertion within 10 mm of the bend (s_B), where the orientation has to change.",
               .source = "models.md §6, insertion; P1, point B",
@@ -285,7 +289,8 @@ std::vector<MetricDefinition> canalMetrics() {
               .unit = "°",
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment round the bend"),
-              .meaning = QT_TRANSLATE_NOOP("Metrics", "The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most."),
+              .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where "
+                                                      "the urethra is curved most. In line, the wall near the tip is equally wide all round."),
               .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples of the "
                             "insertion from the bend B to 30 mm past it, where the canal is curved most.",
               .source = "models.md §6, insertion, and §8; P1, point B",

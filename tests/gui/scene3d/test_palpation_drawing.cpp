@@ -150,6 +150,38 @@ private slots:
         QVERIFY(isLeftHand(one, 0) && isLeftHand(one, 1));
     }
 
+    /// In the air a hand is nearly glass, so that what lies under it is seen; touching with one finger makes that hand solid, and no other.
+    void aHandInTheAirIsSeenThrough() {
+        SceneSetup setup;
+        simulation::PalpationParameters parameters = samples::palpationParameters(Tissue::breast);
+        parameters.hands = 2;
+        parameters.fingers = 2;
+        setup.parameters = parameters;
+        const TissueSurface surface(parameters.tissue.shape);
+        SceneState state;
+        const auto hold = [&](std::size_t tool, double height_m) {
+            const core::Vec2 at(0.004 * double(tool), 0.0);
+            state.tool[tool].present = true;
+            state.tool[tool].p_WT = surface.pointAt(at) + height_m * surface.normalAt(at);
+        };
+        for (std::size_t tool = 0; tool < 4; ++tool)
+            hold(tool, 0.005); // where a finger begins
+        for (std::size_t tool = 0; tool < 4; ++tool)
+            QVERIFY(gloveOpacity(setup, state, surface, tool) < 0.3);
+        hold(3, -0.002);
+        QCOMPARE(gloveOpacity(setup, state, surface, 3), 1.0);
+        QCOMPARE(gloveOpacity(setup, state, surface, 2), 1.0);
+        QVERIFY(gloveOpacity(setup, state, surface, 0) < 0.3);
+        double before = 1.0;
+        for (const double height_m : {0.0005, 0.001, 0.002, 0.003}) { // it fades, and does not jump
+            hold(3, height_m);
+            hold(2, height_m);
+            const double now = gloveOpacity(setup, state, surface, 3);
+            QVERIFY(now < before && now > 0.0);
+            before = now;
+        }
+    }
+
     void fingerTouchesWithItsPad() {
         const TriangleMesh mesh = fingerMesh();
         QCOMPARE(facingWrong(mesh), 0);

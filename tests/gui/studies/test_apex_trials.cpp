@@ -183,7 +183,7 @@ void TestApexTrials::nothingGivesTheSphereAway() {
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().canAnswer, kPatience_ms);
     QTest::qWait(300);
     const scene3d::SceneState& drawn = stage.drawn();
-    QVERIFY(!drawn.objectShown);
+    QVERIFY(!drawn.objectShown && !drawn.answered && !drawn.marked);
     QCOMPARE(drawn.p_WObject.norm(), 0.0);
     QVERIFY(drawn.tool[0].present && !drawn.tool[0].drawnAtSurface);
     QVERIFY2(drawn.tool[0].p_WT.z() < 0.0198, "the tool is drawn at the surface");

@@ -139,6 +139,88 @@ private slots:
         QCOMPARE(training, 2);
     }
 
+    /// Beside the mark the true top is drawn, hidden ball or not; after time ran out without a mark. As long as it is spoken of, and no longer.
+    void aTrainingLevelShowsWhereTheTopIs() {
+        for (const catalogue::ExerciseLevel& level : m_catalogue->find("sphere_apex")->levels) {
+            if (!level.feedback)
+                continue;
+            AnswerNote note = noteOf(level);
+            note.take(stateAt(1.0, 3, core::TrialPhase::running), {});
+            scene3d::SceneState before;
+            note.show(1'000'000'000, before);
+            QVERIFY(!before.answered && !before.marked && !before.objectShown && !note.holdsNext(1'000'000'000)); // nothing while the trial runs
+            note.take(stateAt(1.1, 3, core::TrialPhase::between), std::array{sampleOf(bits::kMarked, 0.012F, -0.008F)});
+            scene3d::SceneState drawn;
+            note.show(1'100'000'000, drawn);
+            QVERIFY(drawn.answered && drawn.marked && drawn.objectShown);
+            const core::Vec2 top = topOf(level, 3);
+            QVERIFY((drawn.p_WAnswer.head<2>() - top).norm() < 1e-9 && (drawn.p_WObject.head<2>() - top).norm() < 1e-9);
+            QVERIFY(drawn.p_WAnswer.z() - drawn.p_WObject.z() > 0.01); // upon the ball
+            QVERIFY((drawn.p_WMark - core::Vec3(0.012, -0.008, 0.0)).norm() < 1e-6);
+            QVERIFY(note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns - 1) && !note.holdsNext(1'100'000'000 + AnswerNote::kHeld_ns));
+            scene3d::SceneState after;
+            note.show(1'100'000'001 + AnswerNote::kSaid_ns, after);
+            QVERIFY(!after.answered && !after.marked && !after.objectShown);
+            note.take(stateAt(9.0, 4, core::TrialPhase::between), std::array{sampleOf(bits::kTimedOut)});
+            note.show(9'000'000'000, after);
+            QVERIFY(after.answered && !after.marked);
+            note.take(stateAt(9.5, 5, core::TrialPhase::running), std::array{sampleOf(bits::kTrialStarted)});
+            scene3d::SceneState next;
+            note.show(9'500'000'000, next);
+            QVERIFY(!next.answered && !next.objectShown && !note.holdsNext(9'500'000'000));
+        }
+    }
+
+    /// Every lump where it is, told whether it was found, and each mark whether it was right.
+    void aTrainingLevelShowsItsLumps() {
+        int hidden = 0;
+        for (const catalogue::ExerciseLevel& level : m_catalogue->find("palpation")->levels) {
+            if (!level.feedback)
+                continue;
+            const auto truth = (*session::exerciseKind("palpation"))->makeSurfaces(level, kSeed);
+            const session::TrialLump lump = truth->object(0)->lumps.front();
+            for (const bool found : {true, false}) {
+                AnswerNote note = noteOf(level);
+                haptics::DisplayState state = stateAt(1.0, 0, core::TrialPhase::running);
+                state.palpation.present = true;
+                const core::Vec3 at = found ? lump.p_WAbove : core::Vec3(lump.p_WAbove + core::Vec3(lump.p_WAbove.x() > 0.0 ? -0.030 : 0.030, 0.0, 0.0));
+                state.palpation.finding[2] = {true, {at.x(), at.y(), at.z()}, 0.0, 0, 0};
+                note.take(state, std::array{sampleOf(bits::kMarked)}); // a finding is marked, and nothing is told of it yet
+                scene3d::SceneState drawn;
+                note.show(1'000'000'000, drawn);
+                QCOMPARE(drawn.palpation.lumps, 0);
+                note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
+                note.show(1'100'000'000, drawn);
+                QCOMPARE(drawn.palpation.lumps, 1);
+                QVERIFY((core::Vec3(drawn.palpation.lump[0].p_W[0], drawn.palpation.lump[0].p_W[1], drawn.palpation.lump[0].p_W[2]) - lump.p_WCentre).norm() < 1e-9);
+                QCOMPARE(drawn.palpation.lump[0].radius_m, lump.radius_m);
+                QCOMPARE(int(drawn.lumpsMissed), found ? 0 : 1);
+                QVERIFY(drawn.outcome[2] == (found ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm));
+                QVERIFY(drawn.palpation.finding[2].present && !drawn.answered);
+                ++hidden;
+            }
+        }
+        QVERIFY(hidden >= 4);
+    }
+
+    /// Where nothing is taught, nothing of the truth comes into the picture, and no time is given to look at it.
+    void anAssessmentShowsNothing() {
+        for (const catalogue::Exercise& exercise : m_catalogue->exercises())
+            for (const catalogue::ExerciseLevel& level : exercise.levels)
+                for (const std::uint32_t end : {bits::kMarked, bits::kTimedOut, bits::kCompleted}) {
+                    if (level.feedback)
+                        continue;
+                    AnswerNote note = noteOf(level);
+                    haptics::DisplayState state = stateAt(1.0, 0, core::TrialPhase::running);
+                    state.palpation.present = exercise.id == "palpation";
+                    note.take(state, {});
+                    note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(end)});
+                    scene3d::SceneState drawn;
+                    note.show(1'100'000'000, drawn);
+                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown && drawn.palpation.lumps == 0 && !note.holdsNext(1'100'000'000), level.id.c_str());
+                }
+    }
+
     /// What went wrong with a grip is said where somebody learns, and nowhere else.
     void aSlipIsToldWhereSomebodyLearns() {
         for (const char* exercise : {"elastic_tube", "object_handling"}) {
@@ -170,7 +252,7 @@ private slots:
         }
     }
 
-    /// Two seconds, or until the next trial runs.
+    /// Three seconds, or until the next trial runs.
     void itIsGoneAgain() {
         AnswerNote note = noteOf(*m_catalogue->find("sphere_apex", 1));
         note.take(stateAt(5.0, 0, core::TrialPhase::between), std::array{sampleOf(bits::kTimedOut)});

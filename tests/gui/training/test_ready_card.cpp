@@ -3,8 +3,10 @@
 #include "gui/training/training_bench.h"
 
 #include "desktop/exercise_setup/gate_words.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "desktop/training/mouse_pictogram.h"
 #include "desktop/training/ready_card.h"
+#include "desktop/training/scene_feed.h"
 
 #include <QDialog>
 
@@ -97,10 +99,12 @@ void TestReadyCard::saysWhatToDo() {
     QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
     QVERIFY(!bench.text("training.ready.keys").isEmpty());
     // What is drawn to guide is explained; what this level does not draw is not.
-    const std::vector<std::string>& cues = session::cueWordsOf(level, false);
+    const session::LevelCues cues = session::cuesOf(level, false);
+    const scene3d::SceneSetup setup = desktop::sceneSetupOf(level, cues, bench.desktop.context.theme(), false, {});
+    const std::vector<std::string> drawn = scene3d::marksOf({setup, cues.coverage, level.feedback});
     const QString marks = bench.text("training.ready.marks");
     for (const catalogue::LegendLine& line : bench.desktop.site.catalogue().find(exercise.toStdString())->legend)
-        QCOMPARE(marks.contains(QString::fromStdString(line.text.at("en"))), std::find(cues.begin(), cues.end(), line.cue) != cues.end());
+        QCOMPARE(marks.contains(QString::fromStdString(line.text.at("en"))), std::find(drawn.begin(), drawn.end(), line.mark) != drawn.end());
 }
 
 void TestReadyCard::everyLevelHasAGoal() {
@@ -235,13 +239,26 @@ void TestReadyCard::practiceDoesNotCount() {
     bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000); // what was practised waits, and the level is still new
     QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::whole);
-    bench.show({{QStringLiteral("practice_s"), 0.5}}); // it ends by itself
+    bench.show({{QStringLiteral("practice_s"), 1.5}}); // it ends by itself, and says so before and after
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")));
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    QVERIFY(bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
+    QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Continue")));
+    QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("Continue")));
+    bench.show(); // whoever comes without a practice is told nothing of one
+    QVERIFY(card(bench) && !bench.screen()->findChild<QLabel*>(QStringLiteral("training.ready.practised")));
+    QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Go")));
+    bench.show({{QStringLiteral("practice_s"), 60.0}}); // nor is its end told before it is near
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTest::qWait(200);
+    QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::none);
+    bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
     auto connection = bench.desktop.database().openReader();
     const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
     QVERIFY(record && record->summary.familiarisation);
-    QCOMPARE(sessionsOf(bench), std::size_t{2});
+    QCOMPARE(sessionsOf(bench), std::size_t{3});
 }
 
 QTEST_MAIN(TestReadyCard)

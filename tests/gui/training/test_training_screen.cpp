@@ -60,6 +60,8 @@ private slots:
     void keysWhileTheSceneHasTheFocus();
     void aDialogPauses();
     void pauseAndResume();
+    void whatWasTrueIsLookedAtBeforeTheNextTrial();
+    void anAssessmentGoesOnAtOnce();
     void escStopsAndRearms();
     void aStopShowsNoForce();
     void cuesFollowTheLevel_data();
@@ -182,6 +184,49 @@ void TestTrainingScreen::aDialogPauses() {
     dialog.close();
     QTest::qWait(100);
     QVERIFY(bench.state().paused); // going on is the person's to say
+}
+
+/// The mark and the top are drawn, the next trial waits and loses nothing of its time; no pause of the person's is spoken of, and a pause of
+/// theirs outlasts it.
+void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
+    TrainingBench bench(3);
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QVERIFY(!bench.screen()->drawn().answered);
+    bench.key(Qt::Key_Return);
+    QTRY_VERIFY(bench.screen()->drawn().answered);
+    const scene3d::SceneState drawn = bench.screen()->drawn();
+    QVERIFY(drawn.marked && drawn.objectShown && drawn.note.kind == scene3d::SceneNote::Kind::said && drawn.note.title.contains(QStringLiteral("mm")));
+    QTRY_VERIFY(bench.state().paused && bench.state().phase == TrialPhase::between);
+    QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::said);
+    QVERIFY(bench.text("training.force.title") != QStringLiteral("Paused"));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 1, 15'000);
+    QVERIFY(!bench.state().paused && bench.state().timeLeft_s > 29.0); // of 30
+    QTRY_VERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked);
+    bench.key(Qt::Key_Return);
+    QTRY_VERIFY(bench.state().paused && bench.state().phase == TrialPhase::between);
+    bench.key(Qt::Key_Space); // their own pause
+    QTRY_VERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused);
+    QTest::qWait(static_cast<int>(desktop::AnswerNote::kHeld_ns / 1'000'000) + 500);
+    QVERIFY(bench.state().paused && bench.state().trial == 1);
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 2, 15'000);
+}
+
+/// Level 5 teaches nothing: nothing is drawn, and nobody is kept.
+void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
+    TrainingBench bench;
+    QVERIFY(!bench.desktop.site.catalogue().find("sphere_apex", 5)->feedback);
+    bench.train({{QStringLiteral("level"), 5}});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 30'000);
+    bench.key(Qt::Key_Return);
+    QTRY_VERIFY(bench.screen()->drawn().note.title == QStringLiteral("Marked"));
+    QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked && !bench.screen()->drawn().objectShown);
+    while (!bench.runs() || bench.state().trial == 0) {
+        QVERIFY(!bench.state().paused);
+        QTest::qWait(20);
+    }
+    QVERIFY(!bench.screen()->drawn().answered);
 }
 
 void TestTrainingScreen::pauseAndResume() {

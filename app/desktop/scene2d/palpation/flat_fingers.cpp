@@ -47,7 +47,8 @@ void FlatFingers::paintOutline(const ToolView& tool, std::size_t index, const QC
     if (!ghost && static_cast<int>(index) % std::max(1, std::get<simulation::PalpationParameters>(m_setup.parameters).fingers) == 0)
         finger = finger.united(backOfHand(tool, index));
     QColor fill = glove;
-    fill.setAlphaF(ghost ? 0.22F : 1.0F);
+    if (ghost)
+        fill.setAlphaF(0.22F);
     m_painter.setBrush(fill);
     m_painter.setPen(QPen(ghost ? m_setup.colours.ghost : m_setup.colours.ink, (m_setup.colours.highContrast ? 2.5 : 1.5) * m_panel.unit(),
                           ghost ? Qt::DashLine : Qt::SolidLine));
@@ -204,7 +205,9 @@ void FlatFingers::paint(const SceneState& state) const {
         const ToolView& tool = state.tool[i];
         if (!tool.present)
             continue;
-        paintOutline(tool, i, isLeftHand(m_setup, i) ? kLeftGlove : kRightGlove, false);
+        QColor glove = isLeftHand(m_setup, i) ? kLeftGlove : kRightGlove;
+        glove.setAlphaF(float(gloveOpacity(m_setup, state, m_surface, i)));
+        paintOutline(tool, i, glove, false);
         if (several)
             paintBands(tool, i, state.activeTool == static_cast<int>(i) && m_panel.side() == FlatPanel::Side::above);
         paintBlades(tool, i);

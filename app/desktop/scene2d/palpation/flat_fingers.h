@@ -11,7 +11,7 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Fingers in the flat pictures. From above: pad, outline, bands, and a dial whose needle shows where to and how much the platform
+/// Fingers in the flat pictures; a hand in the air is nearly glass. From above: pad, outline, bands, and a dial whose needle shows where to and how much the platform
 /// leans (its rim: 30°). From the side: outline, the leaning platform, and a bar with the depth in millimetres.
 class FlatFingers {
 public:
@@ -22,6 +22,7 @@ public:
     void paintGhost(const ToolView& ghost) const;
 
 private:
+    /// `glove`: with its opacity.
     void paintOutline(const ToolView& tool, std::size_t index, const QColor& glove, bool ghost) const;
     QPainterPath backOfHand(const ToolView& tool, std::size_t index) const;
     void paintBands(const ToolView& tool, std::size_t index, bool active) const;

@@ -17,6 +17,7 @@ namespace {
 
 const QColor kRightGlove(58, 116, 190);
 const QColor kLeftGlove(142, 104, 186);
+constexpr double kSolidFrom = 0.995; // of opacity
 
 TriangleMesh coneMesh() {
     TriangleMesh mesh;
@@ -45,10 +46,10 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int 
         return light.effects.material("solid.vert", "signal.frag", {colour}, blend, this);
     };
     auto* steel = light.effects.material("solid.vert", "instrument.frag", {light.lamp, light.outlined, tint({1, 1, 1, 1}, this)}, Blend::opaque, this);
-    auto* glove = light.effects.material("organ.vert", "organ.frag", {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep}, Blend::opaque, this);
-    new Part(fingerMesh(), glove, m_body);
-    for (int left = 0; left < 2 && index % std::max(1, fingers) == 0; ++left)
-        m_hand[left] = new Part(handMesh(fingers, left == 1), glove, m_body);
+    m_opacity = new Qt3DRender::QParameter(QStringLiteral("opacity"), 1.0F, this);
+    m_solid = makeGlove(light.effects.material("organ.vert", "organ.frag", {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep}, Blend::opaque, this), fingers);
+    m_glass = makeGlove(light.effects.materialWith("#define GLASS\n", "organ.vert", "organ.frag",
+                                                   {light.lamp, light.lens, light.outlined, skin, m_pale, m_deep, m_opacity}, Blend::translucent, this), fingers);
     auto* band = signal(tint(toTint(ringColour(index)), this), Blend::opaque);
     for (int i = 0; i < core::kMaxTools; ++i) {
         m_bands[i] = new Part(fingerBands(i + 1), band, m_body);
@@ -64,6 +65,27 @@ Finger::Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int 
     setEnabled(false);
 }
 
+Finger::Glove Finger::makeGlove(Qt3DRender::QMaterial* material, int fingers) {
+    Glove glove;
+    glove.finger = new Part(fingerMesh(), material, m_body);
+    for (int left = 0; left < 2 && m_index % std::max(1, fingers) == 0; ++left)
+        glove.hand[left] = new Part(handMesh(fingers, left == 1), material, m_body);
+    return glove;
+}
+
+void Finger::showGlove(const Glove& glove, bool shown) {
+    const bool left = isLeftHand(m_setup, static_cast<std::size_t>(m_index));
+    glove.finger->setEnabled(shown);
+    for (int side = 0; side < 2 && glove.hand[side]; ++side)
+        glove.hand[side]->setEnabled(shown && left == (side == 1));
+}
+
+void Finger::putTranslucent(Qt3DRender::QLayer* layer) {
+    for (Part* part : {m_glass.finger, m_glass.hand[0], m_glass.hand[1]})
+        if (part)
+            part->addComponent(layer);
+}
+
 void Finger::change(const SceneSetup& setup) {
     m_setup = setup;
     const bool left = isLeftHand(setup, static_cast<std::size_t>(m_index));
@@ -74,17 +96,21 @@ void Finger::change(const SceneSetup& setup) {
     deep.setW(0.42F);
     m_pale->setValue(pale);
     m_deep->setValue(deep);
-    for (int side = 0; side < 2 && m_hand[side]; ++side)
-        m_hand[side]->setEnabled(left == (side == 1));
+    showGlove(m_solid, true);
+    showGlove(m_glass, false);
 }
 
-void Finger::show(const ToolView& tool, const FingerLean& lean, int bands, bool collar) {
+void Finger::show(const ToolView& tool, const FingerLean& lean, const Look& look) {
     setEnabled(true);
+    const bool solid = look.opacity > kSolidFrom;
+    showGlove(m_solid, solid);
+    showGlove(m_glass, !solid);
+    m_opacity->setValue(float(look.opacity));
     m_pose->setTranslation(toMillimetres(drawnTip(tool)));
     m_pose->setRotation(toQuaternion(turned(heldLike(tool), fingerYaw_rad(m_setup, static_cast<std::size_t>(m_index)))));
     for (int i = 0; i < core::kMaxTools; ++i)
-        m_bands[i]->setEnabled(i + 1 == bands);
-    m_collar->setEnabled(collar);
+        m_bands[i]->setEnabled(i + 1 == look.bands);
+    m_collar->setEnabled(look.collar);
     showPlatform(tool, lean);
     showBlades(tool);
 }

@@ -11,7 +11,7 @@
 namespace chiron::scene3d {
 
 /// A gloved finger, and with a hand's first one the hand behind it, with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
-/// gloves differ in colour and come from their own side; several fingers wear bands. Where the level has a pinch,
+/// gloves differ in colour and come from their own side; several fingers wear bands. In the air finger and hand are nearly glass. Where the level has a pinch,
 /// a hand's first finger has the two blades of a grasper, drawn while they are open. Draw calls: 2, of a hand's first finger 3, with lean 2 more, bands 1, collar 1, blades 2.
 class Finger final : public Qt3DCore::QEntity {
 public:
@@ -19,8 +19,15 @@ public:
     Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
-    /// `bands`, `collar`: of several fingers; `normal`: of the surface under it.
-    void show(const ToolView& tool, const FingerLean& lean, int bands, bool collar);
+    /// How it is marked and drawn.
+    struct Look {
+        int bands = 0;        ///< of several fingers
+        bool collar = false;  ///< of several fingers
+        double opacity = 1.0; ///< of glove and hand
+    };
+    void show(const ToolView& tool, const FingerLean& lean, const Look& look);
+    /// The glove in the air.
+    void putTranslucent(Qt3DRender::QLayer* layer);
     void hide() { setEnabled(false); }
     /// The cone, the stop's ring and the blades: never hidden by the finger.
     void putOver(Qt3DRender::QLayer* layer) {
@@ -31,6 +38,13 @@ public:
     }
 
 private:
+    /// Finger, right hand and left hand, all of one material.
+    struct Glove {
+        Part* finger = nullptr;
+        Part* hand[2] = {nullptr, nullptr}; ///< right, left: of a hand's first finger
+    };
+    Glove makeGlove(Qt3DRender::QMaterial* material, int fingers);
+    void showGlove(const Glove& glove, bool shown);
     void showPlatform(const ToolView& tool, const FingerLean& lean);
     void showBlades(const ToolView& tool);
 
@@ -41,7 +55,9 @@ private:
     Qt3DRender::QParameter* m_pale;
     Qt3DRender::QParameter* m_deep;
     Qt3DRender::QParameter* m_leanTint;
-    Part* m_hand[2] = {nullptr, nullptr}; ///< right, left: of a hand's first finger
+    Qt3DRender::QParameter* m_opacity;
+    Glove m_solid;
+    Glove m_glass;
     Part* m_bands[core::kMaxTools];
     Part* m_collar;
     Part* m_ring;

@@ -4,9 +4,11 @@
 #include "core/units.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
+#include "simulation/palpation/tissue_surface.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chiron::scene3d {
 
@@ -54,6 +56,22 @@ inline constexpr double kDrawnJaw_rad = 0.02; ///< a jaw that is closed further 
 inline bool hasJaw(const SceneSetup& setup, std::size_t tool) {
     const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
     return palpation && palpation->pinch && static_cast<int>(tool) % std::max(1, palpation->fingers) == 0;
+}
+
+inline constexpr double kHoverOpacity = 0.22; ///< of a hand in the air
+inline constexpr double kFadesOver_m = 0.003; ///< from the touch to there
+
+/// How opaque the hand of this finger is drawn, 0..1. A hand that touches is solid, as a gloved hand is; one whose fingers are all in the air
+/// is nearly glass, so that the tissue under and beyond it is seen, and with it where to go.
+inline double gloveOpacity(const SceneSetup& setup, const SceneState& state, const simulation::TissueSurface& surface, std::size_t tool) {
+    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const std::size_t perHand = static_cast<std::size_t>(std::max(1, palpation ? palpation->fingers : 1));
+    const std::size_t first = tool / perHand * perHand;
+    double height_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < std::min(first + perHand, state.tool.size()); ++i)
+        if (const ToolView& finger = state.tool[i]; finger.present && finger.p_WT.allFinite())
+            height_m = std::min(height_m, -surface.nearest(finger.p_WT, finger.p_WT.head<2>()).depth_m);
+    return 1.0 - (1.0 - kHoverOpacity) * std::clamp(height_m / kFadesOver_m, 0.0, 1.0);
 }
 
 /// Fingers come from their hand's side: the drawn finger is turned about T's z by so much. The platform is not.

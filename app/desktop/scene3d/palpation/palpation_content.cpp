@@ -94,6 +94,8 @@ double PalpationContent::elevation_rad() const { return kElevation_rad; }
 
 void PalpationContent::putTranslucent(Qt3DRender::QLayer* layer) {
     m_ghost->putTranslucent(layer);
+    for (Finger* finger : m_fingers)
+        finger->putTranslucent(layer);
     m_card->addComponent(layer);
 }
 
@@ -216,8 +218,8 @@ void PalpationContent::showFingers(const SceneState& state) {
             continue;
         }
         const core::Vec3 at = drawnTip(tool);
-        m_fingers[i]->show(tool, fingerLean(state, i, m_surface.normalAt(at.head<2>())), several ? static_cast<int>(i) + 1 : 0,
-                           several && state.activeTool == static_cast<int>(i));
+        const Finger::Look look{several ? static_cast<int>(i) + 1 : 0, several && state.activeTool == static_cast<int>(i), gloveOpacity(m_setup, state, m_surface, i)};
+        m_fingers[i]->show(tool, fingerLean(state, i, m_surface.normalAt(at.head<2>())), look);
     }
     m_ghost->show(state.ghost);
 }

@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/parts/loft.h"
+#include "desktop/scene3d/scene_marks.h"
 
 #include <algorithm>
 
@@ -33,7 +34,8 @@ PlaceMarks::PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent)
     : QEntity(parent),
       m_lineTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
       m_pinTint(new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), this)),
-      m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)) {
+      m_pin(new Qt3DCore::QEntity(this)), m_pinAt(new Qt3DCore::QTransform(m_pin)), m_answer(new Qt3DCore::QEntity(this)),
+      m_answerAt(new Qt3DCore::QTransform(m_answer)) {
     auto* line = light.effects.material("solid.vert", "signal.frag", {m_lineTint}, Blend::opaque, this);
     auto* pin = light.effects.material("solid.vert", "signal.frag", {m_pinTint}, Blend::opaque, this);
     for (int i = 0; i < core::kMaxTools; ++i) {
@@ -45,6 +47,10 @@ PlaceMarks::PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent)
     m_pin->addComponent(m_pinAt);
     new Part(pinMesh(), pin, m_pin);
     m_pin->setEnabled(false);
+    m_answer->addComponent(m_answerAt);
+    for (const double radius_mm : kAnswerRings_mm)
+        new Part(ringMesh(radius_mm, 0.5), line, m_answer);
+    m_answer->setEnabled(false);
 }
 
 void PlaceMarks::change(const SceneSetup& setup) {
@@ -68,6 +74,9 @@ void PlaceMarks::show(const SceneState& state, const ISceneContent& content) {
         m_line[i]->at().setScale3D({1.0F, 1.0F, float(height_mm)});
         m_foot[i]->at().setTranslation(foot + QVector3D(0.0F, 0.0F, 0.3F));
     }
+    m_answer->setEnabled(state.answered);
+    if (state.answered)
+        m_answerAt->setTranslation(toMillimetres(state.p_WAnswer) + QVector3D(0.0F, 0.0F, 0.5F));
     m_pin->setEnabled(state.marked);
     if (!state.marked)
         return;

@@ -7,7 +7,7 @@
 namespace chiron::scene3d {
 
 /// What shows where things are: a thin line from the tip straight down to what lies under it, with a foot
-/// there; and, in playback, a pin where the person marked.
+/// there; and, in playback and as feedback after a trial, a pin where the person marked and a double ring where the mark should have been.
 class PlaceMarks final : public Qt3DCore::QEntity {
 public:
     PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent);
@@ -23,6 +23,8 @@ private:
     Part* m_foot[core::kMaxTools];
     Qt3DCore::QEntity* m_pin;
     Qt3DCore::QTransform* m_pinAt;
+    Qt3DCore::QEntity* m_answer;
+    Qt3DCore::QTransform* m_answerAt;
 };
 
 } // namespace chiron::scene3d

@@ -8,6 +8,9 @@ uniform sampler2D skin;  // r, g: slope of the wet film, b: blood in vessels, a:
 uniform vec4 pale;       // rgb; a: how much its vessels show
 uniform vec4 deep;       // rgb; a: how wet it is
 uniform float outlined;  // 1: high contrast, with a dark edge
+#ifdef GLASS
+uniform float opacity;   // seen through but for its edge
+#endif
 
 out vec4 colour;
 
@@ -22,5 +25,10 @@ void main()
     float wet = max(0.0, dot(n, halfway));
     wet *= wet; wet *= wet; wet *= wet; wet *= wet; wet *= wet; // to the 32nd
     vec3 lit = base * light.y + deep.a * light.x * wet * (0.16 + 0.55 * wet);
-    colour = vec4(lit * (1.0 - outlined * smoothstep(0.55, 0.78, 1.0 - light.w)), 1.0);
+#ifdef GLASS
+    float there = mix(opacity, 1.0, 0.45 * smoothstep(0.55, 0.9, 1.0 - light.w));
+#else
+    float there = 1.0;
+#endif
+    colour = vec4(lit * (1.0 - outlined * smoothstep(0.55, 0.78, 1.0 - light.w)), there);
 }

@@ -128,7 +128,33 @@ private slots:
     void aDeviceThatIsTooSlowIsRefused();
     void lostTicksAreSaid();
     void theFreeMinuteIsTheRunsToo();
+    void theFreeMinuteEndsByItself();
 };
+
+/// No sphere of a trial comes before somebody says so.
+void TestLiveApex::theFreeMinuteEndsByItself() {
+    Site site(design(3));
+    auto asked = site.request();
+    asked.freeMinute_s = 0.5;
+    auto started = session::LiveSitting::start(*site.fixture.database, site.actor, std::move(asked));
+    QVERIFY(started);
+    session::LiveSitting& live = **started;
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::trying, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::tried, kPatience_ms);
+    QCOMPARE(live.view().tryLeft_s, 0.0);
+    for (int i = 0; i < 20; ++i) {
+        QTest::qWait(20);
+        live.poll();
+        QCOMPARE(live.view().state, View::tried);
+    }
+    QCOMPARE(live.sessions(), 1);
+    live.endTrying();
+    QTRY_COMPARE_WITH_TIMEOUT((live.poll(), live.view().state), View::exploring, kPatience_ms);
+    QCOMPARE(live.sessions(), 2);
+    QVERIFY(site.trials().empty());
+    live.stop();
+    QTRY_VERIFY_WITH_TIMEOUT((live.poll(), live.finished()), kPatience_ms);
+}
 
 /// The free minute has a session of its own, in which no trial is stored: it is known to be that participant's all the same.
 void TestLiveApex::theFreeMinuteIsTheRunsToo() {
