@@ -173,6 +173,8 @@ void TestPeople::erase() {
     picture(desk.dialog("erase"), QStringLiteral("people_erase"));
     desk.click("erase.accept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")), 10000);
+    QCOMPARE(desk.find<QLabel>(QStringLiteral("erase.password.note"))->text(), QStringLiteral("Wrong password. Passwords are case-sensitive."));
+    QVERIFY(desk.find<QLabel>(QStringLiteral("erase.password.note"))->isVisible());
     QVERIFY(desk.rowOf(QStringLiteral("tina")) >= 0);
     // It stops half-way: the list of erasures cannot be written. The same button goes on.
     const QString list = QString::fromStdString(database::erasureListFile(desk.database().siteFolder()));
