@@ -14,6 +14,7 @@
 
 #include <QCheckBox>
 #include <QCursor>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -270,6 +271,41 @@ private slots:
         window.resize(1100, 600);
         QCoreApplication::processEvents();
         QVERIFY(window.rect().contains(bar.geometry()));
+    }
+
+    /// In its room: long words are shortened there and shown whole when asked for; short ones are not.
+    void longMessagesStayInTheirRoom() {
+        for (const double scale : {1.0, 2.0}) {
+            tests::DesktopFixture desktop;
+            desktop.settings.setScale(scale);
+            desktop.context.applyAppearance();
+            desktop.logIn("tina");
+            desktop.go(QStringLiteral("settings"));
+            QTRY_VERIFY(desktop.screen<SettingsScreen>());
+            const int height = desktop.window->screen()->height();
+            desktop.context.messages().done(QStringLiteral("It was saved."));
+            auto* bar = desktop.find<MessageBar>(QStringLiteral("messages"));
+            auto* more = desktop.find<QPushButton>(QStringLiteral("messages.more"));
+            auto* text = desktop.find<QLabel>(QStringLiteral("messages.text"));
+            QCoreApplication::processEvents();
+            QVERIFY(bar->isVisible() && !more->isVisible());
+            QCOMPARE(text->text(), QStringLiteral("It was saved."));
+            const QRect place = bar->geometry();
+            QString whole = QStringLiteral("The beginning.");
+            for (int i = 0; i < 60; ++i)
+                whole += QStringLiteral(" What happened was long, number %1.").arg(i);
+            desktop.context.messages().tell({MessageKind::error, whole, QStringLiteral("Undo"), {}});
+            QCoreApplication::processEvents();
+            QCOMPARE(bar->geometry(), place);
+            QVERIFY(more->isVisible() && text->text().startsWith(QStringLiteral("The beginning.")) && text->text().endsWith(QStringLiteral("…")));
+            QVERIFY2(text->heightForWidth(text->width()) <= text->height() + 2, qPrintable(QStringLiteral("%1 of %2").arg(text->height()).arg(text->heightForWidth(text->width()))));
+            QCOMPARE(text->accessibleName(), whole);
+            QCOMPARE(desktop.window->screen()->height(), height); // nothing made room for it
+            more->click();
+            QTRY_VERIFY(desktop.find<QLabel>(QStringLiteral("words.text")));
+            QCOMPARE(desktop.find<QLabel>(QStringLiteral("words.text"))->text(), whole);
+            desktop.find<QDialog>(QStringLiteral("words"))->close();
+        }
     }
 
     /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.
