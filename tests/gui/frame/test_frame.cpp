@@ -2,6 +2,7 @@
 #include "desktop/frame/command_palette.h"
 #include "desktop/frame/instance_link.h"
 #include "desktop/accounts/notice_area.h"
+#include "desktop/frame/background.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/login/login_screen.h"
 #include "desktop/sessions/session_table_model.h"
@@ -306,6 +307,24 @@ private slots:
             QCOMPARE(desktop.find<QLabel>(QStringLiteral("words.text"))->text(), whole);
             desktop.find<QDialog>(QStringLiteral("words"))->close();
         }
+    }
+
+    /// Long work says what it does just now, below what was announced.
+    void longWorkSaysWhatItDoes() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        StatePanel panel(theme);
+        const auto token = std::make_shared<WorkToken>();
+        token->setDoing(QStringLiteral("The third of five"));
+        panel.showLoading(QStringLiteral("Making it …"), token);
+        panel.show();
+        const auto says = [&panel] {
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                if (label->text() == QStringLiteral("Making it …\nThe third of five"))
+                    return true;
+            return false;
+        };
+        QVERIFY(!says()); // short work does not flicker
+        QTRY_VERIFY(says());
     }
 
     /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.
