@@ -22,7 +22,7 @@ core::Result<bool> hasAdministrator(const std::string& file) {
     return count ? core::Result<bool>(count->value_or(0) > 0) : tl::unexpected(count.error());
 }
 
-tl::unexpected<Refusal> refused(Refusal::Kind kind, const core::Error& error, std::int64_t wait_ns = 0) {
+tl::unexpected<Refusal> refusalOf(Refusal::Kind kind, const core::Error& error, std::int64_t wait_ns = 0) {
     return tl::unexpected(Refusal{kind, wait_ns, error});
 }
 
@@ -30,28 +30,28 @@ tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::s
                                            const DatabaseOptions& options) {
     auto connection = Connection::open(file, Connection::Mode::readOnly);
     if (!connection) {
-        return refused(Refusal::Kind::failed, connection.error());
+        return refusalOf(Refusal::Kind::failed, connection.error());
     }
     const SystemBootClock systemClock;
     (*connection)->setSite(nullptr, options.clock ? options.clock.get() : &systemClock);
     AccountRepository accounts(**connection, Actor::anonymous());
     const auto attempt = accounts.beginLogin(name);
     if (!attempt) {
-        return refused(Refusal::Kind::failed, attempt.error());
+        return refusalOf(Refusal::Kind::failed, attempt.error());
     }
     if (attempt->wait_ns > 0) {
-        return refused(Refusal::Kind::mustWait, {core::ErrorCode::notAllowed, "too many wrong passwords: try again later"}, attempt->wait_ns);
+        return refusalOf(Refusal::Kind::mustWait, {core::ErrorCode::notAllowed, "too many wrong passwords: try again later"}, attempt->wait_ns);
     }
     const PasswordHasher hasher(options.passwordCost);
     if (attempt->passwordHash.empty() || !hasher.verify(attempt->passwordHash, password)) {
-        return refused(Refusal::Kind::wrong, {core::ErrorCode::notAllowed, "name or password is wrong"});
+        return refusalOf(Refusal::Kind::wrong, {core::ErrorCode::notAllowed, "name or password is wrong"});
     }
     const auto actor = accounts.finishLogin(*attempt);
     if (!actor) {
-        return refused(actor.error().code == core::ErrorCode::notAllowed ? Refusal::Kind::disabled : Refusal::Kind::failed, actor.error());
+        return refusalOf(actor.error().code == core::ErrorCode::notAllowed ? Refusal::Kind::disabled : Refusal::Kind::failed, actor.error());
     }
     const auto scope = authorise(**connection, *actor, Action::restore);
-    return scope ? tl::expected<Actor, Refusal>(*actor) : refused(Refusal::Kind::failed, scope.error());
+    return scope ? tl::expected<Actor, Refusal>(*actor) : refusalOf(Refusal::Kind::failed, scope.error());
 }
 
 /// The administrator who is asked for in the database that stands at the target; nothing where there is none to ask.
