@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kShown_ms = 8000; // long enough to read two lines and reach for Undo
 constexpr int kWatch_ms = 200;
-constexpr double kWidths_px[] = {760, 560, 400}; // where it floats
+constexpr double kWidths_px[] = {760, 560, 400, 300}; // where it floats
 constexpr double kMargin_px = 12;
 constexpr double kAbove_px = 2; // within its room
 constexpr double kBelow_px = 6;
@@ -166,7 +166,7 @@ int MessageBar::widthOfOthers() const {
     int width = margins.left() + margins.right() + kFrame_px;
     for (const QWidget* part : {static_cast<const QWidget*>(m_sign), static_cast<const QWidget*>(m_more), static_cast<const QWidget*>(m_action), static_cast<const QWidget*>(m_close)})
         if (!part->isHidden())
-            width += std::max(part->sizeHint().width(), part->minimumSizeHint().width()) + layout()->spacing();
+            width += std::max(part->sizeHint().width(), part->minimumWidth()) + layout()->spacing();
     return width;
 }
 
