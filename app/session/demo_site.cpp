@@ -19,15 +19,16 @@ struct DemoPerson {
     const char* displayName;
     database::Role role;
     const char* operatorName; ///< who stands in for a trainee's hand; empty: does not train
+    std::vector<const char*> learns{}; ///< one attempt after the other at what is learned: who stands in, with growing skill
 };
 
 constexpr const char* kAdministrator = "amalia";
 
-constexpr DemoPerson kPeople[] = {
+const DemoPerson kPeople[] = {
     {"theo", "Theo Trainer", database::Role::trainer, ""},
     {kDemoResearcher, "Rhea Researcher", database::Role::researcher, ""},
-    {"nikos", "Nikos Newcomer", database::Role::trainee, "novice"},
-    {"ines", "Ines Improving", database::Role::trainee, "intermediate"},
+    {"nikos", "Nikos Newcomer", database::Role::trainee, "novice", {"novice", "novice", "novice", "intermediate"}},
+    {"ines", "Ines Improving", database::Role::trainee, "intermediate", {"novice", "novice", "intermediate", "intermediate", "expert"}},
     {"eva", "Eva Expert", database::Role::trainee, "expert"},
 };
 
@@ -36,6 +37,9 @@ struct Planned {
     std::string person;
     database::Actor actor;
     ScriptedSession session;
+    std::string displayName{}; ///< of a person
+    int attempt = 1;
+    int attempts = 1;
 };
 
 bool hasOperator(const std::string& exercise, const std::string& name) {
@@ -46,10 +50,36 @@ bool hasOperator(const std::string& exercise, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Which levels the demonstration's trainees have done: the first two of each exercise, the organs of sphere apex, and the tube
-/// that takes two hands.
-bool tries(const std::string& exercise, int level) {
-    return level <= 2 || (exercise == "sphere_apex" && level >= 5) || (exercise == "elastic_tube" && level == 4);
+/// What is learned over several attempts: short sessions that say much.
+bool isLearned(const std::string& exercise, int level) { return level == 1 && (exercise == "sphere_apex" || exercise == "elastic_tube"); }
+
+/// Which levels the demonstration's trainees have done. Who can do it: the first two of each exercise, the organs of sphere apex, and the tube
+/// that takes two hands. Who learns: what is learned, the level after it, and the first of the others but palpation, whose sessions are long.
+bool tries(const DemoPerson& person, const std::string& exercise, int level) {
+    if (person.learns.empty())
+        return level <= 2 || (exercise == "sphere_apex" && level >= 5) || (exercise == "elastic_tube" && level == 4);
+    return isLearned(exercise, 1) ? level <= 2 : level == 1 && exercise != "palpation";
+}
+
+/// Who stands in at a level, attempt by attempt.
+std::vector<std::string> handsAt(const DemoPerson& person, const std::string& exercise, int level) {
+    if (!tries(person, exercise, level))
+        return {};
+    std::vector<std::string> hands;
+    if (isLearned(exercise, level))
+        hands.assign(person.learns.begin(), person.learns.end());
+    if (hands.empty())
+        hands.emplace_back(person.operatorName);
+    std::erase_if(hands, [&](const std::string& name) { return !hasOperator(exercise, name); });
+    return hands;
+}
+
+std::string wordsFor(const Planned& plan) {
+    const std::string what = plan.session.exercise + " level " + std::to_string(plan.session.level) + ", ";
+    if (plan.displayName.empty())
+        return what + plan.session.operatorName;
+    return what + plan.displayName +
+           (plan.attempts > 1 ? ", attempt " + std::to_string(plan.attempt) + " of " + std::to_string(plan.attempts) : std::string());
 }
 
 core::Result<std::vector<Planned>> makePeople(database::Database& database, const catalogue::Catalogue& catalogue,
@@ -71,13 +101,13 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
         auto actor = accounts.login(person.name, kDemoPassword);
         if (!actor)
             return tl::unexpected(actor.error());
-        for (const catalogue::Exercise& exercise : catalogue.exercises()) {
-            if (!hasOperator(exercise.id, person.operatorName))
-                continue;
-            for (const catalogue::ExerciseLevel& level : exercise.levels)
-                if (tries(exercise.id, level.number))
-                    planned.push_back({person.name, *actor, {exercise.id, level.number, person.operatorName, seed + planned.size() + 100}});
-        }
+        for (const catalogue::Exercise& exercise : catalogue.exercises())
+            for (const catalogue::ExerciseLevel& level : exercise.levels) {
+                const std::vector<std::string> hands = handsAt(person, exercise.id, level.number);
+                for (std::size_t i = 0; i < hands.size(); ++i)
+                    planned.push_back({person.name, *actor, {exercise.id, level.number, hands[i], seed + planned.size() + 100}, person.displayName,
+                                       static_cast<int>(i) + 1, static_cast<int>(hands.size())});
+            }
     }
     return planned;
 }
@@ -138,7 +168,7 @@ core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogu
     for (const Planned& plan : *planned) {
         if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
             return core::fail(core::ErrorCode::cancelled, "the demonstration was stopped before it was complete");
-        progress({++step, steps, plan.session.exercise + " level " + std::to_string(plan.session.level) + ", " + plan.session.operatorName});
+        progress({++step, steps, wordsFor(plan), plan.session.exercise, plan.session.level, plan.displayName, plan.attempt, plan.attempts});
         auto result = runScripted(database, plan.actor, catalogue, plan.session, cancel);
         if (!result)
             return tl::unexpected(result.error());

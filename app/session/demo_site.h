@@ -24,7 +24,12 @@ struct DemoResult {
 struct DemoProgress {
     int step = 1; ///< from 1
     int of = 1;
-    std::string doing; ///< what the step is: an exercise's level and its operator, a study's participant
+    std::string doing; ///< what the step is: an exercise's level and who does it, a study's participant
+    std::string exercise{}; ///< the same in parts; empty: the study's
+    int level = 0;
+    std::string person{}; ///< full name; empty: an operator as the simulated account
+    int attempt = 1;      ///< of this person at this level
+    int attempts = 1;
 };
 
 /// What a demonstration holds.
@@ -38,8 +43,8 @@ inline constexpr const char* kDemoPassword = "asclepius-demo";
 inline constexpr const char* kDemoResearcher = "rhea"; ///< whose the studies are
 
 /// Fills a fresh database: an administrator, a trainer, a researcher, three trainees; four operators on every level of
-/// every exercise as the simulated account, and a few attempts of each trainee; each session replayed and scored again; the researcher's
-/// studies (makeDemoStudy). `progress` hears of each step before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
+/// every exercise as the simulated account, and attempts of each trainee: one of them can do it, two learn two of the exercises, one attempt after the
+/// other with scripted hands of growing skill; each session replayed and scored again; the researcher's studies (makeDemoStudy). `progress` hears of each step before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
 /// it early (the database is then to be thrown away). Failure: wrongUse if there are people; cancelled; the first failing
 /// session's.
 core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,

@@ -23,8 +23,11 @@
     X(AccountRepository, changeNames)                                                                        \
     X(AccountRepository, changeDisplayName)                                                                  \
     X(AccountRepository, earlierNames)                                                                       \
+    X(AccountRepository, listEarlierLogins)                                                                  \
     X(AccountRepository, changePassword)                                                                     \
     X(AccountRepository, resetPassword)                                                                      \
+    X(AccountRepository, hasRecoveryCode)                                                                    \
+    X(AccountRepository, setRecoveryCode)                                                                    \
     X(PrivacyRepository, exportPerson)                                                                       \
     X(PrivacyRepository, erasePerson)                                                                        \
     X(PrivacyRepository, listErasures)                                                                       \

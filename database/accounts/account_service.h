@@ -62,6 +62,13 @@ public:
     tl::expected<std::string, Refusal> tryRecover(const std::string& name, const std::string& code,
                                                   const std::string& newPassword);
 
+    /// Whether the actor, an administrator, has a recovery code.
+    core::Result<bool> hasRecoveryCode(const Actor& actor);
+    /// A new recovery code for the actor, an administrator, whom the password confirms; the one before is not accepted any more. It is
+    /// returned this once; only its hash is stored. A wrong password is counted and throttled like a login.
+    tl::expected<std::string, Refusal> tryMakeRecoveryCode(const Actor& actor, const std::string& password);
+    core::Result<std::string> makeRecoveryCode(const Actor& actor, const std::string& password);
+
     core::Result<PersonId> createPerson(const Actor& actor, const PersonRequest& request);
     /// A list of people (readRoster): adds those who are new and leaves or changes those who are here already.
     /// All or nothing; everything wrong is named (line, column, value, expectation). Passwords that the list does

@@ -138,6 +138,31 @@ tl::expected<Actor, Refusal> AccountService::tryConfirm(const Actor& actor, cons
     return confirmed;
 }
 
+core::Result<bool> AccountService::hasRecoveryCode(const Actor& actor) {
+    auto reader = m_database.openReader();
+    return reader ? AccountRepository(**reader, actor).hasRecoveryCode(actor.personId()) : tl::unexpected(reader.error());
+}
+
+tl::expected<std::string, Refusal> AccountService::tryMakeRecoveryCode(const Actor& actor, const std::string& password) {
+    if (auto confirmed = tryConfirm(actor, password); !confirmed) {
+        return tl::unexpected(confirmed.error());
+    }
+    const std::string code = newRecoveryCode();
+    const auto hash = PasswordHasher(m_database.options().passwordCost).hash(code);
+    if (!hash) {
+        return failed(hash.error());
+    }
+    const auto stored = m_database.write([&](WriteContext& writing) {
+        return AccountRepository(writing.connection(), actor).setRecoveryCode(actor.personId(), *hash);
+    });
+    return stored ? tl::expected<std::string, Refusal>(code) : failed(stored.error());
+}
+
+core::Result<std::string> AccountService::makeRecoveryCode(const Actor& actor, const std::string& password) {
+    const auto code = tryMakeRecoveryCode(actor, password);
+    return code ? core::Result<std::string>(*code) : tl::unexpected(code.error().error);
+}
+
 core::Result<Actor> AccountService::confirm(const Actor& actor, const std::string& password) {
     const auto confirmed = tryConfirm(actor, password);
     return confirmed ? core::Result<Actor>(*confirmed) : tl::unexpected(confirmed.error().error);

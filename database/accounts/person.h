@@ -29,6 +29,12 @@ struct EarlierName {
     PersonId changedBy = 0;
 };
 
+/// A login name that somebody had until a change of name.
+struct EarlierLogin {
+    PersonId person = 0;
+    std::string name;
+};
+
 /// Whom the login screen offers: no e-mail, no roles, no code.
 struct LoginName {
     PersonId id = 0;

@@ -9,6 +9,7 @@
 #include "database/repositories/account_repository.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace chiron::database {
@@ -35,7 +36,7 @@ RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting e
     return step;
 }
 
-core::Result<std::vector<Person>> peopleFor(Database& database, const Actor& actor) {
+core::Result<KnownPeople> peopleFor(Database& database, const Actor& actor) {
     auto reader = database.openReader();
     if (!reader) {
         return tl::unexpected(reader.error());
@@ -43,7 +44,83 @@ core::Result<std::vector<Person>> peopleFor(Database& database, const Actor& act
     if (const auto scope = authorise(**reader, actor, Action::importPeople); !scope) {
         return tl::unexpected(scope.error());
     }
-    return AccountRepository(**reader, actor).listPeople();
+    AccountRepository accounts(**reader, actor);
+    auto people = accounts.listPeople();
+    auto earlier = accounts.listEarlierLogins();
+    if (!people || !earlier) {
+        return tl::unexpected(!people ? people.error() : earlier.error());
+    }
+    return KnownPeople{*std::move(people), *std::move(earlier)};
+}
+
+/// Whom a login name means.
+struct Meant {
+    const Person* person = nullptr; ///< null: somebody new, or not to be said
+    bool byEarlierName = false;
+    const Person* before = nullptr; ///< who had the name before, where somebody else has it today
+    bool several = false;           ///< had it before, and nobody has it today
+};
+
+class NameIndex {
+public:
+    explicit NameIndex(const KnownPeople& known) {
+        std::map<PersonId, const Person*> byId;
+        for (const Person& person : known.people) {
+            m_today.emplace(nameKey(person.name), &person);
+            byId.emplace(person.id, &person);
+        }
+        for (const EarlierLogin& login : known.earlier) {
+            const auto person = byId.find(login.person);
+            std::vector<const Person*>& had = m_before[nameKey(login.name)];
+            if (person != byId.end() && std::find(had.begin(), had.end(), person->second) == had.end()) {
+                had.push_back(person->second);
+            }
+        }
+    }
+
+    Meant meant(const std::string& name) const {
+        const auto today = m_today.find(nameKey(name));
+        const auto before = m_before.find(nameKey(name));
+        const bool anybodyBefore = before != m_before.end() && !before->second.empty();
+        if (today != m_today.end()) {
+            return {today->second, false, anybodyBefore ? before->second.front() : nullptr, false};
+        }
+        if (!anybodyBefore) {
+            return {};
+        }
+        return before->second.size() > 1 ? Meant{nullptr, false, nullptr, true} : Meant{before->second.front(), true, nullptr, false};
+    }
+
+private:
+    std::map<std::string, const Person*> m_today;
+    std::map<std::string, std::vector<const Person*>> m_before;
+};
+
+/// A line whose person is not to be touched by it.
+void leave(RosterStep& step, RosterStep::Doubt doubt) {
+    step.kind = Kind::skip;
+    step.doubt = doubt;
+    step.makesPassword = false;
+    if (step.person != 0) {
+        step.displayName = step.displayNameBefore;
+        step.roles = step.rolesBefore;
+    }
+}
+
+/// Two lines may name one person, each by another of their names: today's counts, of earlier ones the first.
+void settleSamePerson(std::vector<RosterStep>& steps) {
+    std::map<PersonId, int> lines;
+    for (const bool earlier : {false, true}) {
+        for (RosterStep& step : steps) {
+            if (step.person == 0 || step.earlierName.empty() == earlier) {
+                continue;
+            }
+            if (const auto [found, first] = lines.emplace(step.person, step.line); !first) {
+                leave(step, RosterStep::Doubt::sameAsLine);
+                step.otherLine = found->second;
+            }
+        }
+    }
 }
 
 /// What the writer stores, and what is told afterwards.
@@ -70,16 +147,22 @@ int RosterPlan::count(RosterStep::Kind kind) const {
     return static_cast<int>(std::count_if(steps.begin(), steps.end(), [kind](const RosterStep& step) { return step.kind == kind; }));
 }
 
-std::vector<RosterStep> planRoster(const Roster& roster, const std::vector<Person>& people, RosterExisting existing) {
-    std::map<std::string, const Person*> byName;
-    for (const Person& person : people) {
-        byName.emplace(nameKey(person.name), &person);
-    }
+std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& known, RosterExisting existing) {
+    const NameIndex names(known);
     std::vector<RosterStep> steps;
     for (const UserCsvRow& row : roster.rows) {
-        const auto found = byName.find(nameKey(row.name));
-        steps.push_back(stepOf(row, found == byName.end() ? nullptr : found->second, existing));
+        const Meant meant = names.meant(row.name);
+        RosterStep& step = steps.emplace_back(stepOf(row, meant.person, existing));
+        if (meant.byEarlierName) {
+            step.earlierName = row.name;
+        } else if (meant.several) {
+            leave(step, RosterStep::Doubt::severalHadIt);
+        } else if (meant.before != nullptr) {
+            step.doubt = RosterStep::Doubt::nameOfAnother;
+            step.other = meant.before->name;
+        }
     }
+    settleSamePerson(steps);
     return steps;
 }
 
@@ -131,6 +214,8 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
         prepared.outcome.added[i].id = (*ids)[i];
     }
     prepared.outcome.ignoredColumns = roster.ignoredColumns;
+    std::copy_if(steps.begin(), steps.end(), std::back_inserter(prepared.outcome.told),
+                 [](const RosterStep& each) { return !each.earlierName.empty() || each.doubt != RosterStep::Doubt::none; });
     prepared.outcome.updated = static_cast<int>(prepared.changes.size());
     prepared.outcome.skipped = static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
     return std::move(prepared.outcome);

@@ -33,6 +33,16 @@ struct RosterStep {
     PersonId person = 0;           ///< who exists
     std::string displayNameBefore; ///< of them
     RoleSet rolesBefore;
+    std::string earlierName{}; ///< as the list has it, where `name` is what this person is called today
+    enum class Doubt : std::uint8_t {
+        none,
+        nameOfAnother, ///< `other` had this login name before; whoever has it today is meant
+        severalHadIt,  ///< nobody has it today, and several had it before: nobody is changed
+        sameAsLine     ///< `otherLine` is the same person under another of their names: that line counts
+    };
+    Doubt doubt = Doubt::none;
+    std::string other{}; ///< their login name of today
+    int otherLine = 0;
 };
 
 /// What an import would do.
@@ -55,9 +65,17 @@ struct RosterOutcome {
     int updated = 0;
     int skipped = 0; ///< with those that were so already
     std::vector<std::string> ignoredColumns;
+    std::vector<RosterStep> told; ///< the lines that name somebody by an earlier login name, or leave a doubt about who is meant
 };
 
-/// One step for each line of the list, by who is there.
-std::vector<RosterStep> planRoster(const Roster& roster, const std::vector<Person>& people, RosterExisting existing);
+/// Who is there, and what they were called before.
+struct KnownPeople {
+    std::vector<Person> people;
+    std::vector<EarlierLogin> earlier; ///< latest first
+};
+
+/// One step for each line of the list, by who is there. Somebody whom the list calls by an earlier login name is there, too; a name that
+/// somebody has today means that person.
+std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& known, RosterExisting existing);
 
 } // namespace chiron::database

@@ -230,6 +230,26 @@ core::Result<void> AccountRepository::resetPassword(PersonId id, const std::stri
     return appendAudit(m_connection, m_actor, {"resetPassword", "credential", id, std::nullopt, "{}"});
 }
 
+core::Result<bool> AccountRepository::hasRecoveryCode(PersonId id) {
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::hasRecoveryCode, id); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    const auto has = selectInteger(m_connection, "SELECT recovery_hash <> '' FROM credential WHERE person_id = ?", {id});
+    return has ? core::Result<bool>(has->value_or(0) != 0) : tl::unexpected(has.error());
+}
+
+core::Result<void> AccountRepository::setRecoveryCode(PersonId id, const std::string& newHash) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return writer;
+    }
+    if (auto allowed = authoriseFor(m_connection, m_actor, Action::setRecoveryCode, id); !allowed) {
+        return allowed;
+    }
+    const auto row = updateRow(m_connection, "credential", {{"person_id", id}}, {{"recovery_hash", newHash}});
+    return row ? appendAudit(m_connection, m_actor, {"setRecoveryCode", "credential", id, std::nullopt, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
 core::Result<void> AccountRepository::storePassword(PersonId id, const std::string& hash, bool mustChange) {
     const auto row = updateRow(m_connection, "credential", {{"person_id", id}},
                                {{"password_hash", hash},

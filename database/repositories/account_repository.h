@@ -48,8 +48,13 @@ public:
     core::Result<void> changeNames(PersonId id, const std::string& name, const std::string& displayName);
     core::Result<void> changeDisplayName(PersonId id, const std::string& displayName);
     core::Result<std::vector<EarlierName>> earlierNames(PersonId id); ///< latest first
+    /// Login names that people had before and do not have today, latest first: whom an old list means.
+    core::Result<std::vector<EarlierLogin>> listEarlierLogins();
     core::Result<void> changePassword(PersonId id, const std::string& newHash);
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);
+    core::Result<bool> hasRecoveryCode(PersonId id);
+    /// In the place of the one before, which is not accepted from then on.
+    core::Result<void> setRecoveryCode(PersonId id, const std::string& newHash);
 
 private:
     core::Result<bool> anybody();

@@ -119,4 +119,25 @@ core::Result<std::vector<EarlierName>> AccountRepository::earlierNames(PersonId 
     return row ? core::Result<std::vector<EarlierName>>(std::move(names)) : tl::unexpected(row.error());
 }
 
+core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::listEarlierLogins); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    auto query = Query::run(m_connection, "SELECT n.person_id, n.names_json, p.name_key FROM person_name n JOIN person p ON p.id = n.person_id "
+                                          "WHERE n.names_json <> '' AND p.kind = 'person' ORDER BY n.id DESC");
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<EarlierLogin> logins;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(1))).object();
+        const std::string name = json["name"].toString().toStdString();
+        if (nameKey(name) != query->text(2)) { // else only the full name was changed
+            logins.push_back({query->integer(0), name});
+        }
+    }
+    return row ? core::Result<std::vector<EarlierLogin>>(std::move(logins)) : tl::unexpected(row.error());
+}
+
 } // namespace chiron::database

@@ -5,6 +5,7 @@
 #include "database/accounts/password_hasher.h"
 #include "database/query.h"
 #include "database/repositories/account_repository.h"
+#include "database/upkeep/manifest.h"
 
 #include <QFileInfo>
 
@@ -21,54 +22,79 @@ core::Result<bool> hasAdministrator(const std::string& file) {
     return count ? core::Result<bool>(count->value_or(0) > 0) : tl::unexpected(count.error());
 }
 
-} // namespace
+tl::unexpected<Refusal> refusalOf(Refusal::Kind kind, const core::Error& error, std::int64_t wait_ns = 0) {
+    return tl::unexpected(Refusal{kind, wait_ns, error});
+}
 
-core::Result<Actor> restorerIn(const std::string& file, const std::string& name, const std::string& password,
-                               const DatabaseOptions& options) {
+tl::expected<Actor, Refusal> tryRestorerIn(const std::string& file, const std::string& name, const std::string& password,
+                                           const DatabaseOptions& options) {
     auto connection = Connection::open(file, Connection::Mode::readOnly);
     if (!connection) {
-        return tl::unexpected(connection.error());
+        return refusalOf(Refusal::Kind::failed, connection.error());
     }
     const SystemBootClock systemClock;
     (*connection)->setSite(nullptr, options.clock ? options.clock.get() : &systemClock);
     AccountRepository accounts(**connection, Actor::anonymous());
     const auto attempt = accounts.beginLogin(name);
     if (!attempt) {
-        return tl::unexpected(attempt.error());
+        return refusalOf(Refusal::Kind::failed, attempt.error());
     }
     if (attempt->wait_ns > 0) {
-        return core::fail(core::ErrorCode::notAllowed, "too many wrong passwords: try again later");
+        return refusalOf(Refusal::Kind::mustWait, {core::ErrorCode::notAllowed, "too many wrong passwords: try again later"}, attempt->wait_ns);
     }
     const PasswordHasher hasher(options.passwordCost);
     if (attempt->passwordHash.empty() || !hasher.verify(attempt->passwordHash, password)) {
-        return core::fail(core::ErrorCode::notAllowed, "name or password is wrong");
+        return refusalOf(Refusal::Kind::wrong, {core::ErrorCode::notAllowed, "name or password is wrong"});
     }
     const auto actor = accounts.finishLogin(*attempt);
     if (!actor) {
-        return actor;
+        return refusalOf(actor.error().code == core::ErrorCode::notAllowed ? Refusal::Kind::disabled : Refusal::Kind::failed, actor.error());
     }
     const auto scope = authorise(**connection, *actor, Action::restore);
-    return scope ? actor : core::Result<Actor>(tl::unexpected(scope.error()));
+    return scope ? tl::expected<Actor, Refusal>(*actor) : refusalOf(Refusal::Kind::failed, scope.error());
 }
 
-core::Result<void> presentAdministratorAgrees(const RestoreRequest& request, const DatabaseOptions& options) {
+/// The administrator who is asked for in the database that stands at the target; nothing where there is none to ask.
+std::optional<Refusal> presentRefusal(const RestoreRequest& request, const DatabaseOptions& options) {
     if (!QFileInfo::exists(QString::fromStdString(request.targetFile))) {
-        return {};
+        return std::nullopt;
     }
     const auto any = hasAdministrator(request.targetFile);
     if (!any || !*any) {
-        return {}; // damaged, foreign or nobody's: a restore is what helps
+        return std::nullopt; // damaged, foreign or nobody's: a restore is what helps
     }
     const bool same = request.presentName.empty();
-    const auto actor = restorerIn(request.targetFile, same ? request.name : request.presentName,
-                                  same ? request.password : request.presentPassword, options);
-    if (!actor && actor.error().code == core::ErrorCode::notAllowed) {
+    const auto actor = tryRestorerIn(request.targetFile, same ? request.name : request.presentName,
+                                     same ? request.password : request.presentPassword, options);
+    return !actor && actor.error().error.code == core::ErrorCode::notAllowed ? std::optional(actor.error()) : std::nullopt;
+}
+
+} // namespace
+
+core::Result<Actor> restorerIn(const std::string& file, const std::string& name, const std::string& password,
+                               const DatabaseOptions& options) {
+    const auto actor = tryRestorerIn(file, name, password, options);
+    return actor ? core::Result<Actor>(*actor) : tl::unexpected(actor.error().error);
+}
+
+core::Result<void> presentAdministratorAgrees(const RestoreRequest& request, const DatabaseOptions& options) {
+    if (const auto refusal = presentRefusal(request, options)) {
         return core::fail(
             core::ErrorCode::notAllowed,
             "the database that stands here now has administrators, and one of them must agree: " +
-                actor.error().message);
+                refusal->error.message);
     }
     return {};
+}
+
+std::optional<RestoreRefusal> restoreRefusal(const RestoreRequest& request, const DatabaseOptions& options) {
+    if (const auto refusal = presentRefusal(request, options)) {
+        return RestoreRefusal{RestoreRefusal::By::present, *refusal};
+    }
+    const auto actor = tryRestorerIn(request.backupFolder + "/" + kSnapshotFile, request.name, request.password, options);
+    return !actor && actor.error().error.code == core::ErrorCode::notAllowed
+               ? std::optional(RestoreRefusal{RestoreRefusal::By::backup, actor.error()})
+               : std::nullopt;
 }
 
 } // namespace chiron::database

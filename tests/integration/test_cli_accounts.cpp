@@ -15,9 +15,11 @@ private slots:
     void rolesDecide();
     void passwordsChange();
     void aForgottenPasswordIsRecovered();
+    void aSecondAdministratorMakesARecoveryCode();
     void rosterIsAllOrNothing();
     void rosterOfASpreadsheet();
     void renaming();
+    void anOldRosterKnowsWhoWasRenamed();
     void aWrongPasswordIsRefused();
     void theWritersLockIsNamed();
 
@@ -152,6 +154,24 @@ void TestCliAccounts::aForgottenPasswordIsRecovered() {
     m_recoveryCode = object(piped)["recovery_code"].toString();
 }
 
+/// Somebody else than the first administrator: a code of their own, which replaces the one before.
+void TestCliAccounts::aSecondAdministratorMakesARecoveryCode() {
+    const QString maria = QStringLiteral("maria's long word");
+    QCOMPARE(as("alice", kAlice, {"user", "add", "maria", "--role", "admin"}, maria).exitCode, 0);
+    QCOMPARE(as("maria", QStringLiteral("wrong wrong wrong"), {"user", "recovery-code"}).exitCode, 2);
+    const QJsonObject first = object(as("maria", maria, {"user", "recovery-code"}));
+    QCOMPARE(first["name"].toString(), QStringLiteral("maria"));
+    const QString code = object(as("maria", maria, {"user", "recovery-code"}))["recovery_code"].toString();
+    QVERIFY(code.size() >= 16 && code != first["recovery_code"].toString());
+    const QStringList recover{"user", "recover", "maria", "--database", m_database, "--json"};
+    const QString other = QStringLiteral("another long word");
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", first["recovery_code"].toString()}, {"CHIRON_NEW_PASSWORD", other}}).exitCode, 2);
+    QCOMPARE(runCli(recover, {}, {{"CHIRON_RECOVERY_CODE", code}, {"CHIRON_NEW_PASSWORD", other}}).exitCode, 0);
+    QCOMPARE(as("maria", other, {"user", "list"}).exitCode, 0);
+    QCOMPARE(as("bob", kBob, {"user", "recovery-code"}).exitCode, 2); // administrators only: others are helped by one
+    QCOMPARE(as("alice", kAlice, {"user", "disable", "maria"}).exitCode, 0);
+}
+
 void TestCliAccounts::rosterIsAllOrNothing() {
     const QString bad = file(
         "bad.csv",
@@ -201,6 +221,25 @@ void TestCliAccounts::renaming() {
     QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic", "--name", "ALICE"}).exitCode, 3);        // taken
     QCOMPARE(as("alice", kAlice, {"user", "rename", "frederic"}).exitCode, 2);                           // to what?
     QCOMPARE(as("bob", kBob, {"user", "rename", "bob", "--name", "robert"}).exitCode, 2);                // not one's own
+}
+
+void TestCliAccounts::anOldRosterKnowsWhoWasRenamed() {
+    const QString old = file("old.csv", "login name;full name;role\nFred;Fritz Fred;trainee\n"); // frederic by now
+    const QJsonObject skipped = object(as("alice", kAlice, {"user", "import-csv", old}));
+    QCOMPARE(skipped["imported"].toInt(), 0);
+    QCOMPARE(skipped["skipped"].toInt(), 1);
+    const QJsonObject told = skipped["names"].toArray().at(0).toObject();
+    QCOMPARE(told["line"].toInt(), 2);
+    QCOMPARE(told["name"].toString(), QStringLiteral("Fred"));
+    QCOMPARE(told["name_today"].toString(), QStringLiteral("frederic"));
+    const QJsonObject updated = object(as("alice", kAlice, {"user", "import-csv", old, "--existing", "update"}));
+    QCOMPARE(updated["updated"].toInt(), 1);
+    QCOMPARE(updated["imported"].toInt(), 0);
+    const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
+    QStringList names;
+    for (const QJsonValue& person : people)
+        names << person["name"].toString();
+    QVERIFY2(names.contains(QStringLiteral("frederic")) && !names.contains(QStringLiteral("Fred"), Qt::CaseInsensitive), qPrintable(names.join(QLatin1Char(' '))));
 }
 
 void TestCliAccounts::aWrongPasswordIsRefused() {

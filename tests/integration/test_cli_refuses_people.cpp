@@ -52,6 +52,7 @@ void TestCliRefusesPeople::protectedCommands() {
         {"user enable", {"user", "enable", "bob"}},
         {"user role", {"user", "role", "bob", "--role", "trainee"}},
         {"user passwd", {"user", "passwd"}},
+        {"user recovery-code", {"user", "recovery-code"}},
         {"user import-csv", {"user", "import-csv", roster}},
         {"user rename", {"user", "rename", "bob", "--name", "robert"}},
         {"person export", {"person", "export", "bob"}},

@@ -156,6 +156,39 @@ core::Result<database::RosterExisting> existingPeople(const Arguments& arguments
     return *word == QLatin1String("update") ? database::RosterExisting::update : database::RosterExisting::skip;
 }
 
+// Who was recognised by an earlier login name, and where it is not certain who is meant.
+QString toldText(const database::RosterStep& step) {
+    using Doubt = database::RosterStep::Doubt;
+    const QString name = quoted(QString::fromStdString(step.name));
+    const QString line = QStringLiteral("Line %1: ").arg(step.line);
+    switch (step.doubt) {
+    case Doubt::none:
+        return line + QStringLiteral("%1 is known as %2 today.\n").arg(quoted(QString::fromStdString(step.earlierName)), name);
+    case Doubt::nameOfAnother:
+        return line + QStringLiteral("%1 used to be the login name of %2; whoever has it today was meant.\n").arg(name, quoted(QString::fromStdString(step.other)));
+    case Doubt::severalHadIt:
+        return line + QStringLiteral("several people had the login name %1 before and nobody has it today; nobody was changed.\n").arg(name);
+    case Doubt::sameAsLine:
+        return line + QStringLiteral("the same person as in line %1, under another login name; only that line counts.\n").arg(step.otherLine);
+    }
+    return {};
+}
+
+QJsonObject toldJson(const database::RosterStep& step) {
+    using Doubt = database::RosterStep::Doubt;
+    const bool byEarlier = !step.earlierName.empty();
+    QJsonObject json{{QStringLiteral("line"), step.line}, {QStringLiteral("name"), QString::fromStdString(byEarlier ? step.earlierName : step.name)}};
+    if (byEarlier)
+        json[QStringLiteral("name_today")] = QString::fromStdString(step.name);
+    if (step.doubt == Doubt::nameOfAnother)
+        json[QStringLiteral("earlier_name_of")] = QString::fromStdString(step.other);
+    if (step.doubt == Doubt::severalHadIt)
+        json[QStringLiteral("earlier_name_of_several")] = true;
+    if (step.doubt == Doubt::sameAsLine)
+        json[QStringLiteral("same_person_as_line")] = step.otherLine;
+    return json;
+}
+
 // Passwords that were made are told here, this once.
 CommandOutput importOutput(const database::RosterOutcome& done) {
     QJsonArray ids;
@@ -163,6 +196,11 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
     QString text = QStringLiteral("%1 people imported; each must change the password at the first login.\n").arg(done.added.size());
     if (done.updated > 0 || done.skipped > 0)
         text += QStringLiteral("Of those who had an account, %1 were updated and %2 left as they are.\n").arg(done.updated).arg(done.skipped);
+    QJsonArray told;
+    for (const database::RosterStep& step : done.told) {
+        told.append(toldJson(step));
+        text += toldText(step);
+    }
     QJsonArray ignored;
     for (const std::string& title : done.ignoredColumns) {
         ignored.append(QString::fromStdString(title));
@@ -184,6 +222,7 @@ CommandOutput importOutput(const database::RosterOutcome& done) {
                                       {QStringLiteral("ids"), ids},
                                       {QStringLiteral("updated"), done.updated},
                                       {QStringLiteral("skipped"), done.skipped},
+                                      {QStringLiteral("names"), told},
                                       {QStringLiteral("ignored_columns"), ignored},
                                       {QStringLiteral("passwords"), passwords}}),
             text, 0};
@@ -250,6 +289,20 @@ core::Result<CommandOutput> recover(const Arguments& arguments) {
         QStringLiteral("The password is changed. New recovery code, shown this once: %1\n").arg(shown), 0};
 }
 
+core::Result<CommandOutput> recoveryCode(const Arguments& arguments) {
+    auto site = openAsPerson(arguments, Opening::forWriting);
+    if (!site)
+        return tl::unexpected(site.error());
+    const auto code = database::AccountService(*site->database).makeRecoveryCode(site->actor, site->secrets[0]);
+    if (!code)
+        return tl::unexpected(code.error());
+    const QString name = QString::fromStdString(site->actor.name());
+    const QString shown = QString::fromStdString(*code);
+    return CommandOutput{
+        QJsonDocument(QJsonObject{{QStringLiteral("name"), name}, {QStringLiteral("recovery_code"), shown}}),
+        QStringLiteral("Recovery code of %1, shown this once: %2\nAn earlier one is no longer accepted.\n").arg(printable(name), shown), 0};
+}
+
 CommandSpec spec(const char* verb, const char* summary, const char* example,
                  core::Result<CommandOutput> (*run)(const Arguments&)) {
     CommandSpec command;
@@ -308,7 +361,9 @@ std::vector<CommandSpec> userCommands() {
     return {adding,    spec("list", "the accounts", "chiron-cli user list --as alice --json", list),
             disabling, enabling,
             changing,  setting,
-            importing, renaming, recovering};
+            importing, renaming, recovering,
+            spec("recovery-code", "make a recovery code for oneself, as an administrator; it replaces the one before",
+                 "chiron-cli user recovery-code --as alice", recoveryCode)};
 }
 
 } // namespace chiron::cli

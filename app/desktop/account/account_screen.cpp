@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_rules.h"
 #include "database/accounts/account_service.h"
+#include "desktop/account/recovery_code_dialog.h"
 #include "desktop/accounts/account_words.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/notice_area.h"
@@ -20,18 +21,20 @@
 namespace chiron::desktop {
 
 AccountScreen::AccountScreen(AppContext& context, const Place& place) : Screen(context, place) {
-    auto* page = new ScrollPage(context.theme(), 720);
+    m_page = new ScrollPage(context.theme(), 720);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(page);
-    page->column()->addWidget(kit::label(context.theme(), title(), TextStyle::heading));
+    column->addWidget(m_page);
+    m_page->column()->addWidget(kit::label(context.theme(), title(), TextStyle::heading));
     m_panel = new StatePanel(context.theme());
     m_panel->setObjectName(QStringLiteral("account.panel"));
     m_panel->setContent(nameBox());
-    page->column()->addWidget(m_panel);
-    page->column()->addWidget(languageBox());
-    page->column()->addWidget(passwordBox());
-    page->column()->addStretch();
+    m_page->column()->addWidget(m_panel);
+    m_page->column()->addWidget(languageBox());
+    m_page->column()->addWidget(passwordBox());
+    if (context.has(database::Role::admin))
+        m_page->column()->addWidget(recoveryBox());
+    m_page->column()->addStretch();
     m_panel->showLoading(tr("Reading your account …"));
 }
 
@@ -42,7 +45,8 @@ QString AccountScreen::title() const {
 QString AccountScreen::help() const {
     return tr("Your own name, language and password.\n\nThe full name is what others see in lists and reports; your earlier names stay in the "
               "site's history. The login name can be changed by an administrator.\n\nThe language takes effect at once. It comes back whenever "
-              "you log in on this station and changes nothing for others.\n\nTo change your password, first enter the one that you have now.");
+              "you log in on this station and changes nothing for others.\n\nTo change your password, first enter the one that you have now.\n\nAdministrators can "
+              "make a recovery code for themselves here; with it they can set a new password if they forget theirs.");
 }
 
 QWidget* AccountScreen::nameBox() {
@@ -115,14 +119,57 @@ QWidget* AccountScreen::passwordBox() {
     return box.frame;
 }
 
+QWidget* AccountScreen::recoveryBox() {
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.layout->addWidget(kit::label(theme, tr("Recovery code"), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, tr("With a recovery code you can set a new password yourself if you forget yours: at the login, choose \"Forgot your password?\".")));
+    m_recoveryState = kit::label(theme, tr("Reading your account …"), TextStyle::body, "muted");
+    m_recoveryState->setObjectName(QStringLiteral("account.recovery_state"));
+    box.layout->addWidget(m_recoveryState);
+    m_recovery = kit::button(theme, tr("Make a recovery code …"));
+    m_recovery->setObjectName(QStringLiteral("account.recovery"));
+    box.layout->addWidget(m_recovery, 0, Qt::AlignLeft);
+    connect(m_recovery, &QPushButton::clicked, this, &AccountScreen::makeRecoveryCode);
+    return box.frame;
+}
+
 void AccountScreen::enter() {
-    if (place().parameters.value(QStringLiteral("focus")).toString() == QLatin1String("language"))
+    const QString focus = place().parameters.value(QStringLiteral("focus")).toString();
+    if (focus == QLatin1String("language"))
         m_languageNow->setFocus();
+    if (focus == QLatin1String("recovery") && m_recovery) {
+        m_recovery->setFocus();
+        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_recovery); }, Qt::QueuedConnection); // once it has its place
+    }
     load();
+    if (m_recovery)
+        loadRecovery();
+}
+
+void AccountScreen::loadRecovery() {
+    database::Database* database = &context().site().database();
+    context().background().run(
+        this, [database, actor = context().actor()](WorkToken&) { return database::AccountService(*database).hasRecoveryCode(actor); },
+        [this](const core::Result<bool>& has) {
+            m_hasRecoveryCode = has.value_or(false);
+            m_recoveryState->setText(!has                ? tr("It could not be read whether you have one.\n%1").arg(inWords(has.error()))
+                                     : m_hasRecoveryCode ? tr("You have one. If it is lost or somebody else may have seen it, make a new one; it replaces the present one.")
+                                                         : tr("You have none yet. Without it, only another administrator can help you if you forget your password."));
+        });
+}
+
+void AccountScreen::makeRecoveryCode() {
+    auto* dialog = new RecoveryCodeDialog(context(), m_hasRecoveryCode, this);
+    connect(dialog, &FormDialog::changed, this, &AccountScreen::loadRecovery);
+    dialog->open();
 }
 
 std::vector<ScreenCommand> AccountScreen::commands() {
-    return {{tr("Change my password"), {}, [this] { m_oldPassword->setFocus(); }}};
+    std::vector<ScreenCommand> list{{tr("Change my password"), {}, [this] { m_oldPassword->setFocus(); }}};
+    if (m_recovery)
+        list.push_back({m_recovery->text(), {}, [this] { m_recovery->click(); }});
+    return list;
 }
 
 void AccountScreen::load() {

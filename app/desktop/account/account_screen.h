@@ -15,11 +15,12 @@ namespace chiron::desktop {
 
 class NoticeArea;
 class PasswordFields;
+class ScrollPage;
 class StatePanel;
 class WaitCountdown;
 
-/// What every signed-in person may change about themselves: full name, language, password. Place {focus: "language"} after the
-/// language was changed, which builds the screen anew.
+/// What every signed-in person may change about themselves: full name, language, password; an administrator's recovery code. Place
+/// {focus: "language"} after the language was changed, which builds the screen anew; {focus: "recovery"} from whatever asks for a code.
 class AccountScreen final : public Screen {
     Q_OBJECT
 public:
@@ -34,8 +35,11 @@ private:
     QWidget* nameBox();
     QWidget* languageBox();
     QWidget* passwordBox();
+    QWidget* recoveryBox();
     void load();
     void loaded(const core::Result<database::Person>& person);
+    void loadRecovery();
+    void makeRecoveryCode();
     void renewName();
     void saveName();
     void chooseLanguage(const QString& language);
@@ -43,6 +47,7 @@ private:
     void changePassword();
     void passwordChanged(const tl::expected<void, database::Refusal>& done);
 
+    ScrollPage* m_page = nullptr;
     StatePanel* m_panel = nullptr;
     QLabel* m_loginName = nullptr;
     QLineEdit* m_fullName = nullptr;
@@ -54,6 +59,9 @@ private:
     NoticeArea* m_passwordNotice = nullptr;
     QPushButton* m_changePassword = nullptr;
     WaitCountdown* m_wait = nullptr;
+    QLabel* m_recoveryState = nullptr; ///< of an administrator, with the button
+    QPushButton* m_recovery = nullptr;
+    bool m_hasRecoveryCode = false;
     QString m_storedName;
     bool m_savesName = false;
     bool m_changesPassword = false;

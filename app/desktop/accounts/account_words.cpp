@@ -49,6 +49,10 @@ QString refusalWords(const database::Refusal& refusal) {
                                                                         "Lock.")));
 }
 
+QString wrongPasswordWords() {
+    return words(QT_TRANSLATE_NOOP("AccountWords", "Wrong password. Passwords are case-sensitive."));
+}
+
 QString recoveryRefusalWords(const database::Refusal& refusal) {
     return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or recovery code. The code has five groups of five "
                                                                         "letters and digits.")));

@@ -13,7 +13,9 @@ QString roleName(database::Role role);
 /// Why somebody was not let in, kindly and without telling whether the name or the password was wrong. The wait is told by
 /// the countdown (WaitCountdown).
 QString refusalWords(const database::Refusal& refusal);
-/// The same for a recovery code.
+/// Where the name is known to be right: only the password can be wrong.
+QString wrongPasswordWords();
+/// The same as refusalWords for a recovery code.
 QString recoveryRefusalWords(const database::Refusal& refusal);
 
 /// "Try again in 4 seconds".

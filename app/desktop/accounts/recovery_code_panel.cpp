@@ -19,7 +19,7 @@ RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginNam
     column->setSpacing(theme.px(14));
     column->addWidget(kit::label(theme, tr("Your recovery code"), TextStyle::heading));
     column->addWidget(kit::label(theme, tr("With this code you can set a new password if you forget yours. It is shown only now: the "
-                                           "program keeps no readable copy, and nobody else can restore the first administrator's access. "
+                                           "program keeps no readable copy. Without it, only another administrator can help you. "
                                            "Keep it as safe as your keys.")));
     const kit::Box box = kit::box(theme, "info");
     auto* words = kit::label(theme, code, TextStyle::title);

@@ -223,7 +223,9 @@ void FirstStartScreen::showDemonstration() {
     const QString file = demonstrationFile(context().site().file());
     m_work = context().background().run(
         this,
-        [file = file.toStdString(), options = context().site().options()](WorkToken& work) { return makeDemonstration(file, options, work); },
+        [file = file.toStdString(), options = context().site().options(), language = context().language().toStdString()](WorkToken& work) {
+            return makeDemonstration(file, options, work, language);
+        },
         [this](core::Result<MadeSite> made) { demonstrationMade(std::move(made)); });
     panel->showLoading(QFileInfo::exists(file) ? tr("Opening the demonstration site …")
                                                : tr("Creating the demonstration site: people, and scripted sessions at every level …"),

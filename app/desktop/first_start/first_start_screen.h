@@ -6,6 +6,7 @@
 
 #include <QPointer>
 
+class QPushButton;
 class QComboBox;
 class QVBoxLayout;
 

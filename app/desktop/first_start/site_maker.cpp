@@ -4,6 +4,7 @@
 #include "database/accounts/account_service.h"
 #include "session/demo_site.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace chiron::desktop {
@@ -14,6 +15,22 @@ constexpr std::uint64_t kDemonstrationSeed = 1;
 
 core::Result<catalogue::Catalogue> loadContent() {
     return catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
+}
+
+/// What a step makes: "Find the apex, level 1, by Ines Improving, attempt 3 of 5".
+QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue& content, const std::string& language) {
+    const auto words = [](const char* text) { return QCoreApplication::translate("SiteMaker", text); };
+    const catalogue::Exercise* exercise = content.find(now.exercise);
+    if (!exercise)
+        return words(QT_TRANSLATE_NOOP("SiteMaker", "A study with simulated participants"));
+    const QString title = QString::fromStdString(catalogue::textIn(exercise->title, language));
+    const QString level = QString::number(now.level);
+    const QString person = QString::fromStdString(now.person);
+    if (now.person.empty())
+        return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by a scripted operator")).arg(title, level);
+    if (now.attempts == 1)
+        return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by %3")).arg(title, level, person);
+    return words(QT_TRANSLATE_NOOP("SiteMaker", "%1, level %2, by %3, attempt %4 of %5")).arg(title, level, person, QString::number(now.attempt), QString::number(now.attempts));
 }
 
 } // namespace
@@ -44,7 +61,8 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
     return made;
 }
 
-core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token) {
+core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token,
+                                         const std::string& language) {
     auto content = loadContent();
     if (!content)
         return tl::unexpected(content.error());
@@ -61,7 +79,11 @@ core::Result<MadeSite> makeDemonstration(const std::string& file, const database
     }
     auto site = session::createDemoSite(
         file, options, made.catalogue, kDemonstrationSeed,
-        [&token](const session::DemoProgress& now) { token.setProgress(now.step - 1, now.of); }, &token.flag());
+        [&token, &content = made.catalogue, &language](const session::DemoProgress& now) {
+            token.setProgress(now.step - 1, now.of);
+            token.setDoing(doingWords(now, content, language));
+        },
+        &token.flag());
     if (!site)
         return tl::unexpected(site.error());
     made.database = std::move(*site);

@@ -34,9 +34,10 @@ struct MadeSite {
 core::Result<MadeSite> makeSite(const std::string& file, const database::DatabaseOptions& options, database::Database* open,
                                 const AdministratorRequest& request);
 
-/// Opens the demonstration site in this file, and makes it first where there is none. Tells the token how far it is, and
+/// Opens the demonstration site in this file, and makes it first where there is none. Tells the token how far it is and, in `language`, what it makes, and
 /// ends early when that is cancelled. Blocking; for a worker. Failure: cancelled; badInput when the file holds another
 /// site; as createDemoSite.
-core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token);
+core::Result<MadeSite> makeDemonstration(const std::string& file, const database::DatabaseOptions& options, WorkToken& token,
+                                         const std::string& language = "en");
 
 } // namespace chiron::desktop

@@ -6,10 +6,12 @@
 #include <QMetaObject>
 #include <QObject>
 #include <QPointer>
+#include <QString>
 #include <QThreadPool>
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -29,11 +31,22 @@ public:
     }
     int done() const noexcept { return m_done.load(std::memory_order_relaxed); }
     int of() const noexcept { return m_of.load(std::memory_order_relaxed); } ///< 0: not known
+    /// What is being done just now, in words for people; empty: nothing more than what was announced.
+    void setDoing(const QString& words) {
+        const std::lock_guard lock(m_wordsMutex);
+        m_words = words;
+    }
+    QString doing() const {
+        const std::lock_guard lock(m_wordsMutex);
+        return m_words;
+    }
 
 private:
     std::atomic<bool> m_cancelled{false};
     std::atomic<int> m_done{0};
     std::atomic<int> m_of{0};
+    mutable std::mutex m_wordsMutex;
+    QString m_words;
 };
 
 /// Work off the GUI thread: lists, scores, Argon2id, backups. `work` runs on a pool thread with connections of its own;

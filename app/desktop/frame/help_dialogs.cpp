@@ -76,6 +76,19 @@ QDialog* showShortcuts(const Theme& theme, const std::vector<CommandGroup>& grou
     return dialog;
 }
 
+QDialog* showWords(const Theme& theme, const QString& title, const QString& text, QWidget* parent) {
+    ScrollPage* page = nullptr;
+    QDialog* dialog = makeDialog(theme, QStringLiteral("words"), title, page, parent);
+    page->column()->addWidget(kit::label(theme, title, TextStyle::heading));
+    auto* label = kit::label(theme, text);
+    label->setObjectName(QStringLiteral("words.text"));
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    page->column()->addWidget(label);
+    page->column()->addStretch();
+    dialog->show();
+    return dialog;
+}
+
 QDialog* showHelp(const Theme& theme, Screen& screen, QWidget* parent) {
     ScrollPage* page = nullptr;
     const QString title = words(QT_TRANSLATE_NOOP("HelpDialogs", "Help: %1")).arg(screen.title());

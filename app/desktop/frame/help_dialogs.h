@@ -14,4 +14,7 @@ QDialog* showShortcuts(const Theme& theme, const std::vector<CommandGroup>& grou
 /// F1: what the screen is for, and its own commands. Shown without blocking; deletes itself. GUI thread.
 QDialog* showHelp(const Theme& theme, Screen& screen, QWidget* parent);
 
+/// Words that had no room where they were said. Shown without blocking; deletes itself. GUI thread.
+QDialog* showWords(const Theme& theme, const QString& title, const QString& text, QWidget* parent);
+
 } // namespace chiron::desktop

@@ -84,6 +84,10 @@ void MainWindow::build() {
     m_stage->setContentsMargins(0, 0, 0, 0);
     m_column->addLayout(m_stage, 1);
     m_messages = nullptr;
+    m_messageRoom = new QWidget;
+    m_messageRoom->setFixedHeight(MessageBar::roomHeight(m_context.theme()));
+    m_messageRoom->hide();
+    m_column->addWidget(m_messageRoom);
     row->addLayout(m_column, 1);
     if (QWidget* before = centralWidget())
         before->setEnabled(false); // work that ends before it is deleted must not move the focus into it
@@ -104,10 +108,24 @@ QWidget* MainWindow::banner() const {
 }
 
 void MainWindow::tell(const Message& message) {
-    if (!m_messages) {
+    if (!m_messages)
         m_messages = new MessageBar(m_context.theme(), m_frame);
-    }
+    const Place& place = m_context.navigator().current();
+    if (const ScreenEntry* entry = findScreen(place.screen); entry && !entry->sitting)
+        m_messageRoom->show(); // on the login, too; it stays until somebody goes elsewhere, so that nothing moves twice
+    m_messages->setRoom(m_messageRoom->isHidden() ? nullptr : m_messageRoom);
+    m_frame->layout()->activate(); // its place is known now
     m_messages->tell(message);
+}
+
+/// A sitting and the login need the whole window: the one has a message float where no control is, the other makes room with the first message.
+void MainWindow::showMessageRoom(const Place& place) {
+    const ScreenEntry* entry = findScreen(place.screen);
+    const bool told = m_messages && m_messages->isVisible();
+    const bool login = place.screen == QLatin1String("login");
+    m_messageRoom->setVisible(entry && !entry->sitting && (!login || told));
+    if (m_messages)
+        m_messages->setRoom(m_messageRoom->isHidden() ? nullptr : m_messageRoom);
 }
 
 void MainWindow::rebuild() {
@@ -138,6 +156,7 @@ void MainWindow::showPlace(const Place& place) {
     }
     if (m_banner)
         m_banner->setVisible(demonstration);
+    showMessageRoom(place);
     m_screen = entry->make(m_context, place);
     m_stage->addWidget(m_screen);
     m_screen->show(); // now, so that enter() can give one of its controls the focus

@@ -43,6 +43,7 @@ private:
     void showCommandPalette();
     QWidget* banner() const;
     void tell(const Message& message);
+    void showMessageRoom(const Place& place);
 
     AppContext& m_context;
     WindowActions m_actions;
@@ -53,6 +54,7 @@ private:
     QVBoxLayout* m_column = nullptr;
     QWidget* m_banner = nullptr;      ///< made when it is first needed, as the messages are
     MessageBar* m_messages = nullptr;
+    QWidget* m_messageRoom = nullptr; ///< below the screen, so that no message covers a control or moves one
     QVBoxLayout* m_stage = nullptr;
     Screen* m_screen = nullptr;
     bool m_rebuildWanted = false;

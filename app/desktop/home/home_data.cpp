@@ -113,6 +113,10 @@ core::Result<void> readForAdmin(database::Database& database, database::Connecti
     if (!people)
         return tl::unexpected(people.error());
     data.accounts = static_cast<int>(std::count_if(people->begin(), people->end(), [](const auto& person) { return person.enabled; }));
+    const auto code = database::AccountService(database).hasRecoveryCode(question.actor);
+    if (!code)
+        return tl::unexpected(code.error());
+    data.lacksRecoveryCode = !*code;
     database::StudyReader studies(connection, question.actor);
     const auto withdrawn = session::withdrawnParticipants(studies);
     if (!withdrawn)

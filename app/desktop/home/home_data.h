@@ -48,6 +48,7 @@ struct HomeData {
     std::vector<RecoveredRow> recovered;
     int accounts = 0;                              ///< for an administrator: enabled ones
     int toErase = 0;                               ///< for an administrator: participants who asked for their recordings to be erased
+    bool lacksRecoveryCode = false;                ///< for an administrator: a forgotten password would need somebody else's help
     std::optional<session::StorageRoom> room;      ///< for an administrator
     std::string latestBackupUtc;                   ///< empty: none found
     database::BackupStanding backups;              ///< for an administrator: how the schedule goes

@@ -62,6 +62,7 @@ void HomeScreen::show(const HomeData& home) {
     column.addWidget(kit::label(theme, tr("Welcome, %1").arg(QString::fromStdString(home.name)), TextStyle::heading));
     addRecovered(column, home);
     addCommented(column, home);
+    addRecoveryCode(column, home);
     if (context().has(database::Role::trainee))
         addTrainee(column, home);
     if (context().has(database::Role::trainer))
@@ -84,6 +85,20 @@ QPushButton* HomeScreen::opener(const QString& text, const QString& screen, cons
     if (!m_first)
         m_first = button;
     return button;
+}
+
+// Until it is done: a site with one administrator who forgets the password has nobody to ask.
+void HomeScreen::addRecoveryCode(QVBoxLayout& column, const HomeData& home) {
+    if (!home.lacksRecoveryCode)
+        return;
+    auto* notice = kit::notice(context().theme(), "warning",
+                               tr("You are an administrator and have no recovery code yet. With one, you can set a new password yourself if you forget yours."));
+    notice->setObjectName(QStringLiteral("home.recovery_code"));
+    auto* make = kit::button(context().theme(), tr("Make one …"));
+    make->setObjectName(QStringLiteral("home.make_recovery_code"));
+    connect(make, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("account"), {{QStringLiteral("focus"), QStringLiteral("recovery")}}); });
+    notice->layout()->addWidget(make);
+    column.addWidget(notice);
 }
 
 // What has not been read yet, until its debrief was opened.

@@ -27,6 +27,7 @@ private:
     void load();
     void show(const HomeData& home);
     void addRecovered(QVBoxLayout& column, const HomeData& home);
+    void addRecoveryCode(QVBoxLayout& column, const HomeData& home);
     void addCommented(QVBoxLayout& column, const HomeData& home);
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);

@@ -85,7 +85,7 @@ QString LoginScreen::title() const {
 QString LoginScreen::help() const {
     return tr("Type a few letters of your name, or choose it in the list, then enter your password.\n\nAfter three wrong passwords the "
               "account is locked for a short time; the button counts down the seconds. No data are lost.\n\nForgot your password? An "
-              "administrator can give you a new one. The first administrator has a recovery code.");
+              "administrator can give you a new one. Administrators can use their recovery code.");
 }
 
 void LoginScreen::enter() {

@@ -19,7 +19,7 @@ RecoveryPage::RecoveryPage(const Theme& theme, const QString& loginName, QWidget
     column->addWidget(kit::label(theme, tr("Forgot your password?"), TextStyle::heading));
     column->addWidget(kit::notice(theme, "info", tr("Ask an administrator of this site. Under People, they can give you a new password "
                                                     "with \"Reset password\". Your sessions and scores are kept.")));
-    column->addWidget(kit::label(theme, tr("The first administrator can use the recovery code that was shown when the site was set up."),
+    column->addWidget(kit::label(theme, tr("Administrators can use their recovery code. It was shown when the site was set up, or when they made one under My account."),
                                  TextStyle::body, "muted"));
     m_name = form::textField(theme, column, tr("Login name"), QStringLiteral("recovery.name"));
     m_name->setText(loginName);

@@ -2,6 +2,7 @@
 #include "desktop/people/erasure_dialog.h"
 
 #include "desktop/accounts/account_words.h"
+#include "desktop/accounts/field_note.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/wait_countdown.h"
 #include "desktop/frame/app_context.h"
@@ -32,6 +33,7 @@ QLineEdit* ErasureDialog::addReason() {
 
 void ErasureDialog::addPassword() {
     m_password = form::passwordField(theme(), column(), tr("Your own password"), objectName() + QStringLiteral(".password"));
+    m_passwordNote = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Erase permanently"), "danger");
     connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
     connect(m_wait, &WaitCountdown::finished, this, [this] {
@@ -67,7 +69,10 @@ void ErasureDialog::submit() {
 void ErasureDialog::refused(const database::Refusal& refusal) {
     setWorking(false);
     m_password->clear();
-    say("warning", tr("Wrong password. Nobody was erased.\n%1").arg(refusalWords(refusal)));
+    const bool wrong = refusal.kind == database::Refusal::Kind::wrong;
+    say("warning", wrong ? tr("Nobody was erased.") : tr("Nobody was erased.\n%1").arg(refusalWords(refusal)));
+    if (wrong)
+        m_passwordNote->say(wrongPasswordWords());
     m_wait->start(refusal.wait_ns);
     renew();
 }

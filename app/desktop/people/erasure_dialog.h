@@ -11,6 +11,7 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
+class FieldNote;
 class WaitCountdown;
 
 /// What erasing somebody always asks for: a reason, which is kept, and the administrator's own password. Where an erasure stopped half-way it
@@ -39,6 +40,7 @@ private:
 
     QLineEdit* m_reason = nullptr;
     QLineEdit* m_password = nullptr;
+    FieldNote* m_passwordNote = nullptr;
     WaitCountdown* m_wait;
 };
 

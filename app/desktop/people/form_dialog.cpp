@@ -71,6 +71,10 @@ void FormDialog::setAccept(const QString& text, const char* kind) {
     m_accept->setDefault(true);
 }
 
+void FormDialog::setCancel(const QString& text) {
+    m_cancel->setText(text);
+}
+
 void FormDialog::cancelAtEnter() {
     m_cancel->setDefault(true);
     m_cancel->setFocus();

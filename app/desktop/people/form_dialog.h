@@ -32,6 +32,7 @@ protected:
     QVBoxLayout* column() const { return m_form; }
     /// Object name of the button is "<dialog>.accept".
     void setAccept(const QString& text, const char* kind = "primary");
+    void setCancel(const QString& text); ///< what leaving means, where "Cancel" does not say it
     void setAcceptable(bool acceptable); ///< the form is complete
     /// What cannot be undone and asks for nothing to be typed: Enter leaves it. After setAccept.
     void cancelAtEnter();

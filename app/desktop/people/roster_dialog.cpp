@@ -92,7 +92,7 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     if (!roster.problems.empty()) {
         parts->addWidget(problemList(roster));
     } else {
-        QFrame* notice = kit::notice(theme(), m_changes > 0 ? "good" : "info", rosterPlanWords(plan).join(QLatin1Char('\n')));
+        QFrame* notice = kit::notice(theme(), rosterLeavesDoubts(plan) ? "warning" : m_changes > 0 ? "good" : "info", rosterPlanWords(plan).join(QLatin1Char('\n')));
         notice->setObjectName(QStringLiteral("roster.summary"));
         parts->addWidget(notice);
     }

@@ -16,6 +16,8 @@ namespace {
 using Kind = database::RosterStep::Kind;
 
 constexpr double kTableHeight = 240;
+constexpr int kLoginNameColumn = 2;
+constexpr int kMostDoubts = 5; // lines of the summary
 constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
 
 QString words(const char* text) {
@@ -62,7 +64,54 @@ QString change(bool changes, const QString& before, const QString& after) {
     return changes && before != after ? words(QT_TRANSLATE_NOOP("RosterWords", "%1 → %2")).arg(before, after) : after;
 }
 
+/// What there is to say about who is meant; empty for most lines.
+QString whoIsMeant(const database::RosterStep& step) {
+    using Doubt = database::RosterStep::Doubt;
+    const QString line = QLocale().toString(step.line);
+    const QString name = QString::fromStdString(step.name);
+    switch (step.doubt) {
+    case Doubt::none:
+        break;
+    case Doubt::nameOfAnother:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: the login name %2 belongs to %3 today; it used to be that of %4. Check who is meant."))
+            .arg(line, name, QString::fromStdString(step.displayNameBefore.empty() ? step.name : step.displayNameBefore), QString::fromStdString(step.other));
+    case Doubt::severalHadIt:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: several people had the login name %2 before and nobody has it today, so nobody is changed. Write today's login name in the list."))
+            .arg(line, name);
+    case Doubt::sameAsLine:
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Line %1: this is the same person as in line %2, under another login name. Only line %2 counts.")).arg(line, QLocale().toString(step.otherLine));
+    }
+    return {};
+}
+
+/// "bob, known as robert today".
+QString loginNameWords(const database::RosterStep& step) {
+    const QString name = QString::fromStdString(step.name);
+    return step.earlierName.empty() ? name : words(QT_TRANSLATE_NOOP("RosterWords", "%1, known as %2 today")).arg(QString::fromStdString(step.earlierName), name);
+}
+
+void addWhoIsMeant(QStringList& lines, const database::RosterPlan& plan) {
+    const auto renamed = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return !step.earlierName.empty(); }));
+    if (renamed > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people are listed under an earlier login name and are recognised by it."), renamed);
+    int doubts = 0;
+    for (const database::RosterStep& step : plan.steps) {
+        const QString doubt = whoIsMeant(step);
+        if (doubt.isEmpty())
+            continue;
+        if (++doubts <= kMostDoubts)
+            lines << doubt;
+    }
+    const int more = doubts - kMostDoubts;
+    if (more > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "It is not certain who is meant in %n more lines. Point at the login name in the table to read why."), more);
+}
+
 } // namespace
+
+bool rosterLeavesDoubts(const database::RosterPlan& plan) {
+    return std::any_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.doubt != database::RosterStep::Doubt::none; });
+}
 
 QString rosterReadWords(const database::Roster& roster) {
     return roster.encoding.empty() ? QString()
@@ -85,6 +134,7 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."), lost);
     if (left > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
+    addWhoIsMeant(lines, plan);
     const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
     if (made > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n passwords would be made. They are shown once, right after the import, to be printed as slips."), made);
@@ -112,12 +162,13 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
     int row = 0;
     for (const database::RosterStep& step : plan.steps) {
         const bool updates = step.kind == Kind::update;
-        const QString cells[] = {QLocale().toString(step.line), kindWords(step.kind), QString::fromStdString(step.name),
+        const QString cells[] = {QLocale().toString(step.line), kindWords(step.kind), loginNameWords(step),
                                  change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
                                  change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
         for (int column = 0; column < static_cast<int>(std::size(cells)); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
-            item->setToolTip(cells[column]); // where the window is small
+            const QString doubt = whoIsMeant(step);
+            item->setToolTip(column == kLoginNameColumn && !doubt.isEmpty() ? doubt : cells[column]); // where the window is small
             table->setItem(row, column, item);
         }
         ++row;

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/storage/restore_dialog.h"
 
+#include "database/accounts/account_service.h"
+#include "desktop/accounts/account_words.h"
+#include "desktop/accounts/field_note.h"
+#include "desktop/accounts/form.h"
+#include "desktop/accounts/wait_countdown.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/widgets/kit.h"
 #include "session/backup_list.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 namespace chiron::desktop {
 
 namespace {
+
+using By = database::RestoreRefusal::By;
 
 QString whatHappens(RestoreDialog::Replaces replaces) {
     switch (replaces) {
@@ -29,108 +35,146 @@ QString whatHappens(RestoreDialog::Replaces replaces) {
     return {};
 }
 
+/// At a site that is open a wrong password counts as at the login.
+std::optional<database::RestoreRefusal> refusalOf(database::Database* open, const database::RestoreRequest& request,
+                                                  const database::DatabaseOptions& options) {
+    if (open) {
+        const bool same = request.presentName.empty();
+        const auto present = database::AccountService(*open).tryLogin(same ? request.name : request.presentName,
+                                                                      same ? request.password : request.presentPassword);
+        if (!present)
+            return database::RestoreRefusal{By::present, present.error()};
+    }
+    return database::restoreRefusal(request, options);
+}
+
 } // namespace
 
-RestoreDialog::RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent, Replaces replaces)
-    : QDialog(parent), m_replaces(replaces) {
+RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
+                             std::function<void(database::RestoreRequest)> restore)
+    : FormDialog(context, QStringLiteral("restore"), tr("Restore a backup"), parent), m_replaces(replaces), m_folder(backup.folder),
+      m_administrator(replaces == Replaces::working ? QString::fromStdString(context.loginName()) : QString()), m_restore(std::move(restore)),
+      m_wait(new WaitCountdown(this)) {
     const bool working = replaces == Replaces::working;
-    setObjectName(QStringLiteral("restore"));
-    setWindowTitle(tr("Restore a backup"));
-    setMinimumWidth(theme.px(460));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(theme.px(20), theme.px(20), theme.px(20), theme.px(20));
-    column->setSpacing(theme.px(8));
-    column->addWidget(kit::label(theme, tr("Go back to the backup made %1?").arg(when), TextStyle::title));
-    column->addWidget(kit::label(theme, whatHappens(replaces)));
-    m_name = field(*column, theme, QStringLiteral("restore.name"), working ? tr("Administrator") : tr("Administrator in the backup"), false);
-    m_name->setText(administrator);
-    m_password = field(*column, theme, QStringLiteral("restore.password"), working ? tr("Password") : tr("Password in the backup"), true);
+    const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
+    column()->addWidget(kit::label(theme(), tr("Go back to the backup made %1?").arg(when), TextStyle::title));
+    column()->addWidget(kit::label(theme(), whatHappens(replaces)));
+    m_first = addPair(*column(), QStringLiteral("restore."), working ? tr("Administrator") : tr("Administrator in the backup"),
+                      working ? tr("Password") : tr("Password in the backup"));
+    m_first.name->setText(m_administrator);
+    addOther(*column());
+    setAccept(acceptText(), "danger");
+    setCancel(working ? tr("Keep the current database") : tr("Cancel"));
+    connect(m_wait, &WaitCountdown::changed, this, [this](int seconds) { setAccept(waitWords(seconds), "danger"); });
+    connect(m_wait, &WaitCountdown::finished, this, [this] {
+        setAccept(acceptText(), "danger");
+        check();
+    });
+    check();
+    (m_administrator.isEmpty() ? m_first.name : m_first.password)->setFocus();
+}
+
+RestoreDialog::Pair RestoreDialog::addPair(QVBoxLayout& column, const QString& names, const QString& name, const QString& password) {
+    Pair pair;
+    pair.name = form::textField(theme(), &column, name, names + QStringLiteral("name"));
+    pair.password = form::passwordField(theme(), &column, password, names + QStringLiteral("password"));
+    pair.note = new FieldNote(theme(), column, *pair.password);
+    for (QLineEdit* field : {pair.name, pair.password})
+        connect(field, &QLineEdit::textChanged, this, &RestoreDialog::check);
+    return pair;
+}
+
+void RestoreDialog::addOther(QVBoxLayout& column) {
+    const bool working = m_replaces == Replaces::working;
     m_other = new QCheckBox(working ? tr("The backup has a different administrator or password")
                                     : tr("The damaged file has a different administrator or password"));
     m_other->setObjectName(QStringLiteral("restore.other"));
-    m_other->setVisible(replaces != Replaces::missing);
-    column->addWidget(m_other);
+    m_other->setVisible(m_replaces != Replaces::missing);
+    column.addWidget(m_other);
     m_otherBox = new QWidget;
     auto* inner = new QVBoxLayout(m_otherBox);
-    inner->setContentsMargins(theme.px(26), 0, 0, 0);
-    m_otherName = field(*inner, theme, QStringLiteral("restore.other_name"), working ? tr("Administrator in the backup") : tr("Administrator in the damaged file"), false);
-    m_otherPassword = field(*inner, theme, QStringLiteral("restore.other_password"),
-                            working ? tr("Password in the backup") : tr("Password in the damaged file"), true);
+    inner->setContentsMargins(theme().px(26), 0, 0, 0);
+    inner->setSpacing(theme().px(12));
+    m_second = addPair(*inner, QStringLiteral("restore.other_"), working ? tr("Administrator in the backup") : tr("Administrator in the damaged file"),
+                       working ? tr("Password in the backup") : tr("Password in the damaged file"));
     m_otherBox->hide();
-    column->addWidget(m_otherBox);
-    connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::showOther);
+    column.addWidget(m_otherBox);
+    connect(m_other, &QCheckBox::toggled, m_otherBox, &QWidget::setVisible);
     connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
-    auto* row = new QHBoxLayout;
-    row->addStretch();
-    auto* keep = kit::button(theme, working ? tr("Keep the current database") : tr("Cancel"));
-    m_confirm = kit::button(theme, tr("Restore"), "danger");
-    m_confirm->setObjectName(QStringLiteral("restore.confirm"));
-    row->addWidget(keep);
-    row->addWidget(m_confirm);
-    column->addSpacing(theme.px(8));
-    column->addLayout(row);
-    connect(keep, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_confirm, &QPushButton::clicked, this, &QDialog::accept);
-    check();
-    (administrator.isEmpty() ? m_name : m_password)->setFocus();
 }
 
-/// With room for every line, so that none lies over another.
-void RestoreDialog::showOther(bool shown) {
-    m_otherBox->setVisible(shown);
-    layout()->invalidate();
-    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width()) : layout()->totalSizeHint().height();
-    resize(width(), height);
-}
-
-QLineEdit* RestoreDialog::field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret) {
-    auto* text = kit::label(theme, label, TextStyle::label);
-    auto* edit = new QLineEdit;
-    edit->setObjectName(name);
-    edit->setAccessibleName(label);
-    edit->setEchoMode(secret ? QLineEdit::Password : QLineEdit::Normal);
-    text->setBuddy(edit);
-    column.addWidget(text);
-    column.addWidget(edit);
-    connect(edit, &QLineEdit::textChanged, this, &RestoreDialog::check);
-    return edit;
+QString RestoreDialog::acceptText() const {
+    return tr("Restore");
 }
 
 void RestoreDialog::check() {
-    if (!m_confirm)
+    if (!m_other)
         return; // still being built
-    const bool own = !m_name->text().isEmpty() && !m_password->text().isEmpty();
-    const bool other = !m_other->isChecked() || (!m_otherName->text().isEmpty() && !m_otherPassword->text().isEmpty());
-    m_confirm->setEnabled(own && other);
+    const auto given = [](const Pair& pair) { return !pair.name->text().isEmpty() && !pair.password->text().isEmpty(); };
+    setAcceptable(!m_wait->isRunning() && given(m_first) && (!m_other->isChecked() || given(m_second)));
 }
 
 void RestoreDialog::ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
                         std::function<void(database::RestoreRequest)> restore) {
-    const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
-    const QString administrator = replaces == Replaces::working ? QString::fromStdString(context.loginName()) : QString();
-    auto* dialog = new RestoreDialog(context.theme(), when, administrator, parent, replaces);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, parent, [dialog, folder = backup.folder, file = context.site().file().toStdString(), restore = std::move(restore)] {
-        database::RestoreRequest request;
-        request.backupFolder = folder;
-        request.targetFile = file;
-        dialog->fill(request);
-        restore(std::move(request));
-    });
-    dialog->open();
+    (new RestoreDialog(context, backup, replaces, parent, std::move(restore)))->open();
 }
 
-void RestoreDialog::fill(database::RestoreRequest& request) const {
-    request.name = m_name->text().toStdString();
-    request.password = m_password->text().toStdString();
+database::RestoreRequest RestoreDialog::request() const {
+    database::RestoreRequest request;
+    request.backupFolder = m_folder;
+    request.targetFile = context().site().file().toStdString();
+    request.name = m_first.name->text().toStdString();
+    request.password = m_first.password->text().toStdString();
     if (!m_other->isChecked())
-        return;
-    request.presentName = m_otherName->text().toStdString();
-    request.presentPassword = m_otherPassword->text().toStdString();
+        return request;
+    request.presentName = m_second.name->text().toStdString();
+    request.presentPassword = m_second.password->text().toStdString();
     if (m_replaces == Replaces::working) { // the first pair is of the database that stands here
         std::swap(request.name, request.presentName);
         std::swap(request.password, request.presentPassword);
     }
+    return request;
+}
+
+void RestoreDialog::submit() {
+    setWorking(true);
+    m_first.note->clear();
+    m_second.note->clear();
+    database::Database* open = context().site().isOpen() ? &context().site().database() : nullptr;
+    context().background().run(
+        this, [open, asked = request(), options = context().site().options()](WorkToken&) { return refusalOf(open, asked, options); },
+        [this](const std::optional<database::RestoreRefusal>& refusal) { answered(refusal); });
+}
+
+void RestoreDialog::answered(const std::optional<database::RestoreRefusal>& refusal) {
+    setWorking(false);
+    if (refusal) {
+        refused(*refusal);
+        return;
+    }
+    const auto restore = m_restore;
+    const database::RestoreRequest asked = request();
+    accept();
+    restore(asked);
+}
+
+/// Says it at the field that is meant; what was typed and chosen stays.
+void RestoreDialog::refused(const database::RestoreRefusal& refusal) {
+    const By firstIs = m_replaces == Replaces::working ? By::present : By::backup;
+    const bool second = refusal.by != firstIs;
+    const bool wrong = refusal.refusal.kind == database::Refusal::Kind::wrong;
+    if (second && !m_other->isChecked()) { // the first pair is right, and not for the other database
+        m_other->setChecked(true);
+        say("warning", refusal.by == By::backup ? tr("The backup has a different administrator or password. Enter those of the backup, too.")
+                                                : tr("The damaged file has a different administrator or password. Enter those, too."));
+        m_second.name->setFocus();
+        return;
+    }
+    const Pair& pair = second ? m_second : m_first;
+    const bool ownName = !m_administrator.isEmpty() && pair.name->text() == m_administrator;
+    pair.note->say(wrong && ownName ? wrongPasswordWords() : refusalWords(refusal.refusal));
+    m_wait->start(refusal.refusal.wait_ns);
+    check();
 }
 
 } // namespace chiron::desktop

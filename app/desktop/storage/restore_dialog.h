@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "database/upkeep/upkeep.h"
-#include "desktop/theme/theme.h"
+#include "database/upkeep/restore_rights.h"
+#include "desktop/people/form_dialog.h"
 
-#include <QDialog>
 #include <functional>
+#include <optional>
 
 class QCheckBox;
 class QLineEdit;
-class QPushButton;
-class QVBoxLayout;
 
 namespace chiron::session {
 struct BackupEntry;
@@ -18,39 +16,53 @@ struct BackupEntry;
 
 namespace chiron::desktop {
 
-class AppContext;
+class FieldNote;
+class WaitCountdown;
 
 /// Says what a restore does and asks an administrator for the password: of today's database, and of the backup where that was
-/// made under another one. Where that database is damaged or gone, of the backup first.
-class RestoreDialog final : public QDialog {
+/// made under another one. Where that database is damaged or gone, of the backup first. Stays open until the passwords are right, so that
+/// nothing of what was chosen is lost.
+class RestoreDialog final : public FormDialog {
     Q_OBJECT
 public:
     /// What the backup is put in the place of.
     enum class Replaces { working, damaged, missing };
 
-    /// `when`: the backup's age in words.
-    RestoreDialog(const Theme& theme, const QString& when, const QString& administrator, QWidget* parent, Replaces replaces = Replaces::working);
+    /// `restore` gets the whole request once it is confirmed and its passwords are right; the dialog is closed by then.
+    RestoreDialog(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
+                  std::function<void(database::RestoreRequest)> restore);
 
-    /// Puts the names and passwords that were given into the request.
-    void fill(database::RestoreRequest& request) const;
+    /// As it is filled in now.
+    database::RestoreRequest request() const;
 
-    /// Opens one over `parent` and hands the whole request to `restore` once it is confirmed.
+    /// Opens one over `parent`.
     static void ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
                     std::function<void(database::RestoreRequest)> restore);
 
 private:
-    QLineEdit* field(QVBoxLayout& column, const Theme& theme, const QString& name, const QString& label, bool secret);
+    /// A name and its password.
+    struct Pair {
+        QLineEdit* name = nullptr;
+        QLineEdit* password = nullptr;
+        FieldNote* note = nullptr;
+    };
+    Pair addPair(QVBoxLayout& column, const QString& names, const QString& name, const QString& password);
+    void addOther(QVBoxLayout& column);
     void check();
-    void showOther(bool shown);
+    void submit() override;
+    void answered(const std::optional<database::RestoreRefusal>& refusal);
+    void refused(const database::RestoreRefusal& refusal);
+    QString acceptText() const;
 
     const Replaces m_replaces;
-    QLineEdit* m_name = nullptr;
-    QLineEdit* m_password = nullptr;
+    const std::string m_folder;
+    const QString m_administrator; ///< whose name is filled in
+    std::function<void(database::RestoreRequest)> m_restore;
+    Pair m_first;  ///< of the database that stands here; where that cannot be read, of the backup
+    Pair m_second; ///< of the other one, where the box is ticked
     QCheckBox* m_other = nullptr;
     QWidget* m_otherBox = nullptr;
-    QLineEdit* m_otherName = nullptr;
-    QLineEdit* m_otherPassword = nullptr;
-    QPushButton* m_confirm = nullptr;
+    WaitCountdown* m_wait = nullptr;
 };
 
 } // namespace chiron::desktop

@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_service.h"
 #include "desktop/accounts/account_words.h"
+#include "desktop/accounts/field_note.h"
 #include "desktop/accounts/form.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/widgets/kit.h"
@@ -14,6 +15,7 @@ namespace chiron::desktop {
 ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent) : FormDialog(context, QStringLiteral("gate"), tr("For the experimenter"), parent) {
     column()->addWidget(kit::label(theme(), tr("The sitting waits. Enter your password to see the experimenter's view."), TextStyle::body));
     m_password = form::passwordField(theme(), column(), tr("Password of %1").arg(QString::fromStdString(context.loginName())), QStringLiteral("gate.password"));
+    m_note = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Continue"));
     connect(m_password, &QLineEdit::textChanged, this, [this] { setAcceptable(!m_password->text().isEmpty()); });
     m_password->setFocus();
@@ -29,7 +31,10 @@ void ExperimenterGate::submit() {
             setWorking(false);
             m_password->clear();
             if (!actor) {
-                say("warning", refusalWords(actor.error()));
+                if (actor.error().kind == database::Refusal::Kind::wrong)
+                    m_note->say(wrongPasswordWords());
+                else
+                    say("warning", refusalWords(actor.error()));
                 m_password->setFocus();
                 return;
             }

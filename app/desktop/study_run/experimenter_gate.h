@@ -7,6 +7,8 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
+class FieldNote;
+
 /// Lets the experimenter by, and nobody else: asks for the password of whoever is logged in. GUI thread.
 class ExperimenterGate final : public FormDialog {
     Q_OBJECT
@@ -21,6 +23,7 @@ protected:
 
 private:
     QLineEdit* m_password = nullptr;
+    FieldNote* m_note = nullptr;
 };
 
 } // namespace chiron::desktop

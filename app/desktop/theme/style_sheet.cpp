@@ -62,10 +62,21 @@ QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox, QDate
     border: 1px solid @borderStrong; border-radius: #6#; padding: #5# #8#; min-height: #22#; selection-background-color: @accent;
     selection-color: @accentText; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @focus; }
-QLineEdit:disabled, QPlainTextEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
+QLineEdit:disabled, QPlainTextEdit:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled, QDateEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
 QLineEdit[kind="bad"], QPlainTextEdit[kind="bad"], QSpinBox[kind="bad"], QDoubleSpinBox[kind="bad"], QComboBox[kind="bad"] { border: 2px solid @bad; }
 QComboBox::drop-down { border: none; width: #24#; }
 QComboBox::down-arrow { image: url(:/theme/chevron_%INK%.svg); width: #14#; height: #14#; margin-right: #8#; }
+QComboBox::down-arrow:disabled { image: url(:/theme/chevron_%INK%_off.svg); }
+QAbstractSpinBox::up-button { subcontrol-origin: border; subcontrol-position: top right; width: #16#; margin: 1px 1px 0 0; border: none;
+    border-top-right-radius: #5#; background: transparent; }
+QAbstractSpinBox::down-button { subcontrol-origin: border; subcontrol-position: bottom right; width: #16#; margin: 0 1px 1px 0; border: none;
+    border-bottom-right-radius: #5#; background: transparent; }
+QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: @accentSoft; }
+QAbstractSpinBox::up-button:pressed, QAbstractSpinBox::down-button:pressed { background: @raised; }
+QAbstractSpinBox::up-arrow { image: url(:/theme/arrow_up_%INK%.svg); width: #9#; height: #9#; }
+QAbstractSpinBox::down-arrow { image: url(:/theme/arrow_down_%INK%.svg); width: #9#; height: #9#; }
+QAbstractSpinBox::up-arrow:disabled, QAbstractSpinBox::up-arrow:off { image: url(:/theme/arrow_up_%INK%_off.svg); }
+QAbstractSpinBox::down-arrow:disabled, QAbstractSpinBox::down-arrow:off { image: url(:/theme/arrow_down_%INK%_off.svg); }
 QComboBox QAbstractItemView { background: @surface; color: @text; border: 1px solid @borderStrong; selection-background-color: @accent;
     selection-color: @accentText; outline: none; }
 QCheckBox, QRadioButton { color: @text; spacing: #8#; background: transparent; padding: #3#; border: 2px solid transparent; border-radius: #6#; }

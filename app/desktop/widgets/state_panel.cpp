@@ -89,6 +89,7 @@ void StatePanel::setContent(QWidget* content) {
 void StatePanel::showLoading(const QString& what, std::shared_ptr<WorkToken> token) {
     m_state = State::loading;
     m_token = std::move(token);
+    m_what = what;
     m_loadingText->setText(what);
     if (m_progress) {
         m_progress->hide();
@@ -109,6 +110,8 @@ void StatePanel::revealProgress() {
     m_progress->show();
     if (m_elapsed_ms >= kShowCancel_ms)
         m_cancel->setVisible(m_token != nullptr);
+    if (const QString doing = m_token ? m_token->doing() : QString(); !doing.isEmpty())
+        m_loadingText->setText(m_what + QLatin1Char('\n') + doing);
     m_progress->setRange(0, m_token ? m_token->of() : 0);
     m_progress->setValue(m_token ? m_token->done() : 0);
 }

@@ -52,6 +52,7 @@ private:
     QWidget* m_content = nullptr;
     QWidget* m_loading = nullptr;
     QLabel* m_loadingText = nullptr;
+    QString m_what; ///< is being loaded
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;
     QTimer* m_timer = nullptr;

@@ -5,6 +5,9 @@
 #include "desktop/accounts/notice_area.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QCheckBox>
+#include <QDialog>
+#include <QFrame>
 #include <QLabel>
 #include <QListWidget>
 #include <QRadioButton>
@@ -54,6 +57,9 @@ private slots:
     void theLanguageIsThePersons();
     void theStationsLanguageIsOthers();
     void enterDoesWhatHasTheFocus();
+    void anAdministratorMakesARecoveryCode();
+    void aCodeIsNotLostByASlip();
+    void othersHaveNoRecoveryCode();
     void fitsAtEveryScale_data();
     void fitsAtEveryScale();
 };
@@ -181,6 +187,62 @@ void TestAccount::enterDoesWhatHasTheFocus() {
     QVERIFY(tabTo(QStringLiteral("account.change_password")));
     press(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+}
+
+/// Somebody who became an administrator: Home says so until it is done, and the code that is shown works.
+void TestAccount::anAdministratorMakesARecoveryCode() {
+    DesktopFixture desk;
+    database::AccountService accounts(desk.database());
+    QVERIFY(accounts.createPerson(desk.actor("ada"), {"otto", "Otto", {database::Role::admin}, kTestPassword, false}));
+    desk.logIn("ada"); // has the one that was shown when the site was set up
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), 10000);
+    QVERIFY(!desk.find<QFrame>(QStringLiteral("home.recovery_code")));
+    desk.logIn("otto");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.make_recovery_code")), 10000);
+    desk.find<QPushButton>(QStringLiteral("home.make_recovery_code"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state")) && desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("none yet")), 10000);
+    QTRY_COMPARE(focusName(), QStringLiteral("account.recovery"));
+    desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
+    auto* accept = desk.find<QPushButton>(QStringLiteral("recovery_code.accept"));
+    QVERIFY(accept && !accept->isEnabled());
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QStringLiteral("not the password"));
+    accept->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery_code.password.note"))->isVisible(), 10000);
+    QVERIFY(!desk.find<QLabel>(QStringLiteral("recovery.code")));
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
+    accept->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), 10000);
+    const std::string code = desk.find<QLabel>(QStringLiteral("recovery.code"))->text().toStdString();
+    VERIFY_READABLE(desk.find<QDialog>(QStringLiteral("recovery_code")));
+    desk.find<QCheckBox>(QStringLiteral("recovery.written"))->click();
+    desk.find<QPushButton>(QStringLiteral("recovery.continue"))->click();
+    QTRY_VERIFY(!desk.find<QDialog>(QStringLiteral("recovery_code")));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), 10000);
+    desk.go(QStringLiteral("home"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), 10000);
+    QVERIFY(!desk.window->screen()->findChild<QFrame*>(QStringLiteral("home.recovery_code")));
+    QVERIFY(accounts.recover("otto", code, "twelve-fine-horses").has_value());
+    QVERIFY(accounts.login("otto", "twelve-fine-horses").has_value());
+}
+
+/// Shown once: leaving without having written it down is asked about, once.
+void TestAccount::aCodeIsNotLostByASlip() {
+    AccountDesk desk("ada");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), 10000);
+    desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
+    desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
+    desk.find<QPushButton>(QStringLiteral("recovery_code.accept"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), 10000);
+    desk.find<QPushButton>(QStringLiteral("recovery_code.cancel"))->click();
+    QVERIFY(desk.find<QDialog>(QStringLiteral("recovery_code"))->isVisible());
+    QVERIFY(desk.notice("recovery_code.notice").contains(QStringLiteral("not shown again")));
+    desk.find<QPushButton>(QStringLiteral("recovery_code.cancel"))->click();
+    QTRY_VERIFY(!desk.find<QDialog>(QStringLiteral("recovery_code")));
+}
+
+void TestAccount::othersHaveNoRecoveryCode() {
+    AccountDesk desk("tom");
+    QVERIFY(!desk.find<QPushButton>(QStringLiteral("account.recovery")));
 }
 
 void TestAccount::fitsAtEveryScale_data() {

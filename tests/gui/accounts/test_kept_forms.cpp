@@ -7,6 +7,7 @@
 #include "desktop/accounts/recovery_code_panel.h"
 #include "desktop/accounts/wait_countdown.h"
 #include "desktop/first_start/administrator_page.h"
+#include "desktop/frame/app_context.h"
 #include "desktop/first_start/site_maker.h"
 #include "desktop/frame/background.h"
 #include "desktop/lock/lock_cover.h"
@@ -20,6 +21,7 @@
 #include "desktop/storage/task_strip.h"
 #include "desktop/theme/theme.h"
 #include "desktop/widgets/state_panel.h"
+#include "session/backup_list.h"
 #include "support/kept_text.h"
 #include "support/screen_outline.h"
 
@@ -28,6 +30,7 @@
 #include <QGuiApplication>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QtTest>
 
 using namespace chiron;
@@ -279,11 +282,17 @@ private slots:
     }
 
     void restore() {
-        RestoreDialog dialog(m_theme, QStringLiteral("two days ago"), QStringLiteral("ada"), nullptr);
+        QTemporaryDir folder;
+        Settings settings(folder.filePath(QStringLiteral("desktop.ini")));
+        settings.setLanguage(QStringLiteral("en"));
+        DesktopSite site(folder.filePath(QStringLiteral("site.db")), {});
+        AppContext context(site, settings);
+        session::BackupEntry backup;
+        backup.createdUtc = QDateTime::currentDateTimeUtc().addDays(-2).toString(Qt::ISODateWithMs).toStdString();
+        RestoreDialog dialog(context, backup, RestoreDialog::Replaces::working, nullptr, {});
         begin(dialog);
         const auto told = [&] {
-            database::RestoreRequest request;
-            dialog.fill(request);
+            const database::RestoreRequest request = dialog.request();
             say(QStringLiteral("%1 / %2, today's %3 / %4").arg(QString::fromStdString(request.name), QString::fromStdString(request.password), QString::fromStdString(request.presentName),
                                                                QString::fromStdString(request.presentPassword)));
         };

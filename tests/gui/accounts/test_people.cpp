@@ -36,6 +36,7 @@ private slots:
     void importRoster();
     void germanExcelIsImportedAndSlipsArePrinted();
     void whoExistsIsUpdatedWhenAsked();
+    void anOldListNamesWhoWasRenamed();
     void otherFilesAreNamed();
     void templateCanBeImported_data();
     void templateCanBeImported();
@@ -172,6 +173,8 @@ void TestPeople::erase() {
     picture(desk.dialog("erase"), QStringLiteral("people_erase"));
     desk.click("erase.accept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")), 10000);
+    QCOMPARE(desk.find<QLabel>(QStringLiteral("erase.password.note"))->text(), QStringLiteral("Wrong password. Passwords are case-sensitive."));
+    QVERIFY(desk.find<QLabel>(QStringLiteral("erase.password.note"))->isVisible());
     QVERIFY(desk.rowOf(QStringLiteral("tina")) >= 0);
     // It stops half-way: the list of erasures cannot be written. The same button goes on.
     const QString list = QString::fromStdString(database::erasureListFile(desk.database().siteFolder()));
@@ -391,6 +394,35 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"));
     QCOMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
+}
+
+/// A list from before a change of name: the person is recognised, and where the old name is somebody else's today it is said.
+void TestPeople::anOldListNamesWhoWasRenamed() {
+    PeopleDesk desk;
+    database::AccountService accounts(desk.database());
+    const database::Actor ada = desk.actor("ada");
+    QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "tina")->id, "christina", "Tina Trainee"));
+    QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "theo")->id, "theodor", "Theo Trainee"));
+    QVERIFY(accounts.createPerson(ada, {"theo", "Another Theo", {database::Role::trainee}, kTestPassword, false}));
+    const QString file = desk.folder() + QStringLiteral("/roster.csv");
+    write(file, "login name;full name;role\ntina;Tina T.;trainee\ntheo;Another Theo;trainee\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Left as it is"));
+    QCOMPARE(table->item(0, 2)->text(), QStringLiteral("tina, known as christina today"));
+    QCOMPARE(table->item(1, 2)->text(), QStringLiteral("theo"));
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QVERIFY2(summary.contains(QStringLiteral("earlier login name")), qPrintable(summary));
+    QVERIFY2(summary.contains(QStringLiteral("Line 3: the login name theo belongs to Another Theo today; it used to be that of theodor.")), qPrintable(summary));
+    VERIFY_READABLE(desk.dialog("roster"));
+    desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    desk.click("roster.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000);
+    QTRY_COMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."));
+    QCOMPARE(desk.rowOf(QStringLiteral("tina")), -1);
+    QCOMPARE(accounts.listPeople(ada)->size(), std::size_t{6});
 }
 
 void TestPeople::otherFilesAreNamed() {

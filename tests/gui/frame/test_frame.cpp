@@ -2,6 +2,7 @@
 #include "desktop/frame/command_palette.h"
 #include "desktop/frame/instance_link.h"
 #include "desktop/accounts/notice_area.h"
+#include "desktop/frame/background.h"
 #include "desktop/frame/message_bar.h"
 #include "desktop/login/login_screen.h"
 #include "desktop/sessions/session_table_model.h"
@@ -14,6 +15,7 @@
 
 #include <QCheckBox>
 #include <QCursor>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -270,6 +272,59 @@ private slots:
         window.resize(1100, 600);
         QCoreApplication::processEvents();
         QVERIFY(window.rect().contains(bar.geometry()));
+    }
+
+    /// In its room: long words are shortened there and shown whole when asked for; short ones are not.
+    void longMessagesStayInTheirRoom() {
+        for (const double scale : {1.0, 2.0}) {
+            tests::DesktopFixture desktop;
+            desktop.settings.setScale(scale);
+            desktop.context.applyAppearance();
+            desktop.logIn("tina");
+            desktop.go(QStringLiteral("settings"));
+            QTRY_VERIFY(desktop.screen<SettingsScreen>());
+            const int height = desktop.window->screen()->height();
+            desktop.context.messages().done(QStringLiteral("It was saved."));
+            auto* bar = desktop.find<MessageBar>(QStringLiteral("messages"));
+            auto* more = desktop.find<QPushButton>(QStringLiteral("messages.more"));
+            auto* text = desktop.find<QLabel>(QStringLiteral("messages.text"));
+            QCoreApplication::processEvents();
+            QVERIFY(bar->isVisible() && !more->isVisible());
+            QCOMPARE(text->text(), QStringLiteral("It was saved."));
+            const QRect place = bar->geometry();
+            QString whole = QStringLiteral("The beginning.");
+            for (int i = 0; i < 60; ++i)
+                whole += QStringLiteral(" What happened was long, number %1.").arg(i);
+            desktop.context.messages().tell({MessageKind::error, whole, QStringLiteral("Undo"), {}});
+            QCoreApplication::processEvents();
+            QCOMPARE(bar->geometry(), place);
+            QVERIFY(more->isVisible() && text->text().startsWith(QStringLiteral("The beginning.")) && text->text().endsWith(QStringLiteral("…")));
+            QVERIFY2(text->heightForWidth(text->width()) <= text->height() + 2, qPrintable(QStringLiteral("%1 of %2").arg(text->height()).arg(text->heightForWidth(text->width()))));
+            QCOMPARE(text->accessibleName(), whole);
+            QCOMPARE(desktop.window->screen()->height(), height); // nothing made room for it
+            more->click();
+            QTRY_VERIFY(desktop.find<QLabel>(QStringLiteral("words.text")));
+            QCOMPARE(desktop.find<QLabel>(QStringLiteral("words.text"))->text(), whole);
+            desktop.find<QDialog>(QStringLiteral("words"))->close();
+        }
+    }
+
+    /// Long work says what it does just now, below what was announced.
+    void longWorkSaysWhatItDoes() {
+        const Theme theme = Theme::load(ThemeName::light, 1.0).value();
+        StatePanel panel(theme);
+        const auto token = std::make_shared<WorkToken>();
+        token->setDoing(QStringLiteral("The third of five"));
+        panel.showLoading(QStringLiteral("Making it …"), token);
+        panel.show();
+        const auto says = [&panel] {
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                if (label->text() == QStringLiteral("Making it …\nThe third of five"))
+                    return true;
+            return false;
+        };
+        QVERIFY(!says()); // short work does not flicker
+        QTRY_VERIFY(says());
     }
 
     /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QMetaEnum>
 #include <QPainter>
+#include <QSpinBox>
+#include <QStyleOptionSpinBox>
 #include <QtTest>
 #include <cmath>
 
@@ -158,6 +160,50 @@ private slots:
             if (!theme)
                 QVERIFY2(QString::fromStdString(theme.error().message).contains(QLatin1String(place)), theme.error().message.c_str());
         }
+    }
+
+    /// The arrows of number fields and lists: drawings of the theme's ink, each in a half of its own at the right, which grows with the scale.
+    void arrowsAreDrawings_data() {
+        QTest::addColumn<int>("theme");
+        QTest::addColumn<double>("scale");
+        for (int theme = 0; theme < 3; ++theme)
+            for (const double scale : {1.0, 2.0})
+                QTest::addRow("theme %d, %.0f %%", theme, scale * 100) << theme << scale;
+    }
+
+    void arrowsAreDrawings() {
+        QFETCH(int, theme);
+        QFETCH(double, scale);
+        const Theme look = Theme::load(static_cast<ThemeName>(theme), scale).value();
+        const QString sheet = look.styleSheet();
+        QStringList drawn;
+        static const QRegularExpression url(QStringLiteral("url\\(([^)]*)\\)"));
+        for (auto found = url.globalMatch(sheet); found.hasNext();) {
+            const QString file = found.next().captured(1);
+            QVERIFY2(QFile::exists(file), qPrintable(file));
+            QVERIFY2(!QIcon(file).pixmap(look.px(9), look.px(9)).isNull(), qPrintable(file));
+            drawn << file;
+        }
+        const QString ink = look.color(Colour::text).lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark");
+        for (const char* arrow : {"arrow_up", "arrow_down", "chevron"})
+            for (const char* state : {"", "_off"})
+                QVERIFY2(drawn.contains(QStringLiteral(":/theme/%1_%2%3.svg").arg(QLatin1String(arrow), ink, QLatin1String(state))), arrow);
+        QSpinBox field;
+        field.setStyleSheet(sheet);
+        field.resize(look.px(120), field.sizeHint().height());
+        field.ensurePolished();
+        QStyleOptionSpinBox option;
+        option.initFrom(&field);
+        option.subControls = QStyle::SC_All;
+        option.stepEnabled = QAbstractSpinBox::StepUpEnabled | QAbstractSpinBox::StepDownEnabled;
+        option.frame = true;
+        const auto part = [&](QStyle::SubControl control) { return field.style()->subControlRect(QStyle::CC_SpinBox, &option, control, &field); };
+        const QRect up = part(QStyle::SC_SpinBoxUp), down = part(QStyle::SC_SpinBoxDown), text = part(QStyle::SC_SpinBoxEditField);
+        for (const QRect& button : {up, down}) {
+            QVERIFY(field.rect().contains(button) && !button.intersects(text));
+            QVERIFY(button.width() >= look.px(12) && button.height() >= look.px(12)); // room for the arrow
+        }
+        QVERIFY(up.bottom() < down.top() + 2 && !up.adjusted(0, 0, 0, -1).intersects(down));
     }
 
     void iconsAreThere() {

@@ -183,6 +183,31 @@ private slots:
         QVERIFY(!saysSo());
     }
 
+    /// A backup from before the password was changed: it is said which one is missing, and what was typed stays.
+    void aBackupUnderAnotherPasswordAsksForIt() {
+        DesktopFixture desktop;
+        auto* screen = openStorage(desktop);
+        QVERIFY(screen && runTask(screen, "storage.back_up"));
+        QVERIFY(database::AccountService(desktop.database()).changePassword(desktop.actor("ada"), tests::kTestPassword, "quite another word"));
+        screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click();
+        QTRY_VERIFY(desktop.find<QLineEdit>(QStringLiteral("restore.password")));
+        desktop.find<QLineEdit>(QStringLiteral("restore.password"))->setText(QStringLiteral("quite another word"));
+        desktop.find<QPushButton>(QStringLiteral("restore.accept"))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QCheckBox>(QStringLiteral("restore.other"))->isChecked(), kPatience_ms);
+        QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("restore.password"))->text(), QStringLiteral("quite another word"));
+        QVERIFY(desktop.find<QLineEdit>(QStringLiteral("restore.other_password"))->isVisible() && !desktop.find<QPushButton>(QStringLiteral("restore.accept"))->isEnabled());
+        desktop.find<QLineEdit>(QStringLiteral("restore.other_name"))->setText(QStringLiteral("ada"));
+        desktop.find<QLineEdit>(QStringLiteral("restore.other_password"))->setText(QStringLiteral("not this word"));
+        desktop.find<QPushButton>(QStringLiteral("restore.accept"))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("restore.other_password.note"))->isVisible(), kPatience_ms);
+        QVERIFY(!desktop.find<QLabel>(QStringLiteral("restore.password.note"))->isVisible());
+        QSignalSpy opened(&desktop.context, &AppContext::siteOpened);
+        desktop.find<QLineEdit>(QStringLiteral("restore.other_password"))->setText(QString::fromLatin1(tests::kTestPassword));
+        desktop.find<QPushButton>(QStringLiteral("restore.accept"))->click();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatience_ms);
+        QVERIFY(database::AccountService(desktop.database()).login("ada", tests::kTestPassword));
+    }
+
     void goesBackToABackup() {
         DesktopFixture desktop;
         desktop.addSession("tina", 1, "expert", 1, 1, 5.0);
@@ -195,7 +220,7 @@ private slots:
         const auto answer = [&desktop, screen](const char* password) {
             screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click();
             auto* field = desktop.find<QLineEdit>(QStringLiteral("restore.password"));
-            auto* confirm = desktop.find<QPushButton>(QStringLiteral("restore.confirm"));
+            auto* confirm = desktop.find<QPushButton>(QStringLiteral("restore.accept"));
             QVERIFY(field && confirm && !confirm->isEnabled());
             QTest::keyClicks(field, QLatin1String(password));
             QTest::mouseClick(confirm, Qt::LeftButton);
@@ -207,25 +232,31 @@ private slots:
             desktop.find<QCheckBox>(QStringLiteral("restore.other"))->setChecked(both);
             QTest::qWait(50);
             int lowest = 0;
-            for (const char* name : {"restore.name", "restore.password", "restore.other_name", "restore.other_password", "restore.confirm"}) {
+            for (const char* name : {"restore.name", "restore.password", "restore.other_name", "restore.other_password"}) {
                 const auto* part = dialog->findChild<QWidget*>(QLatin1String(name));
                 if (!part->isVisible())
                     continue;
-                QVERIFY2(part->mapTo(dialog, QPoint()).y() >= lowest && part->height() > part->fontMetrics().height() + 8, name);
+                QVERIFY2(part->mapTo(dialog, QPoint()).y() >= lowest && part->height() >= part->sizeHint().height(),
+                         qPrintable(QStringLiteral("%1: %2 px, of %3").arg(QLatin1String(name)).arg(part->height()).arg(part->sizeHint().height())));
                 lowest = part->mapTo(dialog, QPoint(0, part->height())).y();
             }
-            QVERIFY(lowest <= dialog->height());
+            const auto* confirm = dialog->findChild<QWidget*>(QStringLiteral("restore.accept")); // below the page, which scrolls
+            QVERIFY(confirm->isVisible() && dialog->rect().contains(QRect(confirm->mapTo(dialog, QPoint()), confirm->size())));
         }
         dialog->reject();
         QTRY_VERIFY(!desktop.find<QDialog>(QStringLiteral("restore")));
         QSignalSpy ended(screen, &StorageScreen::taskEnded);
+        const int chosen = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"))->currentRow();
         answer("wrong-password-here");
-        QVERIFY(!screen->mayLeave()); // there is no database meanwhile
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("restore.password.note"))->isVisible(), kPatience_ms);
+        QCOMPARE(desktop.find<QLabel>(QStringLiteral("restore.password.note"))->text(), QStringLiteral("Wrong password. Passwords are case-sensitive."));
+        QVERIFY(desktop.find<QDialog>(QStringLiteral("restore"))->isVisible()); // still open, and nothing was closed for it
         QVERIFY(desktop.site.isOpen() && screen->mayLeave());
+        QCOMPARE(ended.count(), 0);
+        QCOMPARE(screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"))->currentRow(), chosen);
         QCOMPARE(sessionsOf(desktop), 2); // as it was
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the dialog
-        QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+        desktop.find<QPushButton>(QStringLiteral("restore.cancel"))->click();
+        QTRY_VERIFY(!desktop.find<QDialog>(QStringLiteral("restore")));
 
         QSignalSpy opened(&desktop.context, &AppContext::siteOpened);
         answer(tests::kTestPassword);

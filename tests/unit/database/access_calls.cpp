@@ -67,6 +67,12 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changeDisplayName(id, "Renamed"); });
     add(Action::earlierNames, person, false,
         [](C& c, A a, std::int64_t id) { return drop(AccountRepository(c, a).earlierNames(id)); });
+    add(Action::listEarlierLogins, none, false,
+        [](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).listEarlierLogins()); });
+    add(Action::hasRecoveryCode, person, false,
+        [](C& c, A a, std::int64_t id) { return drop(AccountRepository(c, a).hasRecoveryCode(id)); });
+    add(Action::setRecoveryCode, person, true,
+        [=](C& c, A a, std::int64_t id) { return AccountRepository(c, a).setRecoveryCode(id, hash); });
     add(Action::changePassword, person, true,
         [=](C& c, A a, std::int64_t id) { return AccountRepository(c, a).changePassword(id, hash); });
     add(Action::resetPassword, person, true,

@@ -23,6 +23,7 @@ private slots:
     void firstAdministratorOnlyOnce();
     void loginNamesAreThoseWhoMayLogIn();
     void recoveryCodeWorksOnce();
+    void anyAdministratorMakesARecoveryCode();
     void wrongPasswordsWaitLongerAndLonger();
     void refusalsSayHowLongToWait();
     void waitSurvivesRestartsAndClocksSetBack();
@@ -131,6 +132,36 @@ void TestAccounts::recoveryCodeWorksOnce() {
     REQUIRE(ada);
     REQUIRE(f.person(*ada, "tim", {Role::trainee}));
     QCOMPARE(accounts.recover("tim", "", "another new word").error().code, core::ErrorCode::notAllowed);
+}
+
+void TestAccounts::anyAdministratorMakesARecoveryCode() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    AccountService accounts(*f.database);
+    REQUIRE(accounts.createFirstAdministrator("ada", kPassword));
+    const auto ada = accounts.login("ada", kPassword);
+    REQUIRE(ada);
+    QCOMPARE(accounts.hasRecoveryCode(*ada).value(), true);
+    const auto second = f.person(*ada, "eve", {Role::admin});
+    REQUIRE(second);
+    QCOMPARE(accounts.hasRecoveryCode(*second).value(), false);
+    const auto wrong = accounts.tryMakeRecoveryCode(*second, "not the password");
+    QVERIFY(!wrong && wrong.error().kind == Refusal::Kind::wrong);
+    QCOMPARE(accounts.hasRecoveryCode(*second).value(), false);
+    const auto code = accounts.makeRecoveryCode(*second, kPassword);
+    REQUIRE(code);
+    QCOMPARE(accounts.hasRecoveryCode(*second).value(), true);
+    const auto next = accounts.makeRecoveryCode(*second, kPassword); // replaces it
+    REQUIRE(next);
+    QVERIFY(!accounts.recover("eve", *code, "brand new word"));
+    REQUIRE(accounts.recover("eve", *next, "brand new word"));
+    REQUIRE(accounts.login("eve", "brand new word"));
+    auto reader = f.database->openReader();
+    REQUIRE(reader);
+    QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM credential WHERE instr(recovery_hash, ?) > 0", {*next})->value_or(-1), std::int64_t{0});
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    REQUIRE(tim);
+    QCOMPARE(accounts.makeRecoveryCode(*tim, kPassword).error().code, core::ErrorCode::notAllowed);
 }
 
 void TestAccounts::wrongPasswordsWaitLongerAndLonger() {

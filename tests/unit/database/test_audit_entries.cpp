@@ -62,6 +62,7 @@ void TestAuditEntries::peopleAreNoted() {
     REQUIRE(self);
     REQUIRE(accounts.changePassword(*self, kPassword, "another horse 8"));
     REQUIRE(accounts.resetPassword(m_admin, *tim, kPassword));
+    REQUIRE(accounts.makeRecoveryCode(m_admin, kPassword));
     REQUIRE(accounts.setRoles(m_admin, *tim, {Role::trainee, Role::trainer}));
     REQUIRE(accounts.setEnabled(m_admin, *tim, false));
     REQUIRE(accounts.setEnabled(m_admin, *tim, true));
@@ -73,6 +74,8 @@ void TestAuditEntries::peopleAreNoted() {
                                by(*self, "login person ") + number,
                                by(*self, "changePassword credential ") + number,
                                by(m_admin, "resetPassword credential ") + number,
+                               by(m_admin, "login person ") + QString::number(m_admin.personId()),
+                               by(m_admin, "setRecoveryCode credential ") + QString::number(m_admin.personId()),
                                by(m_admin, "setRoles person ") + number,
                                by(m_admin, "disable person ") + number,
                                by(m_admin, "enable person ") + number,

@@ -106,6 +106,7 @@ private:
     DatabaseFixture& m = m_world.fixture;
     std::vector<Actor> m_actors; ///< who may do something that the others may not
     PersonId m_bob = 0;
+    PersonId m_ada = 0; ///< the administrator
     SessionId m_running = 0;
     SessionId m_ended = 0;
     StudyTargets m_study{};
@@ -122,6 +123,7 @@ void TestRefusedSteps::initTestCase() {
     REQUIRE(eve);
     REQUIRE(ruth);
     m_bob = bob->personId();
+    m_ada = admin->personId();
     m_world.eve = eve->personId();
     const auto ended = storeSession(*m.database, *bob);
     REQUIRE(ended);
@@ -166,7 +168,7 @@ std::vector<std::int64_t> TestRefusedSteps::targets(Touches touches) const {
     case Touches::nothing:
         return {-1};
     case Touches::person:
-        return {m_world.eve, m_bob};
+        return {m_world.eve, m_bob, m_ada};
     case Touches::running:
         return {m_running};
     case Touches::ended:

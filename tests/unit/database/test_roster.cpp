@@ -63,6 +63,8 @@ private slots:
     void badBytesNameTheirLine();
     void whoExistsIsSkippedOrUpdated();
     void anUpdateLeavesWhatTheListDoesNotSay();
+    void whoWasRenamedIsKnownByTheOldName();
+    void aNameOfTodayComesBeforeAnOldOne();
     void nothingIsHalfDone();
     void madePasswordsAreNowhereElse();
     void onlyAdministratorsImport();
@@ -359,6 +361,67 @@ void TestRoster::anUpdateLeavesWhatTheListDoesNotSay() {
     REQUIRE(accounts().importCsv(m_admin, "login name;full name;role\neve;;trainer\n", RosterExisting::update));
     QCOMPARE(personOf("eve").displayName, std::string("eve display"));
     QVERIFY(personOf("eve").roles == RoleSet{Role::trainer});
+}
+
+void TestRoster::whoWasRenamedIsKnownByTheOldName() {
+    const auto bob = m->person(m_admin, "bob", {Role::trainee});
+    const auto eve = m->person(m_admin, "eve", {Role::trainee});
+    REQUIRE(bob);
+    REQUIRE(eve);
+    REQUIRE(accounts().changeNames(m_admin, bob->personId(), "robert", "Robert"));
+    REQUIRE(accounts().changeNames(m_admin, bob->personId(), "rob", "Robert"));
+    REQUIRE(accounts().changeNames(m_admin, eve->personId(), "eve", "Eve E.")); // keeps the login name
+    using enum RosterStep::Kind;
+    const std::string file = "login name;full name;role\nBOB;Robert B.;trainer\neve;;trainee\nzoe;Zoe;trainee\n";
+    const auto plan = accounts().previewCsv(m_admin, file, RosterExisting::update);
+    REQUIRE(plan);
+    QVERIFY(plan->steps[0].kind == update && plan->steps[0].person == bob->personId());
+    QCOMPARE(plan->steps[0].name, std::string("rob"));
+    QCOMPARE(plan->steps[0].earlierName, std::string("BOB"));
+    QVERIFY(plan->steps[1].kind == same && plan->steps[1].earlierName.empty() && plan->steps[1].doubt == RosterStep::Doubt::none);
+    QVERIFY(plan->steps[2].kind == add);
+    QVERIFY(accounts().previewCsv(m_admin, file)->steps[0].kind == skip);
+    const auto done = accounts().importCsv(m_admin, file, RosterExisting::update);
+    REQUIRE(done);
+    QVERIFY(done->added.size() == 1 && done->updated == 1 && done->skipped == 1);
+    QVERIFY(done->told.size() == 1 && done->told[0].earlierName == "BOB");
+    QCOMPARE(personOf("rob").displayName, std::string("Robert B."));
+    QVERIFY(personOf("rob").roles == RoleSet{Role::trainer});
+    QCOMPARE(people(), std::size_t{4}); // ada, rob, eve, zoe
+    // Whoever is erased is no longer known by any name.
+    REQUIRE(accounts().erasePerson(m_admin, kPassword, bob->personId(), "wish", false));
+    QVERIFY(accounts().previewCsv(m_admin, file)->steps[0].kind == add);
+}
+
+void TestRoster::aNameOfTodayComesBeforeAnOldOne() {
+    const auto first = m->person(m_admin, "anna", {Role::trainee});
+    REQUIRE(first);
+    REQUIRE(accounts().changeNames(m_admin, first->personId(), "anna1", "First Anna"));
+    const auto second = m->person(m_admin, "anna", {Role::trainee});
+    REQUIRE(second);
+    using enum RosterStep::Kind;
+    using Doubt = RosterStep::Doubt;
+    // Today's holder is meant, and it is said that somebody else had the name.
+    const auto named = accounts().previewCsv(m_admin, "login name;full name;role\nAnna;Anna A.;trainer\n", RosterExisting::update);
+    REQUIRE(named);
+    QVERIFY(named->steps[0].kind == update && named->steps[0].person == second->personId() && named->steps[0].earlierName.empty());
+    QVERIFY(named->steps[0].doubt == Doubt::nameOfAnother && named->steps[0].other == "anna1");
+    // Both have had it, and nobody has it: nobody is changed, nobody is added.
+    REQUIRE(accounts().changeNames(m_admin, second->personId(), "anna2", "Second Anna"));
+    const std::string file = "login name;full name;role\nanna;Anna A.;trainer\n";
+    const auto several = accounts().previewCsv(m_admin, file, RosterExisting::update);
+    REQUIRE(several);
+    QVERIFY(several->steps[0].kind == skip && several->steps[0].doubt == Doubt::severalHadIt && !several->steps[0].makesPassword);
+    const auto imported = accounts().importCsv(m_admin, file, RosterExisting::update);
+    REQUIRE(imported);
+    QVERIFY(imported->added.empty() && imported->updated == 0 && imported->skipped == 1 && imported->told.size() == 1);
+    // One person under two names: today's line counts, wherever it stands.
+    REQUIRE(accounts().changeNames(m_admin, second->personId(), "berta", "Second Anna"));
+    const auto twice = accounts().previewCsv(m_admin, "login name;full name;role\nanna2;Wrong;trainer\nberta;Right;trainer\n", RosterExisting::update);
+    REQUIRE(twice);
+    QVERIFY(twice->steps[0].kind == skip && twice->steps[0].doubt == Doubt::sameAsLine && twice->steps[0].otherLine == 3);
+    QCOMPARE(twice->steps[0].displayName, std::string("Second Anna"));
+    QVERIFY(twice->steps[1].kind == update && twice->steps[1].displayName == "Right");
 }
 
 void TestRoster::nothingIsHalfDone() {

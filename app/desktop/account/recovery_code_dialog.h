@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "database/accounts/person.h"
+#include "desktop/people/form_dialog.h"
+
+#include <string>
+#include <tl/expected.hpp>
+
+class QLineEdit;
+
+namespace chiron::desktop {
+
+class FieldNote;
+class RecoveryCodePanel;
+class WaitCountdown;
+
+/// Makes a recovery code for the administrator who is logged in: asks for the password, then shows the code, once. GUI thread.
+class RecoveryCodeDialog final : public FormDialog {
+    Q_OBJECT
+public:
+    /// `hasOne`: an earlier code is there, which the new one replaces.
+    RecoveryCodeDialog(AppContext& context, bool hasOne, QWidget* parent);
+
+    void reject() override; ///< warns once where the code was not written down
+
+private:
+    void renew();
+    void submit() override;
+    void made(const tl::expected<std::string, database::Refusal>& code);
+
+    QLineEdit* m_password = nullptr;
+    FieldNote* m_note = nullptr;
+    WaitCountdown* m_wait = nullptr;
+    RecoveryCodePanel* m_shown = nullptr;
+    bool m_warned = false;
+};
+
+} // namespace chiron::desktop
