@@ -55,6 +55,7 @@
     X(StudyRepository, setStudyArchived)                                                                     \
     X(StudyRepository, unblindStudy)                                                                         \
     X(StudyRepository, enrolParticipant)                                                                     \
+    X(StudyRepository, enrolAccount)                                                                         \
     X(StudyRepository, recordConsent)                                                                        \
     X(StudyRepository, completeParticipant)                                                                  \
     X(StudyRepository, withdrawParticipant)                                                                  \

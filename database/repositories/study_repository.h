@@ -43,6 +43,10 @@ public:
     /// badInput when the person takes part already, or the code is taken in this study.
     core::Result<Participant> enrolParticipant(StudyNumber study, const std::string& identity, PersonId person,
                                                const std::string& observer, const std::string& wantedCode = {});
+    /// Enrols somebody who has an account, by login name, so that their export and erasure reach what they do under the code. The link stands in the
+    /// key table alone: no list, export or audit entry of the study says whose account it is. `identity` may be empty. Failure: as
+    /// enrolParticipant; notFound where nobody has this login name. That somebody takes part already is said without their code.
+    core::Result<Participant> enrolAccount(StudyNumber study, const std::string& identity, const std::string& account);
     /// `sha256`: of the consent text that was shown, UTF-8, one of the frozen design's languages. Failure: badInput for another text;
     /// wrongUse when given before or withdrawn.
     core::Result<void> recordConsent(ParticipantNumber participant, const std::string& sha256);

@@ -92,6 +92,7 @@ struct ParticipantKey {
     std::string code;
     std::string identity;           ///< free text, as the researcher wrote it
     std::optional<PersonId> person; ///< where it is somebody with an account
+    std::string account{};          ///< their login name
 };
 
 /// One condition done by one participant; goes on over several sittings (sessions).

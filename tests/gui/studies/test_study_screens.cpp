@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study from its draft to its data, as a researcher does it.
 #include "catalogue/instrument_catalogue.h"
+#include "database/repositories/privacy_repository.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_data/study_data_screen.h"
@@ -19,6 +20,7 @@
 #include <QTabBar>
 #include <QSlider>
 #include <QTableWidget>
+#include <algorithm>
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -38,6 +40,7 @@ private slots:
     void frozen();
     void enrolledAndConsented();
     void theNewOneIsSelected();
+    void anAccountIsNamed();
     void fieldsAreWrittenDownAtTheEnrolment();
     void runsInOrder();
     void questionnaire();
@@ -191,6 +194,36 @@ void TestStudyScreens::theNewOneIsSelected() {
     click("participants.run");
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), second);
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+}
+
+/// Instead of an identity, or with it: who has an account gets what they do here when they ask for their data.
+void TestStudyScreens::anAccountIsNamed() {
+    const auto number = tests::addDraft(*m_site, m_site->context.actor(), tests::smallStudy("linked"));
+    tests::writeAs(*m_site, m_site->context.actor(), [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    go("study", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), 5}});
+    click("participants.enrol");
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isEnabled());
+    auto* account = m_site->find<QLineEdit>(QStringLiteral("enrol.account"));
+    QVERIFY(account);
+    account->setText(QStringLiteral("nobody here"));
+    click("enrol.accept");
+    const auto said = [this] {
+        const auto labels = m_site->find<QDialog>(QStringLiteral("enrol"))->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains(QStringLiteral("nobody here")); });
+    };
+    QTRY_VERIFY(said());
+    QVERIFY(text("enrol.code").isEmpty());
+    account->setText(QStringLiteral("tina"));
+    click("enrol.accept");
+    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    const QString code = text("enrol.code");
+    click("enrol.cancel");
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    const database::Actor tina = m_site->actor("tina");
+    auto connection = m_site->database().openReader();
+    const auto held = database::PrivacyRepository(**connection, tina).exportPerson(tina.personId());
+    QVERIFY(held && held->participations.size() == 1);
+    QCOMPARE(QString::fromStdString(held->participations.front().participant.code), code);
 }
 
 /// What the design says is asked for, stored with the participation, and nobody is enrolled without what must be answered.
