@@ -186,7 +186,7 @@ core::Result<std::vector<ParticipantQuality>> StudyReader::trialQuality(StudyNum
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
-    return allowed ? answerRows(m_connection, "p.study_id = ?", study) : tl::unexpected(allowed.error());
+    return allowed ? shownAnswers(m_connection, study) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {

@@ -67,8 +67,9 @@ public:
     core::Result<void> storeStudyTrial(const StudyTrial& trial);
     /// Ends an open run (completed or stopped) and seals its trials: a missing or added one shows in verify.
     core::Result<void> finishRun(StudyRunNumber run, StudyRunState state);
-    /// Each question once for each participant. All or nothing. Failure: badInput for a questionnaire or item that the design has not;
-    /// wrongUse for an answer that is stored already, and without consent (simulated excepted; what is written down at the enrolment comes
+    /// Each question once for each participant, or where it is asked after each condition once for each of their completed runs
+    /// (QuestionnaireAnswer::run). All or nothing. Failure: badInput for a questionnaire, item or language that the design has not, and for a
+    /// run where none is expected, none where one is, or another's; wrongUse where the run is not completed, for an answer that is stored already, and without consent (simulated excepted; what is written down at the enrolment comes
     /// before it) or withdrawn.
     core::Result<void> storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers);
 
