@@ -36,7 +36,7 @@ CommandSpec making() {
 
 CommandSpec importing() {
     CommandSpec command = row("questionnaire import", "answers that were given on paper, from a filled template: the whole file is checked, then all of it is stored or nothing; answers are never changed",
-                              "surgeons filled.csv --as rosa", importQuestionnaire, {{"incomplete", {}, "questions that must be answered may be left out, as on paper"}});
+                              "surgeons filled.csv --as rosa", importQuestionnaire, {{"incomplete", {}, "questions that must be answered may be left out, as on paper"}, {"language", "CODE", "of the forms; kept with the answers"}});
     command.operands.push_back({"FILE", "CSV (UTF-8) or JSON as study questionnaire template writes it, filled"});
     return command;
 }
