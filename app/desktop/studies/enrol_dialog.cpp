@@ -21,8 +21,8 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
                                                "open. Data and exports carry the code."),
                                    TextStyle::small, "muted"));
     m_account = form::textField(theme(), column(), tr("Login name, if the participant has an account here (optional)"), QStringLiteral("enrol.account"));
-    column()->addWidget(kit::label(theme(), tr("With it, a participant who asks for their data, or for their erasure, also gets what they do in this study. It is kept "
-                                               "in the key table, too; it is in no list and no export of the study."),
+    column()->addWidget(kit::label(theme(), tr("With it, an export or an erasure of this person's data also reaches what they do in this study. It is kept only in "
+                                               "the key table; no list and no export of the study shows it."),
                                    TextStyle::small, "muted"));
     for (const psychophysics::Questionnaire& questionnaire : study.design.questionnaires)
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
