@@ -135,6 +135,7 @@ QJsonObject toJson(const FingertipCheck& check, bool withSeries) {
     QJsonObject json{{"mechanism", "fingertip_arm"},
                      {"seed", QString::number(check.seed)}, // a text: JSON numbers lose large seeds
                      {"simulated", true},
+                     {"serial_number", serialJson(check.serialNumber)},
                      {"holds", holds(check)},
                      {"bounds", QJsonObject{{"rmse_N", FingertipPublished::kMeanRmse_N},
                                             {"angle_error_deg", FingertipPublished::kMeanError_deg},
@@ -231,6 +232,10 @@ QString degradation(const FingertipCheck& check) {
 
 } // namespace
 
+QJsonValue serialJson(const std::string& serialNumber) { return serialNumber.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(serialNumber)); }
+
+QString serialWords(const std::string& serialNumber) { return serialNumber.empty() ? QStringLiteral("not told by the device") : QString::fromStdString(serialNumber); }
+
 CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSeries) {
     const auto& v = check.verification;
     QString text = QStringLiteral("Fingertip platform, simulated; seed %1; sine 0 to %2 N at %3 Hz, %4 poses.\n"
@@ -240,7 +245,8 @@ CommandOutput describeFingertipCheck(const FingertipCheck& check, bool withSerie
                        .arg(v.settings.frequency_Hz)
                        .arg(v.settings.poses);
     text += figures(check) + QLatin1Char('\n');
-    text += alignedPairs({{QStringLiteral("latency"), in(1e3 * v.latency_s, 1) + QStringLiteral(" ms")},
+    text += alignedPairs({{QStringLiteral("serial number"), serialWords(check.serialNumber)},
+                          {QStringLiteral("latency"), in(1e3 * v.latency_s, 1) + QStringLiteral(" ms")},
                           {QStringLiteral("friction of a drive"), QStringLiteral("%1 N + %2 N·s/m").arg(in(check.friction.coulomb_N, 3), in(check.friction.viscous_Ns_per_m, 2))},
                           {QStringLiteral("stiffest wall"), QStringLiteral("%1 N/m, with b + B = %2 N·s/m").arg(in(check.stiffnessCap_N_per_m, 0), shortNumber(check.damping_Ns_per_m))}});
     text += fingers(check);

@@ -45,7 +45,7 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
     QJsonArray parameters;
     for (const double p : d.kinematicsParameters)
         parameters.append(p);
-    return {{"driver", QString::fromStdString(d.driver)},
+    QJsonObject json{{"driver", QString::fromStdString(d.driver)},
             {"model", QString::fromStdString(d.model)},
             {"kinematics", QString::fromStdString(d.kinematics)},
             {"kinematics_parameters", parameters},
@@ -59,6 +59,9 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
             {"maximum_torque_Nm", d.maximumTorque_Nm},
             {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m},
             {"friction_compensation", d.frictionCompensation}};
+    if (!d.serialNumber.empty()) // without it the text is as it was before there was such a thing
+        json.insert("serial_number", QString::fromStdString(d.serialNumber));
+    return json;
 }
 
 core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& json) {
@@ -83,6 +86,7 @@ core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& js
     d.maximumTorque_Nm = in.number("maximum_torque_Nm");
     d.maximumDamping_Ns_per_m = in.number("maximum_damping_Ns_per_m");
     d.frictionCompensation = in.number("friction_compensation", 0.0);
+    d.serialNumber = json.contains(QLatin1String("serial_number")) ? in.text("serial_number") : std::string();
     if (!in.ok())
         return tl::unexpected(in.error());
     if (d.axes.empty() || d.axes.size() > core::kMaxCoordinates)

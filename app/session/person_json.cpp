@@ -138,7 +138,9 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
                                    {QStringLiteral("item"), text(answer.item)},
                                    {QStringLiteral("number"), answer.number ? QJsonValue(*answer.number) : QJsonValue()},
                                    {QStringLiteral("text"), text(answer.text)},
-                                   {QStringLiteral("utc"), text(answer.utc)}});
+                                   {QStringLiteral("utc"), text(answer.utc)},
+                                   {QStringLiteral("run"), answer.run != 0 ? QJsonValue(static_cast<qint64>(answer.run)) : QJsonValue()},
+                                   {QStringLiteral("language"), answer.language.empty() ? QJsonValue() : QJsonValue(text(answer.language))}});
     return {{QStringLiteral("study"), text(held.studyKey)},
             {QStringLiteral("title"), text(held.studyTitle)},
             {QStringLiteral("code"), text(held.participant.code)},

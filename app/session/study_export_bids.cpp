@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/bids_motion.h"
+#include "session/study/questionnaire_replies.h"
 #include "session/study_export.h"
 #include "session/study_export_tables.h"
 
@@ -136,8 +137,12 @@ core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& d
     return writeTable(folder, "participants", table, {});
 }
 
-/// The scores of a questionnaire by the participant's code, and their columns behind the questions'.
-std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psychophysics::Questionnaire& questionnaire, std::vector<ExportColumn>& columns) {
+/// What a column of a questionnaire is about: nothing where it is asked once, else a condition. Behind a name, and in words.
+QString endingOf(const AnsweredPart& part) { return part.label.empty() ? QString() : u'_' + QString::fromStdString(part.label); }
+QString aboutOf(const AnsweredPart& part) { return part.label.empty() ? QString() : QStringLiteral("; about the condition ") + QString::fromStdString(part.label); }
+
+/// The scores of a part of a questionnaire by the participant's code, and their columns behind the questions'.
+std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psychophysics::Questionnaire& questionnaire, const AnsweredPart& part, std::vector<ExportColumn>& columns) {
     std::map<QString, QStringList> by;
     const ExportTable scores = scoresTable(data);
     const auto cell = [&](const QStringList& row, const char* name) {
@@ -146,39 +151,77 @@ std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psych
     };
     QStringList names;
     for (const QStringList& row : scores.rows) {
-        if (cell(row, "questionnaire").toStdString() != questionnaire.id)
+        if (cell(row, "questionnaire").toStdString() != questionnaire.id || cell(row, "condition") != (part.label.empty() ? kNotAvailable : QString::fromStdString(part.label)))
             continue;
         if (const QString name = cell(row, "score"); !names.contains(name)) {
             names << name;
-            columns.push_back({QStringLiteral("score_") + name, "", QStringLiteral("score by the rule %1").arg(cell(row, "rule"))});
+            columns.push_back({QStringLiteral("score_") + name + endingOf(part), "", QStringLiteral("score by the rule %1").arg(cell(row, "rule")) + aboutOf(part)});
         }
         by[cell(row, "participant")] << cell(row, "value");
     }
     return by;
 }
 
-/// phenotype/ID.tsv: a line a participant, a column a question.
+/// One part of a questionnaire with what its columns need.
+struct PhenotypePart {
+    AnsweredPart answered;
+    std::map<QString, QStringList> scores; ///< by code
+    int scoreColumns = 0;
+};
+
+/// A participant's cells of one part; empty where they answered nothing of it.
+QStringList cellsOf(const psychophysics::Questionnaire& questionnaire, const PhenotypePart& part, const ExportedParticipant& participant) {
+    std::map<std::string, QString> given;
+    QStringList languages;
+    for (const database::QuestionnaireAnswer& answer : part.answered.answers) {
+        if (answer.participant != participant.participant.id || !answer.number)
+            continue;
+        given[answer.item] = exportNumber(*answer.number);
+        if (const QString language = QString::fromStdString(answer.language); !language.isEmpty() && !languages.contains(language))
+            languages << language;
+    }
+    if (given.empty())
+        return {};
+    QStringList cells;
+    for (const auto& item : questionnaire.items)
+        if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
+            cells << (given.count(item.id) > 0 ? given.at(item.id) : kNotAvailable);
+    cells << (languages.isEmpty() ? kNotAvailable : languages.join(u'|'));
+    if (part.scoreColumns > 0)
+        cells << part.scores.at(QString::fromStdString(participant.participant.code));
+    return cells;
+}
+
+/// phenotype/ID.tsv: a line a participant, a column a question; of one that is asked after each condition a column a question and condition.
 core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires) {
         ExportTable table{QString::fromStdString(questionnaire.id), english(questionnaire.title), {kParticipantId}, {}};
-        for (const auto& item : questionnaire.items)
-            if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
-                table.columns.push_back({QString::fromStdString(item.id), "", english(item.text)});
-        const std::size_t questions = table.columns.size();
-        const std::map<QString, QStringList> scored = scoresBy(data, questionnaire, table.columns);
+        std::vector<PhenotypePart> parts;
+        std::vector<qsizetype> widths; // of each part, in columns
+        for (AnsweredPart& answered : answeredParts(*data.design, questionnaire, data.answers)) {
+            const std::size_t before = table.columns.size();
+            for (const auto& item : questionnaire.items)
+                if (item.kind != psychophysics::QuestionnaireItem::Kind::text)
+                    table.columns.push_back({QString::fromStdString(item.id) + endingOf(answered), "", english(item.text) + aboutOf(answered)});
+            table.columns.push_back({QStringLiteral("language_shown") + endingOf(answered), "", QStringLiteral("in which the questions were shown, several separated by |; n/a where it was not recorded") + aboutOf(answered)});
+            const std::size_t questions = table.columns.size();
+            PhenotypePart part{std::move(answered), {}, 0};
+            part.scores = scoresBy(data, questionnaire, part.answered, table.columns);
+            part.scoreColumns = static_cast<int>(table.columns.size() - questions);
+            widths.push_back(static_cast<qsizetype>(table.columns.size() - before));
+            parts.push_back(std::move(part));
+        }
         for (const ExportedParticipant& each : data.participants) {
-            std::map<QString, QString> given;
-            for (const auto& answer : data.answers)
-                if (answer.participant == each.participant.id && answer.questionnaire == questionnaire.id && answer.number)
-                    given[QString::fromStdString(answer.item)] = exportNumber(*answer.number);
-            if (given.empty() || each.runs.empty())
-                continue;
             QStringList row{labels.participantId(QString::fromStdString(each.participant.code))};
-            for (std::size_t i = 1; i < questions; ++i)
-                row << (given.count(table.columns[i].name) > 0 ? given.at(table.columns[i].name) : kNotAvailable);
-            if (table.columns.size() > questions)
-                row << scored.at(QString::fromStdString(each.participant.code));
-            table.rows.push_back(row);
+            bool any = false;
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const QStringList cells = cellsOf(questionnaire, parts[i], each);
+                any = any || !cells.isEmpty();
+                for (qsizetype column = 0; column < widths[i]; ++column)
+                    row << (cells.isEmpty() ? kNotAvailable : cells[column]);
+            }
+            if (any && !each.runs.empty())
+                table.rows.push_back(row);
         }
         if (table.rows.empty())
             continue;

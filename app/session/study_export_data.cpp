@@ -2,6 +2,7 @@
 #include "session/study_export_data.h"
 
 #include "catalogue/study_reader.h"
+#include "session/study/questionnaire_replies.h"
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 
@@ -18,6 +19,11 @@ using database::StudyTrial;
 void sortByCodes(StudyExportData& data) {
     std::sort(data.participants.begin(), data.participants.end(),
               [](const auto& a, const auto& b) { return a.participant.code < b.participant.code; });
+    std::map<database::ParticipantNumber, std::string> codes;
+    for (const ExportedParticipant& each : data.participants)
+        codes[each.participant.id] = each.participant.code;
+    const auto key = [&](const database::QuestionnaireAnswer& answer) { return std::pair(codes[answer.participant], labelOf(answer)); };
+    std::stable_sort(data.answers.begin(), data.answers.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
     for (ExportedParticipant& each : data.participants)
         std::stable_sort(each.runs.begin(), each.runs.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
 }

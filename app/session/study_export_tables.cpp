@@ -2,6 +2,7 @@
 #include "session/study_export_tables.h"
 
 #include "psychophysics/measures/instrument_score.h"
+#include "session/study/questionnaire_replies.h"
 #include "session/study/trial_fidelity.h"
 
 #include <algorithm>
@@ -129,14 +130,16 @@ QString enrolmentCell(const StudyExportData& data, const EnrolmentField& field, 
 }
 
 /// Nothing where the participant did not answer it.
-std::optional<psychophysics::QuestionnaireReply> replyOf(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers,
-                                                         database::ParticipantNumber participant) {
+std::optional<psychophysics::QuestionnaireReply> replyOf(const AnsweredPart& part, database::ParticipantNumber participant) {
     psychophysics::QuestionnaireReply reply;
-    for (const database::QuestionnaireAnswer& answer : answers)
-        if (answer.participant == participant && answer.questionnaire == questionnaire.id && answer.number)
+    for (const database::QuestionnaireAnswer& answer : part.answers)
+        if (answer.participant == participant && answer.number)
             reply.numbers[answer.item] = *answer.number;
     return reply.numbers.empty() ? std::nullopt : std::optional(std::move(reply));
 }
+
+/// What an answer is about, and the score of answers.
+const ExportColumn kAbout{"condition", "", "that it is about, where the questionnaire is asked after each: its id in design.json, its sealed code while blinded; n/a where it is asked once"};
 
 QString kindWord(QuestionnaireItem::Kind kind) {
     constexpr std::array<const char*, 4> words{"likert", "number", "choice", "text"};
@@ -245,17 +248,19 @@ ExportTable scoresTable(const StudyExportData& data) {
                                            {"nasa_tlx_weighted", "weighted by the 15 pairs, 0 to 100 (Hart & Staveland 1988)"},
                                            {"laterality_quotient", "-100 left to 100 right (Oldfield 1971)"}}},
                                          {"score", "", "which figure: workload the index, and each of its scales by the question's id"},
-                                         {"value", "1", "n/a where an answer that it takes was not given"}};
+                                         {"value", "1", "n/a where an answer that it takes was not given"},
+                                         kAbout};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
     for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires)
-        for (const ExportedParticipant& each : data.participants) {
-            const auto reply = replyOf(questionnaire, data.answers, each.participant.id);
-            if (!reply)
-                continue;
-            for (const psychophysics::InstrumentScore& score : psychophysics::instrumentScores(questionnaire, *reply))
-                table.rows.push_back({data.sha256(), QString::fromStdString(each.participant.code), text(questionnaire.id), text(questionnaire.score), text(score.id),
-                                      exportNumber(score.value)});
-        }
+        for (const AnsweredPart& part : answeredParts(*data.design, questionnaire, data.answers))
+            for (const ExportedParticipant& each : data.participants) {
+                const auto reply = replyOf(part, each.participant.id);
+                if (!reply)
+                    continue;
+                for (const psychophysics::InstrumentScore& score : psychophysics::instrumentScores(questionnaire, *reply))
+                    table.rows.push_back({data.sha256(), QString::fromStdString(each.participant.code), text(questionnaire.id), text(questionnaire.score), text(score.id),
+                                          exportNumber(score.value), text(part.label)});
+            }
     return table;
 }
 
@@ -287,8 +292,10 @@ ExportTable questionnairesTable(const StudyExportData& data) {
                                          {"item", "", "the question's id"},
                                          {"construct", "", "what it is summarised under"},
                                          {"kind", "", "of the question", {{"likert", "1 to the scale's end"}, {"number", "a number"}, {"choice", "index of the choice, from 0"}, {"text", "free text, which stays behind"}}},
-                                         {"answer", "1", "n/a for free text and what was not answered"},
-                                         {"text_given", "", "a free text was written", kYesNo}};
+                                         {"answer", "1", "n/a for free text and what was not answered; of conditions also while blinded where they differ"},
+                                         {"text_given", "", "a free text was written; n/a while blinded as the answer", kYesNo},
+                                         kAbout,
+                                         {"language", "", "in which the question was shown (en, de, el); n/a where it was not recorded"}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
     std::map<database::ParticipantNumber, QString> codes;
     for (const ExportedParticipant& each : data.participants)
@@ -297,7 +304,8 @@ ExportTable questionnairesTable(const StudyExportData& data) {
         const QuestionnaireItem* item = itemOf(data, answer);
         table.rows.push_back({data.sha256(), codes.count(answer.participant) > 0 ? codes.at(answer.participant) : kNotAvailable, text(answer.questionnaire),
                               text(answer.item), item ? text(item->construct) : kNotAvailable, item ? kindWord(item->kind) : kNotAvailable,
-                              answer.number ? exportNumber(*answer.number) : kNotAvailable, exportFlag(!answer.text.empty())});
+                              answer.number ? exportNumber(*answer.number) : kNotAvailable, answer.withheld ? kNotAvailable : exportFlag(!answer.text.empty()),
+                              text(labelOf(answer)), text(answer.language)});
     }
     return table;
 }

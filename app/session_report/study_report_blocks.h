@@ -49,7 +49,7 @@ private:
     void addFidelity();
     void addQuality(); ///< in place of it while runs are sealed
     void addQuestionnaires();
-    QString answersTo(const std::string& questionnaire, const psychophysics::QuestionnaireItem& item) const;
+    QString answersTo(const std::vector<database::QuestionnaireAnswer>& answers, const psychophysics::QuestionnaireItem& item) const;
     void addMuted(const QString& text);
 
     const StudyReportData& m_data;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far the numbers can be trusted, and what participants said.
+#include "session/study/questionnaire_replies.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
@@ -45,6 +46,14 @@ Tally tallyOf(const session::AnalysedCondition& condition) {
                 ++tally.why[trial.spoiled];
     }
     return tally;
+}
+
+/// A condition's title by what an answer calls it: while blind that is its sealed code.
+QString titleOf(const StudyReportData& data, const std::string& label) {
+    for (const psychophysics::Condition& each : data.analysis.design.conditions)
+        if (!data.blind() && each.id == label)
+            return words::text(each.title, data.language);
+    return QString::fromStdString(label);
 }
 
 } // namespace
@@ -98,12 +107,12 @@ void StudyReportBlocks::addQuality() {
     addMuted(Words::tr("Over all conditions together. The number of trials is shown only for those who have done every condition."));
 }
 
-QString StudyReportBlocks::answersTo(const std::string& questionnaire, const QuestionnaireItem& item) const {
+QString StudyReportBlocks::answersTo(const std::vector<database::QuestionnaireAnswer>& answers, const QuestionnaireItem& item) const {
     const QLocale& locale = m_theme.locale;
     std::vector<double> numbers;
     int texts = 0;
-    for (const database::QuestionnaireAnswer& answer : m_data.answers) {
-        if (answer.questionnaire != questionnaire || answer.item != item.id)
+    for (const database::QuestionnaireAnswer& answer : answers) {
+        if (answer.item != item.id)
             continue;
         if (answer.number)
             numbers.push_back(*answer.number);
@@ -127,15 +136,24 @@ QString StudyReportBlocks::answersTo(const std::string& questionnaire, const Que
 void StudyReportBlocks::addQuestionnaires() {
     for (const psychophysics::Questionnaire& questionnaire : m_data.analysis.design.questionnaires) {
         addHeading(words::text(questionnaire.title, m_data.language));
-        std::vector<std::vector<QString>> rows;
-        for (const QuestionnaireItem& item : questionnaire.items) {
-            QString question = words::text(item.text, m_data.language);
-            if (item.kind == QuestionnaireItem::Kind::likert)
-                question += QStringLiteral(" (1 %1 … %2 %3)").arg(words::text(item.low, m_data.language), m_theme.locale.toString(item.scale),
-                                                                  words::text(item.high, m_data.language));
-            rows.push_back({question, answersTo(questionnaire.id, item)});
+        const auto parts = session::answeredParts(m_data.analysis.design, questionnaire, m_data.answers);
+        if (parts.empty())
+            addMuted(std::any_of(m_data.answers.begin(), m_data.answers.end(), [](const database::QuestionnaireAnswer& answer) { return answer.withheld; })
+                         ? Words::tr("Answers about single conditions are shown once the study is unblinded.")
+                         : Words::tr("No answers"));
+        for (const session::AnsweredPart& part : parts) {
+            if (!part.label.empty())
+                addMuted(Words::tr("About the condition %1").arg(titleOf(m_data, part.label)));
+            std::vector<std::vector<QString>> rows;
+            for (const QuestionnaireItem& item : questionnaire.items) {
+                QString question = words::text(item.text, m_data.language);
+                if (item.kind == QuestionnaireItem::Kind::likert)
+                    question += QStringLiteral(" (1 %1 … %2 %3)").arg(words::text(item.low, m_data.language), m_theme.locale.toString(item.scale),
+                                                                      words::text(item.high, m_data.language));
+                rows.push_back({question, answersTo(part.answers, item)});
+            }
+            addTable({Words::tr("Question"), Words::tr("Answers")}, rows, {0.55, 0.45}, {false, false});
         }
-        addTable({Words::tr("Question"), Words::tr("Answers")}, rows, {0.55, 0.45}, {false, false});
     }
 }
 

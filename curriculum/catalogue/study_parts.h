@@ -53,7 +53,7 @@ inline constexpr WholeKey<FidelityLimits> kFidelityWholes[] = {{"repeats_at_most
 inline constexpr std::array<const char*, 2> kScales{"difference", "log_difference"};
 inline constexpr std::array<const char*, 4> kOrders{"fixed", "random", "latin_square", "williams"};
 inline constexpr std::array<const char*, 4> kItemKinds{"likert", "number", "choice", "text"};
-inline constexpr std::array<const char*, 3> kWhens{"before", "after", "enrolment"};
+inline constexpr std::array<const char*, 4> kWhens{"before", "after", "enrolment", "after_condition"};
 
 /// Reads the rest of a study. What is wrong goes to the problems.
 psychophysics::Questionnaire readQuestionnaire(const ObjectReader& json);

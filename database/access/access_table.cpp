@@ -71,6 +71,7 @@ constexpr AccessRow kRows[] = {
     {A::setStudyArchived,     No,       Own,      No,         No,     No,     Own,       All},
     {A::unblindStudy,         No,       Own,      No,         No,     No,     Own,       All},
     {A::enrolParticipant,     No,       Own,      No,         No,     No,     All,       All},
+    {A::enrolAccount,         No,       No,       No,         No,     No,     All,       All},
     {A::recordConsent,        No,       Own,      No,         No,     No,     All,       All},
     {A::completeParticipant,  No,       Own,      No,         No,     No,     All,       All},
     {A::withdrawParticipant,  No,       Own,      No,         No,     No,     All,       All},

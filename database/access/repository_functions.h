@@ -58,6 +58,7 @@
     X(StudyRepository, setStudyArchived)                                                                     \
     X(StudyRepository, unblindStudy)                                                                         \
     X(StudyRepository, enrolParticipant)                                                                     \
+    X(StudyRepository, enrolAccount)                                                                         \
     X(StudyRepository, recordConsent)                                                                        \
     X(StudyRepository, completeParticipant)                                                                  \
     X(StudyRepository, withdrawParticipant)                                                                  \

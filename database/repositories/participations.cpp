@@ -47,7 +47,14 @@ core::Result<PersonParticipation> participation(Connection& connection, Particip
     const bool done = held.participant.state == ParticipantState::completed || held.participant.state == ParticipantState::withdrawn;
     const bool handedOut = own && done && blinding->seals();
     held.sealed = blinding->seals() && !handedOut;
-    held.answers = *std::move(answers);
+    for (QuestionnaireAnswer& answer : *answers) {
+        // handed out like the trials: by its run, without what experimenters know the condition by
+        held.answers.push_back(handedOut ? std::move(answer) : sealed(std::move(answer), *blinding));
+        if (handedOut) {
+            held.answers.back().condition.clear();
+            held.answers.back().sealedCode.clear();
+        }
+    }
     for (StudyRun& run : held.runs) {
         if (handedOut) {
             run.sealedCode.clear(); // beside its trials it would say for everybody which condition the code is

@@ -30,13 +30,16 @@ core::Result<std::int64_t> StationRepository::recordStationCheck(const StationCh
     if (const auto scope = authorise(m_connection, m_actor, Action::recordStationCheck); !scope) {
         return tl::unexpected(scope.error());
     }
-    if (check.what.empty() || check.build.empty() || !isPlain(check.what) || !isPlain(check.driver) || !isPlain(check.build)) {
+    if (check.what.empty() || check.build.empty() || !isPlain(check.what) || !isPlain(check.driver) || !isPlain(check.build) || !isPlain(check.serial)) {
         return core::fail(core::ErrorCode::badInput, "station check: expected what was checked and the program's build, in printable ASCII");
     }
-    const QJsonObject detail{{"what", QString::fromStdString(check.what)},
+    QJsonObject detail{{"what", QString::fromStdString(check.what)},
                              {"driver", QString::fromStdString(check.driver)},
                              {"build", QString::fromStdString(check.build)},
                              {"passed", check.passed}};
+    if (!check.serial.empty()) {
+        detail.insert("serial", QString::fromStdString(check.serial));
+    }
     const auto added = appendAudit(m_connection, m_actor,
                                    {"recordStationCheck", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
     const auto last = added ? selectInteger(m_connection, "SELECT max(sequence) FROM audit") : tl::unexpected(added.error());

@@ -16,6 +16,7 @@ struct StationCheck {
     std::string driver; ///< of the device that was checked: a token of the driver catalogue; empty: none
     std::string build;  ///< core::buildId()
     bool passed = false;
+    std::string serial{}; ///< of the device, as it tells it; empty: it tells none, or there is none
 };
 
 /// Records checks of the station. Researchers and administrators (technicians hold that role) check stations.
@@ -25,7 +26,7 @@ public:
         : m_connection(connection), m_actor(std::move(actor)) {}
 
     /// Adds it to the audit chain and returns the entry's number, which a printed record bears. Only in a writer's job.
-    /// Failure: notAllowed, wrongUse, badInput (what or build is empty, or not plain), storage.
+    /// Failure: notAllowed, wrongUse, badInput (what or build is empty, or anything not plain), storage.
     core::Result<std::int64_t> recordStationCheck(const StationCheck& check);
 
 private:

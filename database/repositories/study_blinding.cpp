@@ -100,6 +100,19 @@ StudyRun sealed(StudyRun run, const Blinding& blinding) {
     return run;
 }
 
+QuestionnaireAnswer sealed(QuestionnaireAnswer answer, const Blinding& blinding) {
+    if (blinding.on) {
+        answer.condition.clear();
+    }
+    if (blinding.seals() && answer.run != 0) { // how hard a condition was tells which one it is, and when it ended how long it took
+        answer.number.reset();
+        answer.text.clear();
+        answer.utc.clear();
+        answer.withheld = true;
+    }
+    return answer;
+}
+
 std::string shownReason(const std::string& spoiled, const Blinding& blinding) {
     return blinding.on && !blinding.oneStimulus && isOfForces(spoiled) ? std::string(kWithheld) : spoiled;
 }
@@ -113,6 +126,17 @@ core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, Participan
         }
     }
     return runs;
+}
+
+core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connection, StudyNumber study) {
+    const auto blinding = blindingOf(connection, StudyPart::study, study);
+    auto answers = blinding ? answerRows(connection, "p.study_id = ?", study) : tl::unexpected(blinding.error());
+    if (answers) {
+        for (QuestionnaireAnswer& answer : *answers) {
+            answer = sealed(std::move(answer), *blinding);
+        }
+    }
+    return answers;
 }
 
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run) {

@@ -22,6 +22,9 @@ core::Result<Blinding> blindingOf(Connection& connection, StudyPart part, std::i
 /// Without the condition while blinded. Where conditions differ, also without what chose its presentations.
 StudyRun sealed(StudyRun run, const Blinding& blinding);
 
+/// The same of an answer that was given after a condition; of one that was given once nothing is left out.
+QuestionnaireAnswer sealed(QuestionnaireAnswer answer, const Blinding& blinding);
+
 /// Why a trial is spoiled; "withheld" while blinded where the reason comes of forces that conditions differ in.
 std::string shownReason(const std::string& spoiled, const Blinding& blinding);
 
@@ -29,6 +32,7 @@ std::string shownReason(const std::string& spoiled, const Blinding& blinding);
 /// times, speeds, counts of contacts and how many trials there were are each a way to tell the conditions apart.
 core::Result<std::vector<StudyRun>> shownRuns(Connection& connection, ParticipantNumber participant);
 core::Result<std::vector<StudyTrial>> shownTrials(Connection& connection, StudyRunNumber run);
+core::Result<std::vector<QuestionnaireAnswer>> shownAnswers(Connection& connection, StudyNumber study);
 /// What quality can be watched by instead; by participant, in the order enrolled.
 core::Result<std::vector<ParticipantQuality>> qualityRows(Connection& connection, StudyNumber study);
 

@@ -68,11 +68,34 @@ bool isEnrolment(const QJsonObject& design, const std::string& questionnaire) {
     return withId(design["questionnaires"], questionnaire)["when"].toString() == QLatin1String("enrolment");
 }
 
+bool isOfConditions(const QJsonObject& design, const std::string& questionnaire) {
+    return withId(design["questionnaires"], questionnaire)["when"].toString() == QLatin1String("after_condition");
+}
+
+namespace {
+
+/// The language is one that the question has, and a run is named where the questionnaire is asked after each.
+core::Result<void> checkShown(const QJsonObject& design, const QuestionnaireAnswer& answer, const QJsonObject& item, const std::string& place) {
+    if (!answer.language.empty() && !item["text"].toObject().contains(QString::fromStdString(answer.language))) {
+        return bad(place + ": language " + answer.language + ": expected one that the question is written in");
+    }
+    const bool ofConditions = isOfConditions(design, answer.questionnaire);
+    if (ofConditions == (answer.run != 0)) {
+        return {};
+    }
+    return bad(place + (ofConditions ? ": expected the run that it was asked after" : ": expected no run, since it is asked once"));
+}
+
+} // namespace
+
 core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAnswer& answer) {
     const std::string place = "answer " + answer.questionnaire + "." + answer.item;
     const QJsonObject item = withId(withId(design["questionnaires"], answer.questionnaire)["items"], answer.item);
     if (item.isEmpty()) {
         return bad(place + ": the design asks no such question");
+    }
+    if (auto shown = checkShown(design, answer, item, place); !shown) {
+        return shown;
     }
     const QString kind = item["kind"].toString();
     if (kind == "text") {

@@ -47,8 +47,11 @@ core::Result<void> checkPerson(Connection& connection, const NewParticipant& wan
     }
     for (const ParticipantNumber id : *ids) {
         const auto participant = storedParticipant(connection, id);
-        if (participant && participant->study == wanted.study && participant->state != ParticipantState::withdrawn) {
-            return bad("this person takes part already, as " + participant->code);
+        if (!participant) {
+            return tl::unexpected(participant.error());
+        }
+        if (participant->study == wanted.study && participant->state != ParticipantState::withdrawn) {
+            return bad("this person takes part already"); // as whom is for those alone who may open the key table
         }
     }
     return {};
@@ -110,7 +113,7 @@ core::Result<void> storeKey(Connection& connection, const Actor& actor, Particip
     const std::string json = QJsonDocument(key).toJson(QJsonDocument::Compact).toStdString();
     const auto row = insertRow(connection, "participant_key",
                                {{"id", id}, {"key_json", json}, {"key_hash", toBlob(textDigest(json))}});
-    return row ? appendAudit(connection, actor, {"enrolParticipant", "participant_key", id, *row, "{}"})
+    return row ? appendAudit(connection, actor, {"enrolParticipant", "participant_key", id, *row, wanted.person != 0 ? R"({"account":true})" : "{}"})
                : core::Result<void>(tl::unexpected(row.error()));
 }
 
@@ -175,6 +178,18 @@ core::Result<Participant> StudyRepository::enrolParticipant(StudyNumber study, c
     const auto found = std::find_if(all->begin(), all->end(), [&](const Participant& p) { return p.id == id; });
     return found != all->end() ? core::Result<Participant>(*found)
                                : core::fail(core::ErrorCode::storage, "the new participant cannot be read");
+}
+
+core::Result<Participant> StudyRepository::enrolAccount(StudyNumber study, const std::string& identity, const std::string& account) {
+    if (auto allowed = mayWriteStudy(m_connection, m_actor, Action::enrolAccount, StudyPart::study, study); !allowed) {
+        return tl::unexpected(allowed.error());
+    }
+    const auto person = selectInteger(m_connection, "SELECT id FROM person WHERE name_key = ? AND kind = 'person'", {nameKey(account)});
+    if (!person || !*person) {
+        return person ? core::fail(core::ErrorCode::notFound, "there is no account \"" + account + "\"")
+                      : core::Result<Participant>(tl::unexpected(person.error()));
+    }
+    return enrolParticipant(study, identity, **person, {});
 }
 
 core::Result<void> StudyRepository::recordConsent(ParticipantNumber participant, const std::string& sha256) {

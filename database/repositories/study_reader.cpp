@@ -186,7 +186,7 @@ core::Result<std::vector<ParticipantQuality>> StudyReader::trialQuality(StudyNum
 
 core::Result<std::vector<QuestionnaireAnswer>> StudyReader::questionnaireAnswers(StudyNumber study) {
     auto allowed = authoriseForStudy(m_connection, m_actor, Action::questionnaireAnswers, StudyPart::study, study);
-    return allowed ? answerRows(m_connection, "p.study_id = ?", study) : tl::unexpected(allowed.error());
+    return allowed ? shownAnswers(m_connection, study) : tl::unexpected(allowed.error());
 }
 
 core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumber study) {
@@ -197,13 +197,14 @@ core::Result<std::vector<ParticipantKey>> StudyReader::participantKeys(StudyNumb
     }
     return rowsOf<ParticipantKey>(
         m_connection,
-        "SELECT p.id, p.code, k.key_json FROM participant_key k JOIN study_participant p ON p.id = k.id WHERE "
+        "SELECT p.id, p.code, k.key_json, coalesce((SELECT name FROM person WHERE id = CASE WHEN json_valid(k.key_json) THEN "
+        "json_extract(k.key_json, '$.person') END AND kind = 'person'), '') FROM participant_key k JOIN study_participant p ON p.id = k.id WHERE "
         "p.study_id = ? AND k.key_json <> '' ORDER BY p.id",
         {study}, [](const Query& row) {
             const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(row.text(2))).object();
             const PersonId person = json["person"].toInteger();
             return ParticipantKey{row.integer(0), row.text(1), json["identity"].toString().toStdString(),
-                                  person != 0 ? std::optional(person) : std::nullopt};
+                                  person != 0 ? std::optional(person) : std::nullopt, row.text(3)};
         });
 }
 

@@ -36,6 +36,7 @@ public:
     core::Result<std::vector<StudyRun>> runs(ParticipantNumber participant);
     core::Result<std::vector<StudyTrial>> studyTrials(StudyRunNumber run); ///< by ordinal; none while blinded where conditions differ (study_blinding.h)
     core::Result<std::vector<ParticipantQuality>> trialQuality(StudyNumber study); ///< by participant, in the order enrolled; also while blinded
+    /// Those of conditions by sealed codes while the study is blinded, and withheld where conditions differ.
     core::Result<std::vector<QuestionnaireAnswer>> questionnaireAnswers(StudyNumber study);
     /// Who the codes are; the study's author and administrators alone. The look is audited, so it needs a writer's job
     /// (database.write); the erased are left out. Failure: wrongUse on a reader's connection.

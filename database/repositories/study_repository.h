@@ -43,6 +43,10 @@ public:
     /// badInput when the person takes part already, or the code is taken in this study.
     core::Result<Participant> enrolParticipant(StudyNumber study, const std::string& identity, PersonId person,
                                                const std::string& observer, const std::string& wantedCode = {});
+    /// Enrols somebody who has an account, by login name, so that their export and erasure reach what they do under the code. The link stands in the
+    /// key table alone: no list, export or audit entry of the study says whose account it is. `identity` may be empty. Failure: as
+    /// enrolParticipant; notFound where nobody has this login name. That somebody takes part already is said without their code.
+    core::Result<Participant> enrolAccount(StudyNumber study, const std::string& identity, const std::string& account);
     /// `sha256`: of the consent text that was shown, UTF-8, one of the frozen design's languages. Failure: badInput for another text;
     /// wrongUse when given before or withdrawn.
     core::Result<void> recordConsent(ParticipantNumber participant, const std::string& sha256);
@@ -63,8 +67,9 @@ public:
     core::Result<void> storeStudyTrial(const StudyTrial& trial);
     /// Ends an open run (completed or stopped) and seals its trials: a missing or added one shows in verify.
     core::Result<void> finishRun(StudyRunNumber run, StudyRunState state);
-    /// Each question once for each participant. All or nothing. Failure: badInput for a questionnaire or item that the design has not;
-    /// wrongUse for an answer that is stored already, and without consent (simulated excepted; what is written down at the enrolment comes
+    /// Each question once for each participant, or where it is asked after each condition once for each of their completed runs
+    /// (QuestionnaireAnswer::run). All or nothing. Failure: badInput for a questionnaire, item or language that the design has not, and for a
+    /// run where none is expected, none where one is, or another's; wrongUse where the run is not completed, for an answer that is stored already, and without consent (simulated excepted; what is written down at the enrolment comes
     /// before it) or withdrawn.
     core::Result<void> storeQuestionnaireAnswers(const std::vector<QuestionnaireAnswer>& answers);
 

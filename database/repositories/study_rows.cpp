@@ -84,6 +84,10 @@ StudyTrial trialOf(const Query& row) {
 QuestionnaireAnswer answerOf(const Query& row) {
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(row.text(3))).object();
     QuestionnaireAnswer answer{row.integer(0), row.text(1), row.text(2), {}, json["text"].toString().toStdString(), row.text(4)};
+    answer.run = row.isNull(5) ? 0 : row.integer(5);
+    answer.language = row.isNull(6) ? std::string() : row.text(6);
+    answer.condition = row.text(7);
+    answer.sealedCode = row.text(8);
     if (json["number"].isDouble()) {
         answer.number = json["number"].toDouble();
     }
@@ -130,8 +134,9 @@ core::Result<std::vector<QuestionnaireAnswer>> answerRows(Connection& connection
                                                           std::int64_t number) {
     return rowsOf<QuestionnaireAnswer>(
         connection,
-        "SELECT a.participant_id, a.questionnaire, a.item, a.answer_json, a.utc FROM questionnaire_answer a JOIN "
-        "study_participant p ON p.id = a.participant_id WHERE " +
+        "SELECT a.participant_id, a.questionnaire, a.item, a.answer_json, a.utc, a.run_id, a.language, coalesce(r.condition, ''), "
+        "coalesce(r.sealed_code, '') FROM questionnaire_answer a JOIN study_participant p ON p.id = a.participant_id "
+        "LEFT JOIN study_run r ON r.id = a.run_id WHERE " +
             where + " ORDER BY a.participant_id, a.id",
         {number}, answerOf);
 }

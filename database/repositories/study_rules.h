@@ -64,6 +64,8 @@ std::vector<std::string> conditionIds(const QJsonObject& design);
 std::vector<std::string> consentDigests(const QJsonObject& design);
 /// Whether this questionnaire is what is written down at the enrolment.
 bool isEnrolment(const QJsonObject& design, const std::string& questionnaire);
+/// Whether it is asked after each condition.
+bool isOfConditions(const QJsonObject& design, const std::string& questionnaire);
 /// Whether the design asks this and the answer is one it can have. Failure: badInput naming what was expected.
 core::Result<void> checkAnswer(const QJsonObject& design, const QuestionnaireAnswer& answer);
 

@@ -117,11 +117,28 @@ core::Result<void> mayAnswer(const StoredParticipant& who, const QJsonObject& de
     return early || who.state == ParticipantState::completed ? core::Result<void>() : mayRun(who);
 }
 
+/// An answer that belongs to a run is given once that run is completed.
+core::Result<void> checkRunOf(Connection& connection, const QuestionnaireAnswer& answer) {
+    if (answer.run == 0) {
+        return {};
+    }
+    const auto state = selectText(connection, "SELECT state FROM study_run WHERE id = ? AND participant_id = ?", {answer.run, answer.participant});
+    if (!state) {
+        return tl::unexpected(state.error());
+    }
+    const std::string place = "answer " + answer.questionnaire + "." + answer.item + ": run " + std::to_string(answer.run);
+    if (!*state) {
+        return bad(place + ": expected a run of this participant");
+    }
+    return **state == "completed" ? core::Result<void>()
+                                  : core::fail(core::ErrorCode::wrongUse, place + " is " + **state + ": expected it to be completed");
+}
+
 core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const QuestionnaireAnswer& answer) {
     const auto last = selectInteger(connection, "SELECT max(id) FROM questionnaire_answer");
     const auto there = selectInteger(
-        connection, "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND questionnaire = ? AND item = ?",
-        {answer.participant, answer.questionnaire, answer.item});
+        connection, "SELECT 1 FROM questionnaire_answer WHERE participant_id = ? AND questionnaire = ? AND item = ? AND coalesce(run_id, 0) = ?",
+        {answer.participant, answer.questionnaire, answer.item, answer.run});
     if (!last || !there) {
         return tl::unexpected(!last ? last.error() : there.error());
     }
@@ -138,7 +155,9 @@ core::Result<void> storeAnswer(Connection& connection, const Actor& actor, const
                                 {"item", answer.item},
                                 {"answer_json", json},
                                 {"answer_hash", toBlob(textDigest(json))},
-                                {"utc", answer.utc.empty() ? core::utcNowIso8601() : answer.utc}});
+                                {"utc", answer.utc.empty() ? core::utcNowIso8601() : answer.utc},
+                                {"run_id", answer.run != 0 ? Value(answer.run) : Value()},
+                                {"language", answer.language.empty() ? Value() : Value(answer.language)}});
     return row ? appendAudit(connection, actor, {"storeQuestionnaireAnswers", "questionnaire_answer", id, *row, "{}"})
                : core::Result<void>(tl::unexpected(row.error()));
 }
@@ -230,6 +249,7 @@ core::Result<void> StudyRepository::storeQuestionnaireAnswers(const std::vector<
         }
         good = good ? mayAnswer(*who, *design, answer.questionnaire) : good;
         good = good ? checkAnswer(*design, answer) : good;
+        good = good ? checkRunOf(m_connection, answer) : good;
         good = good ? storeAnswer(m_connection, m_actor, answer) : good;
         if (!good) {
             return good;

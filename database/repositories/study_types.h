@@ -92,6 +92,7 @@ struct ParticipantKey {
     std::string code;
     std::string identity;           ///< free text, as the researcher wrote it
     std::optional<PersonId> person; ///< where it is somebody with an account
+    std::string account{};          ///< their login name
 };
 
 /// One condition done by one participant; goes on over several sittings (sessions).
@@ -178,7 +179,8 @@ struct ConductedRun {
     std::string designJson; ///< as it is, where lists mask it: what the program renders
 };
 
-/// One answer to one question. Overwritten by an erasure: then neither number nor text.
+/// One answer to one question. Overwritten by an erasure: then neither number nor text. Of a condition, read while the study is blinded: by the
+/// sealed code, and where conditions differ without its value and time, which could tell them apart (study_blinding.h).
 struct QuestionnaireAnswer {
     ParticipantNumber participant = 0;
     std::string questionnaire;
@@ -186,6 +188,12 @@ struct QuestionnaireAnswer {
     std::optional<double> number; ///< likert, number, choice (index from 0)
     std::string text;             ///< free text
     std::string utc;
+    StudyRunNumber run = 0;       ///< of a questionnaire that is asked after each condition: the run it was asked after; 0: asked once
+    std::string language{};       ///< that the question was shown in ("de"); empty: not recorded
+    // Read with it, of the run; not stored with an answer.
+    std::string condition{};      ///< id in the design; empty while the study is blinded, and where there is no run
+    std::string sealedCode{};     ///< what stands for it then
+    bool withheld = false;        ///< there is an answer, and it is told once the study is unblinded
 };
 
 } // namespace chiron::database

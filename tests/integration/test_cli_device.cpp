@@ -35,6 +35,7 @@ void TestCliDevice::theFingertipPlatformHolds() {
     QVERIFY(json["angle_error_deg"].toDouble() > 0.0 && json["angle_error_deg"].toDouble() < 1.95);
     QVERIFY(json["latency_us"].toDouble() > 0.0 && json["latency_us"].toDouble() < 50000.0);
     QVERIFY(json["simulated"].toBool());
+    QVERIFY(json.contains("serial_number") && json["serial_number"].isNull());
     QCOMPARE(json["fingers"].toArray().size(), 8);
     for (const QJsonValue& on : json["fingers"].toArray())
         QVERIFY(on["holds"].toBool() && on["most_N"].toDouble() <= 4.0 && on["rmse_true_N"].toDouble() < 0.0707);
@@ -53,7 +54,7 @@ void TestCliDevice::theFingertipPlatformHolds() {
     QVERIFY(std::abs(chosen["stiffness_cap_N_per_m"].toDouble() - 2.0 / (0.0005 + 1e-6 * chosen["latency_us"].toDouble())) < 1e-6);
     QVERIFY(std::abs(json["friction"]["coulomb_N"].toDouble() - 0.25) < 0.03);
     const CliRun words = runCli({"device", "check", "--seed", "2", "--poses", "3"});
-    for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation", "Holds"})
+    for (const char* word : {"0.0707", "1.95", "force RMSE, cycle 3", "relaxing", "in simulation", "Holds", "not told by the device"})
         QVERIFY2(words.out.contains(word), word);
 }
 
@@ -92,6 +93,7 @@ void TestCliDevice::theGimbalsFriction() {
     const CliRun run = runCli({"device", "check", "--mechanism", "gimbal_hprd", "--json"});
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(object(run)["friction"].toArray().size(), 3);
+    QVERIFY(object(run).contains("serial_number") && object(run)["serial_number"].isNull());
     // What is felt of it: all of it where it breaks away, little in motion, and never less than nothing.
     const QJsonObject felt = object(run)["friction_felt"].toObject();
     QCOMPARE(felt["rows"].toArray().size(), 12);

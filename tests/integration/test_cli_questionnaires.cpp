@@ -22,6 +22,7 @@ private slots:
     void performanceGoesWithAnswers();
     void halfWayLeavesNothing();
     void onlyThoseWhoMay();
+    void workloadIsOfEachCondition();
 
 private:
     CliRun as(const QString& name, const QStringList& arguments) {
@@ -279,6 +280,70 @@ void TestCliQuestionnaires::onlyThoseWhoMay() {
     QCOMPARE(as("tim", {"study", "questionnaire", "summary", "surgeons"}).exitCode, 2);
     QCOMPARE(runCli({"study", "questionnaire", "import", "surgeons", path, "--database", m_database}).exitCode, 2); // nobody
     QCOMPARE(stored(), before);
+}
+
+/// NASA-TLX after each of two conditions: asked, stored, summarised, scored and exported by condition, with the language of the forms.
+void TestCliQuestionnaires::workloadIsOfEachCondition() {
+    const auto contentOf = [](const char* path) {
+        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content/") + QLatin1String(path));
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+    };
+    QJsonObject design = contentOf("studies/stiffness_elastic_tube.json");
+    QJsonObject workload = contentOf("instruments/nasa_tlx.json")["questionnaire"].toObject();
+    workload["when"] = "after_condition";
+    QJsonArray conditions = design["conditions"].toArray();
+    QJsonObject again = conditions[0].toObject();
+    again["id"] = "tube_again";
+    conditions.append(again);
+    design["id"] = "tlx";
+    design["conditions"] = conditions;
+    design["questionnaires"] = QJsonArray{workload};
+    QFile out(m_folder.filePath("tlx.json"));
+    QVERIFY(out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(design).toJson()) > 0);
+    out.close();
+    QCOMPARE(done({"study", "new", out.fileName()})["state"].toString(), QStringLiteral("draft"));
+    QCOMPARE(done({"study", "freeze", "tlx"})["sha256"].toString().size(), 64);
+    QVERIFY(!done({"study", "run", "tlx", "--participant", "S1", "--observer", "weber:0.1", "--quick", "--condition", "tube_60"}).isEmpty());
+    const QString path = m_folder.filePath("tlx.csv");
+    QCOMPARE(done({"study", "questionnaire", "template", "tlx", "--out", path, "--language", "de"})["participants"].toInt(), 1);
+    QStringList lines = QString::fromUtf8(fileIn("tlx.csv")).trimmed().split(u'\n');
+    QCOMPARE(lines[lines.size() - 2].count(QStringLiteral("nasa_tlx@tube_60.")), 6);
+    QCOMPARE(lines[lines.size() - 2].count(QStringLiteral("nasa_tlx@tube_again.")), 6);
+    const auto imported = [&](const QString& cells, const QStringList& more = {}) {
+        QFile filled(path);
+        if (!filled.open(QIODevice::WriteOnly | QIODevice::Truncate) || filled.write((QStringList(lines.mid(0, lines.size() - 1)) << "S1," + cells).join(u'\n').toUtf8()) <= 0)
+            qFatal("the test's own file could not be written");
+        filled.close();
+        return as("rosa", QStringList{"study", "questionnaire", "import", "tlx", path} + more);
+    };
+    const QString notDone = refusalFault(imported("21,21,21,21,21,21,1,1,1,1,1,1"), 3, {"tube_again", "not completed"});
+    QVERIFY2(notDone.isEmpty(), qPrintable(notDone));
+    const QString foreign = refusalFault(imported("21,21,21,21,21,21,,,,,,", {"--language", "xx"}), 2, {"xx"});
+    QVERIFY2(foreign.isEmpty(), qPrintable(foreign));
+    QVERIFY(!done({"study", "run", "tlx", "--participant", "S1", "--observer", "weber:0.1", "--quick"}).isEmpty());
+    const CliRun whole = imported("21,21,21,21,21,21,1,1,1,1,1,1", {"--language", "de"});
+    QVERIFY2(whole.exitCode == 0, whole.err.constData());
+    QCOMPARE(QJsonDocument::fromJson(whole.out)["stored"].toInt(), 12);
+    const QJsonArray told = done({"study", "questionnaire", "summary", "tlx"})["questionnaires"].toArray();
+    QCOMPARE(told.size(), 2);
+    for (const auto& [condition, median] : {std::pair{"tube_60", 21.0}, {"tube_again", 1.0}})
+        QCOMPARE(withId(withId(told, "condition", QLatin1String(condition))["likert"].toArray(), "item", "effort")["median"].toDouble(), median);
+    QVERIFY(!done({"study", "export", "tlx", "--format", "csv,bids", "--out", m_folder.filePath("tlx")}).isEmpty());
+    const QByteArray scores = fileIn("tlx/csv/scores.csv");
+    QVERIFY2(scores.contains("nasa_tlx,nasa_tlx_raw,workload,100,tube_60") && scores.contains("nasa_tlx,nasa_tlx_raw,workload,0,tube_again"), scores.constData());
+    const QByteArray answers = fileIn("tlx/csv/questionnaires.csv");
+    QCOMPARE(answers.count(",tube_60,de"), 6);
+    QCOMPARE(answers.count(",tube_again,de"), 6);
+    const QList<QByteArray> table = fileIn("tlx/bids/phenotype/nasa_tlx.tsv").trimmed().split('\n');
+    QCOMPARE(table.size(), 2); // one line: BIDS has one a participant
+    const QByteArrayList heads = table[0].split('\t'), cells = table[1].split('\t');
+    QCOMPARE(cells.size(), heads.size());
+    const auto cell = [&](const char* name) { return heads.contains(name) ? cells[heads.indexOf(name)] : QByteArray(name); };
+    QCOMPARE(cell("effort_tube_60"), QByteArray("21"));
+    QCOMPARE(cell("effort_tube_again"), QByteArray("1"));
+    QCOMPARE(cell("score_workload_tube_60"), QByteArray("100"));
+    QCOMPARE(cell("language_shown_tube_again"), QByteArray("de"));
+    QCOMPARE(as("alice", {"verify"}).exitCode, 0);
 }
 
 QTEST_GUILESS_MAIN(TestCliQuestionnaires)

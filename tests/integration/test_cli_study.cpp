@@ -270,6 +270,16 @@ void TestCliStudy::draftIsFrozenByAResearcher() {
     const QJsonObject erased = object(as("alice", erase));
     QCOMPARE(erased, (QJsonObject{{"participant", code}, {"erased", true}, {"reason", "wish"}, {"recordings_withdrawn", true}}));
     QVERIFY(object(as("a_researcher", {"study", "key", "tube_trial"}))["participants"].toArray().isEmpty());
+    const QString nobody = refusalFault(as("a_researcher", {"study", "enrol", "tube_trial", "--account", "ghost"}), 3, {"ghost"});
+    QVERIFY2(nobody.isEmpty(), qPrintable(nobody));
+    const QString linked = object(as("a_researcher", {"study", "enrol", "tube_trial", "--account", "a_trainee"}))["code"].toString();
+    QCOMPARE(object(as("a_researcher", {"study", "key", "tube_trial"}))["participants"].toArray(),
+             (QJsonArray{QJsonObject{{"code", linked}, {"identity", "Ada"}, {"account", "a_trainee"}}}));
+    QVERIFY(!as("a_researcher", {"study", "show", "tube_trial"}).out.contains("a_trainee"));
+    const CliRun again = as("a_researcher", {"study", "enrol", "tube_trial", "--account", "A_Trainee"});
+    QVERIFY(again.exitCode == 3 && !again.err.contains(linked.toUtf8())); // who they are is no experimenter's to learn this way
+    const QJsonArray held = object(as("a_trainee", {"person", "export", "a_trainee"}))["participations"].toArray();
+    QVERIFY(held.size() == 1 && QJsonDocument(held).toJson().contains(linked.toUtf8()));
     QCOMPARE(object(as("a_researcher", {"study", "close", "tube_trial"}))["state"].toString(), QStringLiteral("closed"));
 }
 

@@ -90,12 +90,19 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
 
 constexpr double kDelayTolerance_s = 0.0002; ///< a fifth of a tick
 
+/// A device's delay, and the serial number that it tells (DeviceDescriptor::serialNumber).
+struct MeasuredDelay {
+    haptics::DelayEstimate estimate;
+    std::string serialNumber;
+};
+
 /// The gimbal's delay as it is measured on any device: shaken through loop and supervisor, a hand at rest on it.
-core::Result<haptics::DelayEstimate> delayOf(const mechanisms::GimbalPlantParameters& plant) {
+core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& plant) {
     devices::SimulatedDevice::Configuration configuration;
     configuration.plant = plant;
     auto device = devices::SimulatedDevice::create(configuration, std::make_unique<mechanisms::ScriptedMotion>(configuration.start_D));
-    return device ? session::measureDelay(**device, configuration.mapping) : tl::unexpected(device.error());
+    const auto estimate = device ? session::measureDelay(**device, configuration.mapping) : tl::unexpected(device.error());
+    return estimate ? core::Result<MeasuredDelay>(MeasuredDelay{*estimate, (*device)->descriptor().serialNumber}) : tl::unexpected(estimate.error());
 }
 
 constexpr double kCompensation = 0.8; ///< haptics::FrictionCompensation::kMost
@@ -146,7 +153,7 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     const auto delay = delayOf(parameters);
     if (!delay)
         return tl::unexpected(delay.error());
-    const double latency_s = delay->delay_s;
+    const double latency_s = delay->estimate.delay_s;
     const double cap = mechanisms::stiffnessCap_N_per_m(damping, core::kTickSeconds, latency_s);
     const auto felt = session::feelFriction(parameters, kCompensation);
     if (!felt)
@@ -168,15 +175,17 @@ core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     QString feltText;
     const QJsonObject feltJson = frictionFeltJson(*felt, holds, feltText);
     const QString text = QStringLiteral("Gimbal, simulated; N·m and N·m·s/rad, depth N and N·s/m.\n\n") + table.toText() + QLatin1Char('\n') +
-                         alignedPairs({{QStringLiteral("latency, measured"), QStringLiteral("%1 ± %2 ms").arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->standardError_s))},
+                         alignedPairs({{QStringLiteral("serial number"), serialWords(delay->serialNumber)},
+                                       {QStringLiteral("latency, measured"), QStringLiteral("%1 ± %2 ms").arg(shortNumber(1e3 * latency_s), shortNumber(1e3 * delay->estimate.standardError_s))},
                                        {QStringLiteral("latency, given"), shortNumber(1e3 * given_s) + QStringLiteral(" ms")},
                                        {QStringLiteral("stiffest wall"), shortNumber(cap) + QStringLiteral(" N/m")}}) + feltText;
     return CommandOutput{QJsonDocument(QJsonObject{{"mechanism", "gimbal_hprd"},
+                                                   {"serial_number", serialJson(delay->serialNumber)},
                                                    {"holds", holds},
                                                    {"friction", axes},
                                                    {"friction_felt", feltJson},
                                                    {"latency_us", 1e6 * latency_s},
-                                                   {"latency_error_us", 1e6 * delay->standardError_s},
+                                                   {"latency_error_us", 1e6 * delay->estimate.standardError_s},
                                                    {"latency_given_us", 1e6 * given_s},
                                                    {"damping_Ns_per_m", damping},
                                                    {"stiffness_cap_N_per_m", cap}}),

@@ -36,7 +36,7 @@ CommandSpec making() {
 
 CommandSpec importing() {
     CommandSpec command = row("questionnaire import", "answers that were given on paper, from a filled template: the whole file is checked, then all of it is stored or nothing; answers are never changed",
-                              "surgeons filled.csv --as rosa", importQuestionnaire, {{"incomplete", {}, "questions that must be answered may be left out, as on paper"}});
+                              "surgeons filled.csv --as rosa", importQuestionnaire, {{"incomplete", {}, "questions that must be answered may be left out, as on paper"}, {"language", "CODE", "of the forms; kept with the answers"}});
     command.operands.push_back({"FILE", "CSV (UTF-8) or JSON as study questionnaire template writes it, filled"});
     return command;
 }
@@ -48,7 +48,8 @@ std::vector<CommandSpec> studyCommands() {
             row("show", "one study with its design and participants, by codes", "3 --as rosa --json", showStudy),
             making(),
             row("freeze", "fix the design for ever; prints its SHA-256", "3 --as rosa", freezeStudy),
-            row("enrol", "a participant under a random code; who it is comes from CHIRON_IDENTITY, or as the line after the password's, and is kept in the key table alone", "3 --as rosa --password-stdin", enrolParticipant),
+            row("enrol", "a participant under a random code; who it is comes from CHIRON_IDENTITY, or as the line after the password's, and is kept in the key table alone", "3 --as rosa --password-stdin", enrolParticipant,
+                {{"account", "NAME", "the participant has this account: their own export and erasure then reach what they do here; also kept in the key table alone"}}),
             row("consent", "record that a participant consents", "3 --participant K7M-4QX --as rosa", consentOf,
                 {kParticipant, {"language", "CODE", "of the text that was shown; default: en"}}),
             row("withdraw", "a participant takes no further part", "3 --participant K7M-4QX --as rosa", withdrawParticipant,

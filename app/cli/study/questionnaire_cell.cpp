@@ -67,10 +67,19 @@ core::Error SheetFaults::error() const {
     return {core::ErrorCode::badInput, all.toStdString()};
 }
 
-QString SheetAnswer::name() const { return questionName(*questionnaire, *item); }
+QString AskedQuestion::group() const { return QString::fromStdString(label.empty() ? questionnaire->id : questionnaire->id + '@' + label); }
 
-QString questionName(const psychophysics::Questionnaire& questionnaire, const QuestionnaireItem& item) {
-    return QString::fromStdString(questionnaire.id + '.' + item.id);
+QString AskedQuestion::name() const { return group() + u'.' + QString::fromStdString(item->id); }
+
+std::vector<AskedQuestion> askedQuestions(const std::vector<const psychophysics::Questionnaire*>& questionnaires, const std::vector<std::string>& labels) {
+    std::vector<AskedQuestion> all;
+    for (const psychophysics::Questionnaire* questionnaire : questionnaires) {
+        const bool each = questionnaire->when == psychophysics::Questionnaire::When::afterCondition;
+        for (const std::string& label : each ? labels : std::vector<std::string>(1))
+            for (const QuestionnaireItem& item : questionnaire->items)
+                all.push_back({questionnaire, &item, label});
+    }
+    return all;
 }
 
 QString expectedAnswer(const QuestionnaireItem& item, const std::string& language) {
@@ -113,11 +122,11 @@ core::Result<std::vector<const psychophysics::Questionnaire*>> chosenQuestionnai
 
 void refuse(SheetAnswer& answer, const QString& found, SheetFaults& faults) {
     answer.faulty = true;
-    faults.add(answer.place, found, expectedAnswer(*answer.item, "en"));
+    faults.add(answer.place, found, expectedAnswer(*answer.asked.item, "en"));
 }
 
 void takeWords(SheetAnswer& answer, const QString& words, SheetFaults& faults) {
-    const QuestionnaireItem& item = *answer.item;
+    const QuestionnaireItem& item = *answer.asked.item;
     if (words.isEmpty())
         return;
     if (item.kind == QuestionnaireItem::Kind::text) {
@@ -142,7 +151,7 @@ void takeWords(SheetAnswer& answer, const QString& words, SheetFaults& faults) {
 }
 
 void takeNumber(SheetAnswer& answer, double value, SheetFaults& faults) {
-    if (answer.item->kind != QuestionnaireItem::Kind::text && fits(*answer.item, value))
+    if (answer.asked.item->kind != QuestionnaireItem::Kind::text && fits(*answer.asked.item, value))
         answer.number = value;
     else
         refuse(answer, QString::number(value), faults);

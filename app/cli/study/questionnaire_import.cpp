@@ -5,6 +5,8 @@
 #include "cli/study/questionnaire_sheet.h"
 #include "cli/study/study_access.h"
 #include "database/repositories/study_repository.h"
+#include "session/study/questionnaire_replies.h"
+#include "session/study/study_store.h"
 
 #include <QJsonDocument>
 #include <algorithm>
@@ -17,8 +19,10 @@ namespace chiron::cli {
 namespace {
 
 using database::QuestionnaireAnswer;
-/// Participant, questionnaire, item.
-using Asked = std::tuple<database::ParticipantNumber, std::string, std::string>;
+/// Participant, questionnaire, item, condition (empty: asked once).
+using Asked = std::tuple<database::ParticipantNumber, std::string, std::string, std::string>;
+/// The completed run of a participant at a condition.
+using DoneRuns = std::map<std::pair<database::ParticipantNumber, std::string>, database::StudyRunNumber>;
 
 /// A code as it is compared: case and "-" do not matter.
 QString plainCode(const QString& code) { return code.toUpper().remove(u'-'); }
@@ -26,12 +30,14 @@ QString plainCode(const QString& code) { return code.toUpper().remove(u'-'); }
 /// What a sheet's rows come to against what is stored.
 class Matching {
 public:
-    Matching(const std::vector<database::Participant>& participants, const std::vector<QuestionnaireAnswer>& stored, bool incomplete, SheetFaults& faults)
-        : m_incomplete(incomplete), m_faults(faults) {
+    /// `language`: of the forms; empty: not told.
+    Matching(const std::vector<database::Participant>& participants, const std::vector<QuestionnaireAnswer>& stored, DoneRuns runs, std::string language, bool incomplete,
+             SheetFaults& faults)
+        : m_incomplete(incomplete), m_faults(faults), m_runs(std::move(runs)), m_language(std::move(language)) {
         for (const database::Participant& each : participants)
             m_participants[plainCode(QString::fromStdString(each.code))] = &each;
         for (const QuestionnaireAnswer& each : stored)
-            m_stored[{each.participant, each.questionnaire, each.item}] = &each;
+            m_stored[{each.participant, each.questionnaire, each.item, session::labelOf(each)}] = &each;
     }
 
     void take(const SheetRow& row) {
@@ -57,18 +63,36 @@ public:
     int participants() const { return static_cast<int>(m_people.size()); }
 
 private:
+    static Asked askedOf(const database::Participant& who, const AskedQuestion& question) { return {who.id, question.questionnaire->id, question.item->id, question.label}; }
+
+    QuestionnaireAnswer answerOf(const database::Participant& who, const SheetAnswer& answer, database::StudyRunNumber run) const {
+        QuestionnaireAnswer given{who.id, answer.asked.questionnaire->id, answer.asked.item->id, answer.number, answer.text.toStdString(), {}};
+        given.run = run;
+        if (!m_language.empty()) // as the template has it: in English where the question is not written in that language
+            given.language = answer.asked.item->text.count(m_language) > 0 ? m_language : "en";
+        return given;
+    }
+
     void takeAnswer(const database::Participant& who, const SheetAnswer& answer) {
-        const Asked asked{who.id, answer.questionnaire->id, answer.item->id};
+        const Asked asked = askedOf(who, answer.asked);
         const auto [first, isFirst] = m_seen.emplace(asked, answer.place);
         if (!isFirst) {
             m_faults.add(answer.place, QStringLiteral("answered already at %1").arg(first->second), QStringLiteral("each answer once"));
             return;
         }
-        const QuestionnaireAnswer given{who.id, answer.questionnaire->id, answer.item->id, answer.number, answer.text.toStdString(), {}};
+        const auto run = m_runs.find({who.id, answer.asked.label});
+        if (!answer.asked.label.empty() && run == m_runs.end()) {
+            m_faults.add(answer.place, QStringLiteral("condition %1 is not completed by participant %2").arg(QString::fromStdString(answer.asked.label), QString::fromStdString(who.code)),
+                         QStringLiteral("answers about conditions that were completed"));
+            return;
+        }
+        const QuestionnaireAnswer given = answerOf(who, answer, answer.asked.label.empty() ? 0 : run->second);
         const auto stored = m_stored.find(asked);
         if (stored == m_stored.end() || who.erased) {
             m_new.push_back(given);
             m_people.insert(who.id);
+        } else if (stored->second->withheld) {
+            m_faults.add(answer.place, QStringLiteral("an answer is stored, and withheld while the study is blinded"), QStringLiteral("an empty cell, since answers are never changed"));
         } else if (stored->second->number == given.number && stored->second->text == given.text) {
             ++m_unchanged;
         } else {
@@ -77,13 +101,12 @@ private:
     }
 
     void findMissing(const database::Participant& who, const SheetRow& row) {
-        std::set<const psychophysics::Questionnaire*> begun;
+        std::set<QString> begun;
         for (const SheetAnswer& answer : row.answers)
             if (answer.given())
-                begun.insert(answer.questionnaire);
+                begun.insert(answer.asked.group());
         for (const SheetAnswer& answer : row.answers)
-            if (!answer.given() && !answer.faulty && answer.item->required && begun.count(answer.questionnaire) > 0 &&
-                !isKnown({who.id, answer.questionnaire->id, answer.item->id}))
+            if (!answer.given() && !answer.faulty && answer.asked.item->required && begun.count(answer.asked.group()) > 0 && !isKnown(askedOf(who, answer.asked)))
                 m_faults.add(answer.place, QStringLiteral("empty"), QStringLiteral("an answer, since it must be given, or --incomplete"));
     }
 
@@ -91,6 +114,8 @@ private:
 
     bool m_incomplete;
     SheetFaults& m_faults;
+    DoneRuns m_runs;
+    std::string m_language;
     std::map<QString, const database::Participant*> m_participants;
     std::map<Asked, const QuestionnaireAnswer*> m_stored;
     std::map<Asked, QString> m_seen; ///< where
@@ -98,6 +123,41 @@ private:
     std::set<database::ParticipantNumber> m_people;
     int m_unchanged = 0;
 };
+
+core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<database::Participant>& participants) {
+    DoneRuns done;
+    for (const database::Participant& each : participants) {
+        const auto runs = reader.runs(each.id);
+        if (!runs)
+            return tl::unexpected(runs.error());
+        for (const database::StudyRun& run : *runs)
+            if (run.state == database::StudyRunState::completed)
+                done[{each.id, session::labelOf(run)}] = run.id;
+    }
+    return done;
+}
+
+/// Every question of the study.
+core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, const psychophysics::StudyDesign& design) {
+    const auto conditions = study.reader().conditionCodes(study.number());
+    if (!conditions)
+        return tl::unexpected(conditions.error());
+    std::vector<std::string> labels;
+    for (const database::SealedCondition& each : *conditions)
+        labels.push_back(session::labelOf(each));
+    std::vector<const psychophysics::Questionnaire*> all;
+    for (const psychophysics::Questionnaire& each : design.questionnaires)
+        all.push_back(&each);
+    return askedQuestions(all, labels);
+}
+
+/// Of --language; empty where it is not given. Failure: wrongUse where no question is written in it.
+core::Result<std::string> languageOf(const Arguments& arguments, const std::vector<AskedQuestion>& asked) {
+    const std::string language = arguments.value(QStringLiteral("language")).toStdString();
+    if (language.empty() || std::any_of(asked.begin(), asked.end(), [&](const AskedQuestion& each) { return each.item->text.count(language) > 0; }))
+        return language;
+    return wrongUse(QStringLiteral("--language: %1: no question of the study is written in it").arg(quoted(QString::fromStdString(language))));
+}
 
 } // namespace
 
@@ -114,12 +174,17 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
     const auto stored = study->reader().questionnaireAnswers(study->number());
     if (!participants || !stored)
         return tl::unexpected(participants ? stored.error() : participants.error());
+    auto runs = doneRuns(study->reader(), *participants);
+    const auto asked = runs ? allQuestions(*study, *design) : tl::unexpected(runs.error());
+    const auto language = asked ? languageOf(arguments, *asked) : tl::unexpected(asked.error());
+    if (!language)
+        return tl::unexpected(language.error());
     SheetFaults faults;
     const bool incomplete = arguments.has(QStringLiteral("incomplete"));
-    const auto rows = readSheet(*bytes, arguments.operand(1), *design, QString::fromStdString(study->record.summary.sha256), incomplete, faults);
+    const auto rows = readSheet(*bytes, arguments.operand(1), *asked, QString::fromStdString(study->record.summary.sha256), incomplete, faults);
     if (!rows)
         return tl::unexpected(rows.error());
-    Matching matching(*participants, *stored, incomplete, faults);
+    Matching matching(*participants, *stored, std::move(*runs), *language, incomplete, faults);
     for (const SheetRow& row : *rows)
         matching.take(row);
     if (!faults.none())

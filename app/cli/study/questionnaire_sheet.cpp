@@ -15,32 +15,23 @@ namespace chiron::cli {
 
 namespace {
 
-using psychophysics::Questionnaire;
-using psychophysics::QuestionnaireItem;
+using Questions = std::vector<AskedQuestion>;
 
-/// A question of the design, or the absence of one.
-struct Question {
-    const Questionnaire* questionnaire = nullptr;
-    const QuestionnaireItem* item = nullptr;
-};
-
-Question questionOf(const psychophysics::StudyDesign& design, const QString& name) {
-    for (const Questionnaire& questionnaire : design.questionnaires)
-        for (const QuestionnaireItem& item : questionnaire.items)
-            if (questionName(questionnaire, item) == name)
-                return {&questionnaire, &item};
-    return {};
+/// The question of this name, or null.
+const AskedQuestion* questionOf(const Questions& asked, const QString& name) {
+    const auto found = std::find_if(asked.begin(), asked.end(), [&](const AskedQuestion& each) { return each.name() == name; });
+    return found == asked.end() ? nullptr : &*found;
 }
 
 /// The questions of the questionnaire that a name begins with, or else all.
-QString knownQuestions(const psychophysics::StudyDesign& design, const QString& name) {
+QString knownQuestions(const Questions& asked, const QString& name) {
     QStringList all, alike;
-    for (const Questionnaire& questionnaire : design.questionnaires)
-        for (const QuestionnaireItem& item : questionnaire.items) {
-            all << questionName(questionnaire, item);
-            if (all.last().section(u'.', 0, 0) == name.section(u'.', 0, 0))
-                alike << all.last();
-        }
+    const auto questionnaire = [](const QString& of) { return of.section(u'.', 0, 0).section(u'@', 0, 0); };
+    for (const AskedQuestion& each : asked) {
+        all << each.name();
+        if (questionnaire(all.last()) == questionnaire(name))
+            alike << all.last();
+    }
     return all.isEmpty() ? QStringLiteral("none, since the study has no questionnaires") : QStringLiteral("one of ") + (alike.isEmpty() ? all : alike).join(QStringLiteral(", "));
 }
 
@@ -59,23 +50,27 @@ core::Result<QString> utf8Text(const QByteArray& bytes, const QString& name) {
     return QString::fromUtf8(bytes);
 }
 
-/// Of every questionnaire that has a column, each question that must be answered has one.
-void findMissingColumns(const CsvTable& table, const psychophysics::StudyDesign& design, SheetFaults& faults) {
-    for (const Questionnaire& questionnaire : design.questionnaires) {
-        const auto hasColumn = [&](const QuestionnaireItem& item) { return table.column(questionName(questionnaire, item)) >= 0; };
-        if (std::none_of(questionnaire.items.begin(), questionnaire.items.end(), hasColumn))
-            continue;
+/// Of every questionnaire (of every condition) that has a column, each question that must be answered has one.
+void findMissingColumns(const CsvTable& table, const Questions& asked, SheetFaults& faults) {
+    QStringList begun, groups;
+    for (const AskedQuestion& each : asked) {
+        if (!groups.contains(each.group()))
+            groups << each.group();
+        if (table.column(each.name()) >= 0)
+            begun << each.group();
+    }
+    for (const QString& group : groups) {
         QStringList missing;
-        for (const QuestionnaireItem& item : questionnaire.items)
-            if (item.required && !hasColumn(item))
-                missing << questionName(questionnaire, item);
+        for (const AskedQuestion& each : asked)
+            if (each.group() == group && begun.contains(group) && each.item->required && table.column(each.name()) < 0)
+                missing << each.name();
         if (!missing.isEmpty())
             faults.add(QStringLiteral("%1:%2: heading").arg(table.name).arg(table.headerLine), QStringLiteral("no column ") + missing.join(QStringLiteral(", ")),
                        QStringLiteral("one for each question that must be answered, or --incomplete"));
     }
 }
 
-std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<Question>& columns, int codes, SheetFaults& faults) {
+std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<const AskedQuestion*>& columns, int codes, SheetFaults& faults) {
     std::vector<SheetRow> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const QString place = QStringLiteral("%1:%2").arg(table.name).arg(table.lines[i]);
@@ -83,9 +78,9 @@ std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<Question>&
         if (row.code.isEmpty())
             faults.add(place + QStringLiteral(": column participant"), QStringLiteral("empty"), QStringLiteral("a participant's code"));
         for (std::size_t c = 0; c < columns.size(); ++c) {
-            if (!columns[c].item)
+            if (!columns[c])
                 continue;
-            SheetAnswer answer{place + QStringLiteral(": column %1").arg(table.header[static_cast<qsizetype>(c)]), columns[c].questionnaire, columns[c].item, {}, {}};
+            SheetAnswer answer{place + QStringLiteral(": column %1").arg(table.header[static_cast<qsizetype>(c)]), *columns[c], {}, {}};
             takeWords(answer, table.cell(i, static_cast<int>(c)), faults);
             row.answers.push_back(std::move(answer));
         }
@@ -94,7 +89,7 @@ std::vector<SheetRow> rowsOf(const CsvTable& table, const std::vector<Question>&
     return rows;
 }
 
-core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QString& name, const psychophysics::StudyDesign& design, bool incomplete, SheetFaults& faults) {
+core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QString& name, const Questions& asked, bool incomplete, SheetFaults& faults) {
     const auto text = utf8Text(bytes, name);
     if (!text)
         return tl::unexpected(text.error());
@@ -103,18 +98,18 @@ core::Result<std::vector<SheetRow>> readCsv(const QByteArray& bytes, const QStri
         return tl::unexpected(table.error());
     const QString heading = QStringLiteral("%1:%2: heading").arg(name).arg(table->headerLine);
     const int codes = table->column(QStringLiteral("participant"));
-    std::vector<Question> columns;
+    std::vector<const AskedQuestion*> columns;
     for (const QString& column : table->header) {
-        columns.push_back(questionOf(design, column));
-        if (!columns.back().item && column != u"participant")
-            faults.add(heading, quoted(column), QStringLiteral("participant or ") + knownQuestions(design, column));
+        columns.push_back(questionOf(asked, column));
+        if (!columns.back() && column != u"participant")
+            faults.add(heading, quoted(column), QStringLiteral("participant or ") + knownQuestions(asked, column));
     }
     if (codes < 0) {
         faults.add(heading, QStringLiteral("no column participant"), QStringLiteral("one with the participants' codes"));
         return std::vector<SheetRow>();
     }
     if (!incomplete)
-        findMissingColumns(*table, design, faults);
+        findMissingColumns(*table, asked, faults);
     return rowsOf(*table, columns, codes, faults);
 }
 
@@ -128,7 +123,7 @@ void takeJson(SheetRow& row, SheetAnswer answer, const QJsonValue& value, SheetF
     row.answers.push_back(std::move(answer));
 }
 
-SheetRow jsonRow(const QJsonObject& json, const QString& place, const psychophysics::StudyDesign& design, SheetFaults& faults) {
+SheetRow jsonRow(const QJsonObject& json, const QString& place, const Questions& asked, SheetFaults& faults) {
     SheetRow row{place, json["participant"].toString().trimmed(), {}};
     if (row.code.isEmpty())
         faults.add(place + QStringLiteral(".participant"), QStringLiteral("missing or empty"), QStringLiteral("a participant's code"));
@@ -144,17 +139,17 @@ SheetRow jsonRow(const QJsonObject& json, const QString& place, const psychophys
             faults.add(at, QStringLiteral("no object"), QStringLiteral("answers by the questions' ids"));
         const QJsonObject items = answers[id].toObject();
         for (const QString& item : items.keys()) {
-            const Question question = questionOf(design, id + u'.' + item);
-            if (!question.item)
-                faults.add(at, quoted(item), knownQuestions(design, id));
+            const AskedQuestion* question = questionOf(asked, id + u'.' + item);
+            if (!question)
+                faults.add(at, quoted(item), knownQuestions(asked, id));
             else
-                takeJson(row, {at + u'.' + item, question.questionnaire, question.item, {}, {}}, items[item], faults);
+                takeJson(row, {at + u'.' + item, *question, {}, {}}, items[item], faults);
         }
     }
     return row;
 }
 
-core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QString& name, const psychophysics::StudyDesign& design, const QString& sha256, SheetFaults& faults) {
+core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QString& name, const Questions& asked, const QString& sha256, SheetFaults& faults) {
     const auto file = catalogue::JsonFile::parse(bytes, name);
     if (!file)
         return tl::unexpected(file.error());
@@ -169,16 +164,16 @@ core::Result<std::vector<SheetRow>> readJson(const QByteArray& bytes, const QStr
     std::vector<SheetRow> rows;
     const QJsonArray participants = root["participants"].toArray();
     for (qsizetype i = 0; i < participants.size(); ++i)
-        rows.push_back(jsonRow(participants[i].toObject(), QStringLiteral("%1: $.participants[%2]").arg(name).arg(i), design, faults));
+        rows.push_back(jsonRow(participants[i].toObject(), QStringLiteral("%1: $.participants[%2]").arg(name).arg(i), asked, faults));
     return rows;
 }
 
 } // namespace
 
-core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name, const psychophysics::StudyDesign& design,
+core::Result<std::vector<SheetRow>> readSheet(const QByteArray& bytes, const QString& name, const std::vector<AskedQuestion>& asked,
                                               const QString& sha256, bool incomplete, SheetFaults& faults) {
     const QByteArray start = (bytes.startsWith("\xef\xbb\xbf") ? bytes.mid(3) : bytes).trimmed();
-    return start.startsWith('{') ? readJson(start, name, design, sha256, faults) : readCsv(bytes, name, design, incomplete, faults);
+    return start.startsWith('{') ? readJson(start, name, asked, sha256, faults) : readCsv(bytes, name, asked, incomplete, faults);
 }
 
 } // namespace chiron::cli

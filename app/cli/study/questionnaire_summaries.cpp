@@ -77,8 +77,8 @@ QJsonObject summaryJson(const Questionnaire& questionnaire, const QuestionnaireS
     return {{"id", text(questionnaire.id)}, {"replies", s.replies}, {"likert", likert}, {"constructs", constructs}, {"numbers", numbers}, {"texts", texts}, {"warnings", strings(s.warnings)}};
 }
 
-void addRows(TextTable& table, const Questionnaire& questionnaire, const QuestionnaireSummary& s) {
-    const QString of = text(questionnaire.id) + u'.';
+/// `of`: what stands before a question's id.
+void addRows(TextTable& table, const QString& of, const QuestionnaireSummary& s) {
     const auto range = [](double low, double high) { return std::isfinite(low) ? QStringLiteral("%1-%2").arg(shortNumber(low), shortNumber(high)) : QStringLiteral("-"); };
     for (const auto& each : s.likert)
         table.add({of + text(each.item), text(each.construct), QString::number(each.answered), shortNumber(each.median), range(each.lowerQuartile, each.upperQuartile),
@@ -128,10 +128,15 @@ core::Result<CommandOutput> summariseQuestionnaires(const Arguments& arguments) 
     TextTable table({"question", "construct", ">answers", ">median", ">quartiles", ">agree", ">95 %", ">tau"});
     QString texts;
     for (const Questionnaire* questionnaire : *questionnaires) {
-        const QuestionnaireSummary summary = psychophysics::summariseQuestionnaire(*questionnaire, session::questionnaireReplies(*questionnaire, *answers, performance));
-        list.append(summaryJson(*questionnaire, summary, withTexts));
-        addRows(table, *questionnaire, summary);
-        texts += withTexts ? textsBelow(*questionnaire, summary) : QString();
+        for (const session::AnsweredPart& part : session::answeredParts(*design, *questionnaire, *answers)) {
+            const QuestionnaireSummary summary = psychophysics::summariseQuestionnaire(*questionnaire, session::questionnaireReplies(*questionnaire, part.answers, performance));
+            QJsonObject json = summaryJson(*questionnaire, summary, withTexts);
+            if (!part.label.empty())
+                json.insert("condition", text(part.label));
+            list.append(json);
+            addRows(table, text(questionnaire->id) + (part.label.empty() ? QString() : u'@' + text(part.label)) + u'.', summary);
+            texts += withTexts ? textsBelow(*questionnaire, summary) : QString();
+        }
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(study->record.summary.sha256)}, {"questionnaires", list}}), table.toText() + texts, 0};
 }

@@ -3,6 +3,8 @@
 #include "cli/messages.h"
 #include "cli/study/questionnaire_sheet.h"
 #include "cli/study/study_access.h"
+#include "session/study/questionnaire_replies.h"
+#include "session/study/study_store.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -22,7 +24,7 @@ struct Blank {
     QString study;
     QString sha256;
     std::string language;
-    std::vector<const Questionnaire*> questionnaires;
+    std::vector<AskedQuestion> asked;
     QStringList codes; ///< of those who take part and have not answered all of them yet
 };
 
@@ -40,12 +42,11 @@ QString cell(QString words) {
 QByteArray csvOf(const Blank& blank) {
     QStringList notes{QStringLiteral("# Study %1, design %2. One row for each participant; a cell that is left empty was not answered.").arg(blank.study, blank.sha256)};
     QStringList heading{QStringLiteral("participant")};
-    for (const Questionnaire* questionnaire : blank.questionnaires)
-        for (const QuestionnaireItem& item : questionnaire->items) {
-            heading << questionName(*questionnaire, item);
-            notes << QStringLiteral("# %1: %2 %3%4").arg(heading.last(), inLanguage(item.text, blank.language), expectedAnswer(item, blank.language),
-                                                         item.required ? QString() : QStringLiteral("; may be left out"));
-        }
+    for (const AskedQuestion& each : blank.asked) {
+        heading << each.name();
+        notes << QStringLiteral("# %1: %2 %3%4").arg(heading.last(), inLanguage(each.item->text, blank.language), expectedAnswer(*each.item, blank.language),
+                                                     each.item->required ? QString() : QStringLiteral("; may be left out"));
+    }
     QString csv;
     for (const QString& note : notes)
         csv += cell(note) + u'\n';
@@ -57,14 +58,13 @@ QByteArray csvOf(const Blank& blank) {
 
 QByteArray jsonOf(const Blank& blank) {
     QJsonObject questions, empty;
-    for (const Questionnaire* questionnaire : blank.questionnaires) {
-        QJsonObject explained, answers;
-        for (const QuestionnaireItem& item : questionnaire->items) {
-            explained.insert(QString::fromStdString(item.id), QJsonObject{{"question", inLanguage(item.text, blank.language)}, {"answer", expectedAnswer(item, blank.language)}, {"required", item.required}});
-            answers.insert(QString::fromStdString(item.id), QJsonValue::Null);
-        }
-        questions.insert(QString::fromStdString(questionnaire->id), explained);
-        empty.insert(QString::fromStdString(questionnaire->id), answers);
+    for (const AskedQuestion& each : blank.asked) {
+        const QuestionnaireItem& item = *each.item;
+        QJsonObject explained = questions[each.group()].toObject(), answers = empty[each.group()].toObject();
+        explained.insert(QString::fromStdString(item.id), QJsonObject{{"question", inLanguage(item.text, blank.language)}, {"answer", expectedAnswer(item, blank.language)}, {"required", item.required}});
+        answers.insert(QString::fromStdString(item.id), QJsonValue::Null);
+        questions.insert(each.group(), explained);
+        empty.insert(each.group(), answers);
     }
     QJsonArray participants;
     for (const QString& code : blank.codes)
@@ -76,10 +76,12 @@ QByteArray jsonOf(const Blank& blank) {
 QStringList openCodes(const Blank& blank, const std::vector<database::Participant>& participants, const std::vector<database::QuestionnaireAnswer>& answers) {
     QStringList codes;
     for (const database::Participant& each : participants) {
-        const auto hasAnswered = [&](const Questionnaire* questionnaire) {
-            return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) { return answer.participant == each.id && answer.questionnaire == questionnaire->id; });
+        const auto hasAnswered = [&](const AskedQuestion& asked) { // anything of the questionnaire: what was left out then is not asked again
+            return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
+                return answer.participant == each.id && answer.questionnaire == asked.questionnaire->id && session::labelOf(answer) == asked.label;
+            });
         };
-        if (each.state != database::ParticipantState::withdrawn && !std::all_of(blank.questionnaires.begin(), blank.questionnaires.end(), hasAnswered))
+        if (each.state != database::ParticipantState::withdrawn && !std::all_of(blank.asked.begin(), blank.asked.end(), hasAnswered))
             codes << QString::fromStdString(each.code);
     }
     codes.sort();
@@ -115,16 +117,20 @@ core::Result<CommandOutput> questionnaireTemplate(const Arguments& arguments) {
         return tl::unexpected(questionnaires.error());
     const auto participants = study->reader().participants(study->number());
     const auto answers = study->reader().questionnaireAnswers(study->number());
-    if (!participants || !answers)
-        return tl::unexpected(participants ? answers.error() : participants.error());
+    const auto conditions = study->reader().conditionCodes(study->number());
+    if (!participants || !answers || !conditions)
+        return tl::unexpected(!participants ? participants.error() : !answers ? answers.error() : conditions.error());
+    std::vector<std::string> labels;
+    for (const database::SealedCondition& each : *conditions)
+        labels.push_back(session::labelOf(each));
     const QString language = arguments.has(QStringLiteral("language")) ? arguments.value(QStringLiteral("language")) : QStringLiteral("en");
-    Blank blank{QString::fromStdString(summary.key), QString::fromStdString(summary.sha256), language.toStdString(), *questionnaires, {}};
+    Blank blank{QString::fromStdString(summary.key), QString::fromStdString(summary.sha256), language.toStdString(), askedQuestions(*questionnaires, labels), {}};
     blank.codes = openCodes(blank, *participants, *answers);
     const QString out = QFileInfo(arguments.value(QStringLiteral("out"))).absoluteFilePath();
     if (auto written = writeNew(out, *format == u"json" ? jsonOf(blank) : csvOf(blank)); !written)
         return tl::unexpected(written.error());
     QJsonArray ids;
-    for (const Questionnaire* each : blank.questionnaires)
+    for (const Questionnaire* each : *questionnaires)
         ids.append(QString::fromStdString(each->id));
     return CommandOutput{QJsonDocument(QJsonObject{{"study", blank.study}, {"file", out}, {"questionnaires", ids}, {"participants", blank.codes.size()}}),
                          QStringLiteral("%1: %2 participants\n").arg(out).arg(blank.codes.size()), 0};

@@ -11,6 +11,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <algorithm>
 
 namespace chiron::cli {
 
@@ -156,12 +157,13 @@ core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
     if (!study)
         return tl::unexpected(study.error());
     const std::string& identity = arguments.has(QStringLiteral("password-stdin")) ? study->site.secrets[1] : given;
-    if (identity.empty())
-        return wrongUse(QStringLiteral("identity: none given; expected it in CHIRON_IDENTITY or, with --password-stdin, as the second line of stdin"));
+    const std::string account = arguments.value(QStringLiteral("account")).toStdString();
+    if (identity.empty() && account.empty())
+        return wrongUse(QStringLiteral("identity: none given; expected it in CHIRON_IDENTITY or, with --password-stdin, as the second line of stdin, or --account"));
     const auto number = study->number();
     auto enrolled = study->site.database->write([&](database::WriteContext& context) {
-        return database::StudyRepository(context.connection(), study->site.actor)
-            .enrolParticipant(number, identity, 0, {});
+        database::StudyRepository studies(context.connection(), study->site.actor);
+        return account.empty() ? studies.enrolParticipant(number, identity, 0, {}) : studies.enrolAccount(number, identity, account);
     });
     if (!enrolled)
         return tl::unexpected(enrolled.error());
@@ -213,10 +215,14 @@ core::Result<CommandOutput> studyKey(const Arguments& arguments) {
     if (!keys)
         return tl::unexpected(keys.error());
     QJsonArray array;
-    TextTable table({"code", "identity"});
+    const bool linked = std::any_of(keys->begin(), keys->end(), [](const database::ParticipantKey& key) { return !key.account.empty(); });
+    TextTable table(linked ? QStringList{"code", "identity", "account"} : QStringList{"code", "identity"});
     for (const database::ParticipantKey& key : *keys) {
-        array.append(QJsonObject{{"code", text(key.code)}, {"identity", text(key.identity)}});
-        table.add({text(key.code), text(key.identity)});
+        QJsonObject one{{"code", text(key.code)}, {"identity", text(key.identity)}};
+        if (!key.account.empty())
+            one.insert("account", text(key.account));
+        array.append(one);
+        table.add(linked ? QStringList{text(key.code), text(key.identity), text(key.account)} : QStringList{text(key.code), text(key.identity)});
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"participants", array}}), table.toText(), 0};
 }

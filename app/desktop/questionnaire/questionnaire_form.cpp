@@ -196,13 +196,15 @@ void QuestionnaireForm::addText(QLayout& layout, Item& item, const QString& name
     };
 }
 
-std::vector<database::QuestionnaireAnswer> QuestionnaireForm::answers(database::ParticipantNumber participant) const {
+std::vector<database::QuestionnaireAnswer> QuestionnaireForm::answers(database::ParticipantNumber participant, database::StudyRunNumber run) const {
     std::vector<database::QuestionnaireAnswer> answers;
     for (const Item& item : m_items) {
         database::QuestionnaireAnswer answer;
         answer.participant = participant;
         answer.questionnaire = m_questionnaire.id;
         answer.item = item.asked->id;
+        answer.run = run;
+        answer.language = study_words::shownLanguage(item.asked->text, m_language);
         answer.utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
         if (item.read(answer))
             answers.push_back(std::move(answer));

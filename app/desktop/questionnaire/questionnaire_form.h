@@ -21,8 +21,9 @@ class QuestionnaireForm final : public QWidget {
 public:
     QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language, QWidget* parent = nullptr);
 
-    /// What was answered so far; items without an answer are left out.
-    std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant) const;
+    /// What was answered so far, with the language that each question is shown in; items without an answer are left out. `run`: of the condition that
+    /// is asked about; 0: asked once.
+    std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant, database::StudyRunNumber run = 0) const;
     /// Marks what must still be answered and leads there; false when nothing is missing.
     bool showMissing();
     int answered() const; ///< items that have an answer

@@ -15,7 +15,8 @@ namespace chiron::desktop {
 QuestionnaireScreen::QuestionnaireScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
       m_code(place.parameters.value(QStringLiteral("participant")).toString()),
-      m_questionnaire(place.parameters.value(QStringLiteral("questionnaire")).toString().toStdString()) {
+      m_questionnaire(place.parameters.value(QStringLiteral("questionnaire")).toString().toStdString()),
+      m_run(place.parameters.value(QStringLiteral("run")).toLongLong()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_panel = new StatePanel(context.theme());
@@ -25,7 +26,7 @@ QuestionnaireScreen::QuestionnaireScreen(AppContext& context, const Place& place
 QString QuestionnaireScreen::title() const { return tr("Questionnaire"); }
 
 QString QuestionnaireScreen::help() const {
-    return tr("Each participant answers these questions once.\n\nPress Tab to move from question to question, the arrow keys to move along "
+    return tr("Each participant answers these questions once, or once about each condition.\n\nPress Tab to move from question to question, the arrow keys to move along "
               "a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the "
               "participant's code as soon as they are submitted.");
 }
@@ -48,8 +49,10 @@ void QuestionnaireScreen::loaded(const core::Result<OpenStudy>& study) {
             m_participant = row.participant.id;
     for (const psychophysics::Questionnaire& questionnaire : study->design.questionnaires)
         if (m_participant != 0 && questionnaire.id == m_questionnaire) {
-            if (study->answered.contains({m_participant, m_questionnaire}))
-                m_panel->showEmpty(tr("Already answered"), tr("Each participant answers a questionnaire once."), tr("Back"), [this] { goBack(); });
+            if (m_run != 0 ? study->answeredAfter.contains({m_run, m_questionnaire}) : study->answered.contains({m_participant, m_questionnaire}))
+                m_panel->showEmpty(tr("Already answered"),
+                                   m_run != 0 ? tr("Each participant answers it once about each condition.") : tr("Each participant answers a questionnaire once."), tr("Back"),
+                                   [this] { goBack(); });
             else
                 build(questionnaire);
             return;
@@ -80,7 +83,7 @@ void QuestionnaireScreen::submit() {
         return;
     m_submit->setEnabled(false);
     writeStudies(
-        context(), this, [answers = m_form->answers(m_participant)](database::StudyRepository& studies) { return studies.storeQuestionnaireAnswers(answers); },
+        context(), this, [answers = m_form->answers(m_participant, m_run)](database::StudyRepository& studies) { return studies.storeQuestionnaireAnswers(answers); },
         [this](const core::Result<void>& done) {
             m_submit->setEnabled(true);
             if (!done) {

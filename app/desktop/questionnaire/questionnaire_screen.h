@@ -13,7 +13,8 @@ class NoticeArea;
 class QuestionnaireForm;
 class StatePanel;
 
-/// One questionnaire for one participant, stored at once. Place: {study, participant, questionnaire}. GUI thread.
+/// One questionnaire for one participant, stored at once. Place: {study, participant, questionnaire}, and {run} where it is asked after each condition.
+/// GUI thread.
 class QuestionnaireScreen final : public Screen {
     Q_OBJECT
 public:
@@ -34,6 +35,7 @@ private:
     database::StudyNumber m_study;
     QString m_code;
     std::string m_questionnaire;
+    database::StudyRunNumber m_run = 0; ///< of the condition that is asked about; 0: asked once
     database::ParticipantNumber m_participant = 0;
     bool m_stored = false;
     StatePanel* m_panel = nullptr;

@@ -74,6 +74,9 @@ void PlatformCard::show(PlatformCheck check) {
     auto* verdict = kit::notice(m_theme, m_check->holds() ? "info" : "warning", platformVerdict(*m_check, m_locale));
     verdict->setObjectName(QStringLiteral("station.verdict"));
     m_results->addWidget(verdict);
+    auto* serial = kit::label(m_theme, tr("Serial number: %1").arg(serialWords(QString::fromStdString(m_check->serialNumber))));
+    serial->setObjectName(QStringLiteral("station.serial"));
+    m_results->addWidget(serial);
     for (const QString& fact : platformFacts(*m_check, m_locale))
         m_results->addWidget(kit::label(m_theme, fact));
     addTable(platformFigures(*m_check, m_locale), "station.figures");

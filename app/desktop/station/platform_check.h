@@ -12,6 +12,7 @@ namespace chiron::desktop {
 /// P3's verification of the simulated fingertip platform, and what goes with it.
 struct PlatformCheck {
     mechanisms::FingertipPlatformParameters plant;
+    std::string serialNumber; ///< DeviceDescriptor::serialNumber of what was checked; a simulated platform tells none
     mechanisms::FingertipVerification verified;
     std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same on seven others
     mechanisms::FingertipFriction friction;

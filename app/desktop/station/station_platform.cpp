@@ -35,7 +35,8 @@ void StationScreen::startVerification() {
             m_strip->stop();
             m_token.reset();
             if (check) {
-                note({"fingertip_platform", "simulated", core::buildId(), check->holds()}, &m_platformChecked);
+                m_platformSerial = QString::fromStdString(check->serialNumber);
+                note({"fingertip_platform", "simulated", core::buildId(), check->holds(), check->serialNumber}, &m_platformChecked);
                 m_platform->show(std::move(*check));
             }
             else if (check.error().code == core::ErrorCode::cancelled)
@@ -70,18 +71,18 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
         });
 }
 
-CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device) const {
-    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, {}, QString::fromStdString(core::buildId()), at.entry};
+CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device, const std::optional<QString>& serial) const {
+    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, serial, QString::fromStdString(core::buildId()), at.entry};
 }
 
 core::Result<void> StationScreen::writePlatformRecord(const QString& path) const {
-    return m_platform->writeRecord(path, circumstances(m_platformChecked, tr("Simulated fingertip platform")));
+    return m_platform->writeRecord(path, circumstances(m_platformChecked, tr("Simulated fingertip platform"), m_platformSerial));
 }
 
 core::Result<void> StationScreen::writeLoopRecord(const QString& path) const {
     if (!m_tested)
         return core::fail(core::ErrorCode::wrongUse, "the self-test was not run yet");
-    return report::writeCheckPdf(path, loopRecord(*m_tested, circumstances(m_loopChecked, tr("None: the loop alone, without a device")), context().locale()),
+    return report::writeCheckPdf(path, loopRecord(*m_tested, circumstances(m_loopChecked, tr("None: the loop alone, without a device"), std::nullopt), context().locale()),
                                  report::lightTheme(context().locale()));
 }
 

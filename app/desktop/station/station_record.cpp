@@ -27,12 +27,16 @@ CheckTable limitsTable() {
 
 } // namespace
 
+QString serialWords(const std::optional<QString>& serial) {
+    return !serial ? Words::tr("none") : serial->isEmpty() ? Words::tr("not told by the device") : *serial;
+}
+
 std::vector<std::pair<QString, QString>> checkHead(const CheckCircumstances& of, const QLocale& locale) {
     return {{Words::tr("Checked by"), of.who},
             {Words::tr("Date and time"), locale.toString(of.when, QLocale::LongFormat)},
             {Words::tr("Station"), of.station},
             {Words::tr("Device"), of.device},
-            {Words::tr("Serial number"), of.serial.isEmpty() ? Words::tr("none") : of.serial},
+            {Words::tr("Serial number"), serialWords(of.serial)},
             {Words::tr("Program build"), of.build},
             {Words::tr("Entry in the audit trail"), of.entry > 0 ? locale.toString(static_cast<qlonglong>(of.entry)) : Words::tr("not written")}};
 }

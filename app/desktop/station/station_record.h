@@ -7,6 +7,7 @@
 
 #include <QDateTime>
 #include <QLocale>
+#include <optional>
 
 namespace chiron::desktop {
 
@@ -16,10 +17,13 @@ struct CheckCircumstances {
     QDateTime when;           ///< local
     QString station;          ///< name of the computer
     QString device;
-    QString serial;           ///< empty: it has none
+    std::optional<QString> serial; ///< of the device; empty: it does not tell one; nothing: there is no device
     QString build;
     std::int64_t entry = 0;   ///< in the audit trail; 0: it could not be written there
 };
+
+/// "none" without a device.
+QString serialWords(const std::optional<QString>& serial);
 
 /// For the record's head: names and values. GUI thread, as all of it.
 std::vector<std::pair<QString, QString>> checkHead(const CheckCircumstances& of, const QLocale& locale);

@@ -66,7 +66,7 @@ private:
     };
     bool mayCheck() const;
     void note(const database::StationCheck& check, CheckedAt* at);
-    CheckCircumstances circumstances(const CheckedAt& at, const QString& device) const;
+    CheckCircumstances circumstances(const CheckedAt& at, const QString& device, const std::optional<QString>& serial) const;
     void saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write);
 
     StatePanel* m_panel;
@@ -77,6 +77,7 @@ private:
     std::optional<session::SelfTestResult> m_tested;
     CheckedAt m_loopChecked;
     CheckedAt m_platformChecked;
+    QString m_platformSerial; ///< empty: not told
     PlatformCard* m_platform = nullptr;
     QVBoxLayout* m_testBox = nullptr;
     std::shared_ptr<session::SelfTestTask> m_task;

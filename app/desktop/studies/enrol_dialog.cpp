@@ -20,11 +20,17 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
     column()->addWidget(kit::label(theme(), tr("This is kept only in the key table, which only the study's author and administrators can "
                                                "open. Data and exports carry the code."),
                                    TextStyle::small, "muted"));
+    m_account = form::textField(theme(), column(), tr("Login name, if the participant has an account here (optional)"), QStringLiteral("enrol.account"));
+    column()->addWidget(kit::label(theme(), tr("With it, an export or an erasure of this person's data also reaches what they do in this study. It is kept only in "
+                                               "the key table; no list and no export of the study shows it."),
+                                   TextStyle::small, "muted"));
     for (const psychophysics::Questionnaire& questionnaire : study.design.questionnaires)
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
             addFields(questionnaire);
     setAccept(tr("Enrol"));
-    connect(m_identity, &QLineEdit::textChanged, this, [this] { setAcceptable(!m_identity->text().trimmed().isEmpty()); });
+    for (QLineEdit* field : {m_identity, m_account}) // one of them says who it is
+        connect(field, &QLineEdit::textChanged, this,
+                [this] { setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty()); });
     m_identity->setFocus();
 }
 
@@ -48,10 +54,11 @@ void EnrolDialog::submit() {
     if (missing)
         return;
     setWorking(true);
+    const QString account = m_account->text().trimmed();
     writeStudies(
         context(), this,
-        [study = m_study, identity = m_identity->text().trimmed().toStdString(), answers](database::StudyRepository& studies) -> core::Result<database::Participant> {
-            auto enrolled = studies.enrolParticipant(study, identity, 0, {});
+        [study = m_study, identity = m_identity->text().trimmed().toStdString(), account = account.toStdString(), answers](database::StudyRepository& studies) -> core::Result<database::Participant> {
+            auto enrolled = account.empty() ? studies.enrolParticipant(study, identity, 0, {}) : studies.enrolAccount(study, identity, account);
             if (!enrolled || answers.empty())
                 return enrolled;
             auto theirs = answers;
@@ -61,10 +68,12 @@ void EnrolDialog::submit() {
                 return tl::unexpected(stored.error()); // one transaction: nobody is enrolled then
             return enrolled;
         },
-        [this](const core::Result<database::Participant>& participant) {
+        [this, account](const core::Result<database::Participant>& participant) {
             setWorking(false);
             if (participant)
                 enrolled(*participant);
+            else if (!account.isEmpty() && participant.error().code == core::ErrorCode::notFound)
+                say("bad", tr("Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.").arg(account));
             else
                 say("bad", tr("The participant was not enrolled.\n%1").arg(inWords(participant.error())));
         });

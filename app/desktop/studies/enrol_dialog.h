@@ -29,6 +29,7 @@ private:
 
     database::StudyNumber m_study;
     QLineEdit* m_identity = nullptr;
+    QLineEdit* m_account = nullptr; ///< login name, where they have one
     std::vector<QuestionnaireForm*> m_fields; ///< what the design wants to know of a participant
 };
 

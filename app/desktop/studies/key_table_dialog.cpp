@@ -6,6 +6,8 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <algorithm>
+
 namespace chiron::desktop {
 
 KeyTableDialog::KeyTableDialog(AppContext& app, database::StudyNumber study, QWidget* parent) : QDialog(parent), m_app(app), m_study(study) {
@@ -54,6 +56,11 @@ void KeyTableDialog::show(const core::Result<std::vector<database::ParticipantKe
         m_panel->showEmpty(tr("The key table is empty"), tr("Simulated participants have no key."));
         return;
     }
+    const bool linked = std::any_of(keys->begin(), keys->end(), [](const database::ParticipantKey& key) { return !key.account.empty(); });
+    if (linked) {
+        m_table->setColumnCount(3);
+        m_table->setHorizontalHeaderLabels({tr("Code"), tr("Identity"), tr("Login name")});
+    }
     m_table->setRowCount(static_cast<int>(keys->size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const database::ParticipantKey& key = (*keys)[static_cast<std::size_t>(row)];
@@ -61,6 +68,8 @@ void KeyTableDialog::show(const core::Result<std::vector<database::ParticipantKe
         code->setFont(m_app.theme().font(TextStyle::mono));
         m_table->setItem(row, 0, code);
         m_table->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(key.identity)));
+        if (linked)
+            m_table->setItem(row, 2, new QTableWidgetItem(QString::fromStdString(key.account)));
     }
     m_panel->showContent();
 }

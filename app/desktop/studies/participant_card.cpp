@@ -96,6 +96,9 @@ QString feedbackWords(const ParticipantView& view) {
 }
 
 QString questionWords(const ParticipantView& view, const QLocale& locale) {
+    if (view.questionsAfterEach > 0)
+        return CardWords::tr("%1 before, %2 after each condition, %3 after")
+            .arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfterEach), locale.toString(view.questionsAfter));
     if (view.questionsBefore + view.questionsAfter == 0)
         return CardWords::tr("none");
     return CardWords::tr("%1 before, %2 after").arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfter));

@@ -144,6 +144,9 @@ QStringList questions(const ParticipantView& view, const LanguageWords& words) {
     QStringList said;
     if (view.questionsBefore > 0)
         said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "Before the trials you answer %n question(s)."), view.questionsBefore);
+    if (view.questionsAfterEach > 0)
+        said << (view.parts.size() > 1 ? words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After each part you answer %n question(s) about it."), view.questionsAfterEach)
+                                       : words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s) about them."), view.questionsAfterEach));
     if (view.questionsAfter > 0)
         said << words(QT_TRANSLATE_N_NOOP("ParticipantSentences", "After the trials you answer %n question(s)."), view.questionsAfter);
     return said;

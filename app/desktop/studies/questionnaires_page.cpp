@@ -57,7 +57,7 @@ QuestionnairesPage::QuestionnairesPage(const DesignPage& page, QWidget* parent) 
     const std::size_t count = page.draft.design().questionnaires.size();
     if (count == 0)
         column->addWidget(kit::label(theme, tr("No questionnaires. Each participant answers a questionnaire once, before or after the "
-                                               "runs. The answers are stored with the data."),
+                                               "runs, or after each condition. The answers are stored with the data."),
                                      TextStyle::body, "muted"));
     for (std::size_t i = 0; i < count; ++i)
         column->addWidget(questionnaireBox(i));
@@ -139,6 +139,7 @@ QWidget* QuestionnairesPage::questionnaireBox(std::size_t index) {
     });
     grid->choice(tr("Answered"), prefix + QStringLiteral("when"),
                  {{tr("before the runs"), static_cast<int>(Questionnaire::When::before)}, {tr("after the runs"), static_cast<int>(Questionnaire::When::after)},
+                  {tr("after each condition, about that condition"), static_cast<int>(Questionnaire::When::afterCondition)},
                   {tr("when a participant is enrolled"), static_cast<int>(Questionnaire::When::enrolment)}},
                  static_cast<int>(shown.when), [this, index](const QVariant& now) {
                      m_page.draft.change(tr("When it is answered"), {},

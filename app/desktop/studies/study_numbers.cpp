@@ -80,6 +80,13 @@ double ratioOf(double difference) { return std::pow(10.0, difference) - 1.0; }
 
 double differenceOf(double ratio) { return std::log10(1.0 + ratio); }
 
+std::string shownLanguage(const psychophysics::StudyText& text, const QString& language) {
+    for (const std::string& wanted : {language.toStdString(), std::string("en")})
+        if (const auto found = text.find(wanted); found != text.end() && !found->second.empty())
+            return wanted;
+    return text.empty() ? std::string() : text.begin()->first;
+}
+
 QString text(const psychophysics::StudyText& text, const QString& language) {
     auto found = text.find(language.toStdString());
     if (found == text.end() || found->second.empty())

@@ -81,7 +81,7 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), record->summary.key);
     if (!design)
         return tl::unexpected(design.error());
-    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, record->blinding, record->masked, {}};
+    OpenStudy open{std::move(record->summary), std::move(*design), {}, {}, {}, {}, record->blinding, record->masked, {}};
     auto sealed = reader.conditionCodes(study);
     if (!sealed)
         return tl::unexpected(sealed.error());
@@ -101,8 +101,11 @@ core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::Study
     auto answers = reader.questionnaireAnswers(study);
     if (!answers)
         return tl::unexpected(answers.error());
-    for (const database::QuestionnaireAnswer& answer : *answers)
+    for (const database::QuestionnaireAnswer& answer : *answers) {
         open.answered.emplace(answer.participant, answer.questionnaire);
+        if (answer.run != 0)
+            open.answeredAfter.emplace(answer.run, answer.questionnaire);
+    }
     auto pilots = pilotRows(reader, open.summary.key);
     if (!pilots)
         return tl::unexpected(pilots.error());

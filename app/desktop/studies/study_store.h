@@ -75,7 +75,8 @@ struct OpenStudy {
     psychophysics::StudyDesign design;
     std::vector<database::SealedCondition> sealed; ///< StudyReader::conditionCodes
     std::vector<ParticipantRow> participants;
-    std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire
+    std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire, of any condition
+    std::set<std::pair<database::StudyRunNumber, std::string>> answeredAfter{}; ///< after which run which of those that are asked after each
     database::Blinding blinding{};
     bool masked = false; ///< StudyRecord::masked
     std::vector<PilotRow> pilots; ///< of its draft, in the order tried

@@ -57,6 +57,8 @@ double differenceOf(double ratio);
 
 /// The text in this language, else in English, else in any.
 QString text(const psychophysics::StudyText& text, const QString& language);
+/// Which of them text() then shows: "de"; empty where there is none.
+std::string shownLanguage(const psychophysics::StudyText& text, const QString& language);
 /// The first twelve digits of a SHA-256.
 QString shortSha(const std::string& sha256);
 /// A stored UTC moment in the locale's short form.

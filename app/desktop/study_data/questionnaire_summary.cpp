@@ -6,6 +6,7 @@
 #include "desktop/widgets/kit.h"
 #include "psychophysics/measures/instrument_score.h"
 #include "report/plot_view.h"
+#include "session/study/questionnaire_replies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,21 +45,31 @@ QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnai
     for (const auto& [participant, id] : m_facts.study.answered)
         people += id == questionnaire.id ? 1 : 0;
     box.layout->addWidget(kit::label(theme, people == 0 ? tr("Nobody has answered it yet.") : tr("Answered by %n participant(s)", nullptr, people), TextStyle::body, "muted"));
-    for (const QString& line : scoreLines(questionnaire))
-        box.layout->addWidget(kit::label(theme, line, TextStyle::strong));
-    if (people > 0)
-        for (const QuestionnaireItem& item : questionnaire.items) {
-            box.layout->addWidget(kit::rule());
-            box.layout->addWidget(itemPart(questionnaire, item));
+    const auto parts = session::answeredParts(m_facts.study.design, questionnaire, m_facts.answers);
+    if (people > 0 && parts.empty())
+        box.layout->addWidget(kit::notice(theme, "info", tr("Answers about single conditions are shown once the study is unblinded.")));
+    for (const session::AnsweredPart& part : parts) {
+        if (!part.label.empty()) {
+            auto* about = kit::label(theme, tr("About the condition %1").arg(conditionName(m_facts.study, part.label, m_app.language())), TextStyle::title);
+            about->setObjectName(QStringLiteral("summary.%1.%2").arg(QString::fromStdString(questionnaire.id), QString::fromStdString(part.label)));
+            box.layout->addWidget(about);
         }
+        for (const QString& line : scoreLines(questionnaire, part.answers))
+            box.layout->addWidget(kit::label(theme, line, TextStyle::strong));
+        if (people > 0)
+            for (const QuestionnaireItem& item : questionnaire.items) {
+                box.layout->addWidget(kit::rule());
+                box.layout->addWidget(itemPart(item, part.answers));
+            }
+    }
     return box.frame;
 }
 
 /// What an instrument makes of the answers: the whole score first, then its parts.
-QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire) const {
+QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const {
     std::map<database::ParticipantNumber, psychophysics::QuestionnaireReply> replies;
-    for (const database::QuestionnaireAnswer& answer : m_facts.answers)
-        if (answer.questionnaire == questionnaire.id && answer.number)
+    for (const database::QuestionnaireAnswer& answer : answers)
+        if (answer.number)
             replies[answer.participant].numbers[answer.item] = *answer.number;
     std::vector<std::pair<std::string, std::vector<double>>> values;
     for (const auto& [participant, reply] : replies)
@@ -95,7 +106,7 @@ QString QuestionnaireSummary::scoreName(const std::string& id, const psychophysi
     return QString::fromStdString(id);
 }
 
-QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& questionnaire, const QuestionnaireItem& item) const {
+QWidget* QuestionnaireSummary::itemPart(const QuestionnaireItem& item, const std::vector<database::QuestionnaireAnswer>& answers) const {
     const Theme& theme = m_app.theme();
     const QLocale locale = m_app.locale();
     auto* part = new QWidget;
@@ -105,8 +116,8 @@ QWidget* QuestionnaireSummary::itemPart(const psychophysics::Questionnaire& ques
     column->addWidget(kit::label(theme, study_words::text(item.text, m_app.language()), TextStyle::strong));
     std::vector<double> numbers;
     QStringList texts;
-    for (const database::QuestionnaireAnswer& answer : m_facts.answers) {
-        if (answer.questionnaire != questionnaire.id || answer.item != item.id)
+    for (const database::QuestionnaireAnswer& answer : answers) {
+        if (answer.item != item.id)
             continue;
         if (answer.number)
             numbers.push_back(*answer.number);

@@ -16,8 +16,9 @@ public:
 private:
     QWidget* questionnaireBox(const psychophysics::Questionnaire& questionnaire) const;
     QString scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const;
-    QStringList scoreLines(const psychophysics::Questionnaire& questionnaire) const;
-    QWidget* itemPart(const psychophysics::Questionnaire& questionnaire, const psychophysics::QuestionnaireItem& item) const;
+    /// `answers`: to this questionnaire, all of one condition where it is asked after each.
+    QStringList scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const;
+    QWidget* itemPart(const psychophysics::QuestionnaireItem& item, const std::vector<database::QuestionnaireAnswer>& answers) const;
     QWidget* barsOf(const psychophysics::QuestionnaireItem& item, const std::vector<double>& numbers) const;
 
     AppContext& m_app;

@@ -27,7 +27,7 @@ QString RunScreen::title() const { return tr("Run"); }
 QString RunScreen::help() const {
     return tr("Takes a participant through a study.\n\nChoose the study and the participant's code. The conditions appear in the "
               "participant's own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and "
-              "after the runs are answered here, too.\n\nAn interrupted run resumes at the trial where it stopped.");
+              "after the runs are answered here, too, and those about a condition once it is done.\n\nAn interrupted run resumes at the trial where it stopped.");
 }
 
 void RunScreen::enter() { load(); }
@@ -197,6 +197,12 @@ QWidget* RunScreen::participantBox() {
         });
         box.layout->addWidget(conditionRow(*row, static_cast<int>(position), label, next && !done));
         next = next && done;
+        const auto run = std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
+            return session::labelOf(each) == label && each.state == database::StudyRunState::completed;
+        });
+        for (const psychophysics::Questionnaire& each : open.design.questionnaires) // about what was just done: before it is done there is nothing to ask
+            if (each.when == When::afterCondition && run != row->runs.end())
+                box.layout->addWidget(questionnaireRow(*row, each, &*run, static_cast<int>(position)));
     }
     questionnaires(When::after);
     return box.frame;
@@ -240,26 +246,30 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     return box.frame;
 }
 
-QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire) {
+QWidget* RunScreen::questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run, int position) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
-    const QString name = study_words::text(questionnaire.title, context().language());
+    const QString title = study_words::text(questionnaire.title, context().language());
+    const QString name = run ? tr("%1, about condition %2").arg(title, context().locale().toString(position + 1)) : title;
     auto* said = new QVBoxLayout;
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, name, TextStyle::strong));
-    const bool done = study()->answered.contains({row.participant.id, questionnaire.id});
+    const bool done = run ? study()->answeredAfter.contains({run->id, questionnaire.id}) : study()->answered.contains({row.participant.id, questionnaire.id});
     said->addWidget(kit::label(theme, done ? tr("answered") : tr("not answered yet"), TextStyle::body, "muted"));
     QVBoxLayout* cell = buttonCell(*line);
     if (!done && row.participant.state != database::ParticipantState::withdrawn) {
         auto* go = kit::button(theme, tr("Answer"), "", QStringLiteral("document-edit"));
-        go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)));
+        go->setObjectName(QStringLiteral("run.questionnaire.%1").arg(QString::fromStdString(questionnaire.id)) + (run ? QStringLiteral(".%1").arg(position) : QString()));
         go->setAccessibleName(tr("Answer %1").arg(name));
-        connect(go, &QPushButton::clicked, this, [this, id = questionnaire.id] {
-            context().navigator().go(QStringLiteral("questionnaire"), {{QStringLiteral("study"), qlonglong(m_study)},
-                                                                       {QStringLiteral("participant"), m_participant},
-                                                                       {QStringLiteral("questionnaire"), QString::fromStdString(id)}});
+        connect(go, &QPushButton::clicked, this, [this, id = questionnaire.id, number = run ? run->id : 0] {
+            QVariantMap place{{QStringLiteral("study"), qlonglong(m_study)},
+                              {QStringLiteral("participant"), m_participant},
+                              {QStringLiteral("questionnaire"), QString::fromStdString(id)}};
+            if (number != 0)
+                place.insert(QStringLiteral("run"), qlonglong(number));
+            context().navigator().go(QStringLiteral("questionnaire"), place);
         });
         cell->addWidget(go, 0, Qt::AlignRight);
     }

@@ -41,7 +41,8 @@ private:
     QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
     QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
-    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);
+    /// `run`: of the condition that is asked about, at `position`; null: asked once.
+    QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run = nullptr, int position = 0);
     void showParticipant();
     const OpenStudy* study() const;
     const ParticipantRow* participant() const;

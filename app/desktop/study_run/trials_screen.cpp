@@ -8,6 +8,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
 #include "desktop/study_run/break_panel.h"
+#include "desktop/study_run/condition_questions.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/places_view.h"
@@ -264,9 +265,10 @@ void TrialsScreen::finished() {
     freePointer();
     const core::Result<session::LiveStudyResult>& result = m_live->result();
     m_completed = result && result->completed;
-    showEnd(!result      ? tr("The sitting could not be run.") + QLatin1Char('\n') + inWords(result.error())
-            : m_completed ? tr("This condition is completed.")
-                          : tr("All answered trials are kept. The run continues at the same trial."));
+    const QString what = !result      ? tr("The sitting could not be run.") + QLatin1Char('\n') + inWords(result.error())
+                         : m_completed ? tr("This condition is completed.")
+                                       : tr("All answered trials are kept. The run continues at the same trial.");
+    m_completed && ConditionQuestions::areIn(m_live->design()) ? askQuestions(what) : showEnd(what);
 }
 
 void TrialsScreen::fail(const core::Error& error) {

@@ -22,6 +22,7 @@ namespace chiron::desktop {
 class AnswerPanel;
 class ApexStage;
 class BreakPanel;
+class ConditionQuestions;
 class ExperimenterPanel;
 class KeyFilter;
 class ParticipantWindow;
@@ -89,7 +90,9 @@ private:
     void callExperimenter(std::function<void()> then);
     void showDesk();
     void showPage();
+    void askQuestions(const QString& what); ///< what the study asks after each condition, on the participant's page; showEnd() follows
     void showEnd(const QString& what);
+    void clearHead(const QString& note); ///< of what only belongs to a sitting; the experimenter may go on
     void leave();
 
     // trials_screen.cpp
@@ -132,6 +135,7 @@ private:
     QPushButton* m_enough = nullptr;
     QStackedWidget* m_stage = nullptr;
     BreakPanel* m_break = nullptr;
+    ConditionQuestions* m_questions = nullptr; ///< null until a condition is done after which something is asked
     QWidget* m_trial = nullptr;
     PlacesView* m_places = nullptr;   ///< null where an apex is looked for
     AnswerPanel* m_answers = nullptr; ///< as m_places

@@ -5,12 +5,14 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/study_run/break_panel.h"
+#include "desktop/study_run/condition_questions.h"
 #include "desktop/study_run/experimenter_gate.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/participant_window.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 
@@ -104,6 +106,26 @@ void TrialsScreen::toggleExperimenter() {
         callExperimenter([this] { showDesk(); });
 }
 
+void TrialsScreen::askQuestions(const QString& what) {
+    m_ended = what;
+    m_panel->showContent();
+    m_questions = new ConditionQuestions(context(), m_live->design(), {m_study, m_participant, m_live->result()->run});
+    m_questions->setObjectName(QStringLiteral("trials.questions"));
+    connect(m_questions, &ConditionQuestions::answered, this, [this] { showEnd(m_ended); });
+    m_stage->addWidget(m_questions);
+    m_stage->setCurrentWidget(m_questions);
+    clearHead(tr("%1 The participant is now answering the questions about it.").arg(what));
+}
+
+void TrialsScreen::clearHead(const QString& note) {
+    m_strip->clear();
+    m_stop->hide();
+    m_progress->hide();
+    m_leave->show();
+    m_toPage->hide();
+    m_deskNote->setText(note);
+}
+
 /// The same for everybody, whatever became of the sitting.
 void TrialsScreen::showEnd(const QString& what) {
     m_ended = what;
@@ -111,12 +133,7 @@ void TrialsScreen::showEnd(const QString& what) {
     m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
     m_break->countDown(-1.0, 0.0);
     m_stage->setCurrentWidget(m_break);
-    m_strip->clear();
-    m_stop->hide();
-    m_progress->hide();
-    m_leave->show();
-    m_toPage->hide();
-    m_deskNote->setText(what);
+    clearHead(what);
     (atDesk() ? m_leave : m_call)->setFocus(Qt::OtherFocusReason);
 }
 

@@ -68,6 +68,7 @@ ParticipantView participantView(const psychophysics::StudyDesign& design) {
     view.maskingSound = rules.maskingSound;
     view.questionsBefore = questions(design, psychophysics::Questionnaire::When::before);
     view.questionsAfter = questions(design, psychophysics::Questionnaire::When::after);
+    view.questionsAfterEach = questions(design, psychophysics::Questionnaire::When::afterCondition);
     return view;
 }
 

@@ -37,6 +37,7 @@ struct ParticipantView {
     bool maskingSound = false;
     int questionsBefore = 0;
     int questionsAfter = 0;
+    int questionsAfterEach = 0; ///< part
 
     double minutesAtMost() const; ///< of all parts, without questions; 0 where that is not known
     bool anyBreak() const;

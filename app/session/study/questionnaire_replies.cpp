@@ -3,7 +3,9 @@
 
 #include "psychophysics/measures/sample_moments.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chiron::session {
 
@@ -36,6 +38,29 @@ std::map<database::ParticipantNumber, double> performanceOf(const StudyAnalysis&
     for (const auto& [participant, values] : standings)
         performance[participant] = psychophysics::momentsOf(values).mean;
     return performance;
+}
+
+std::string labelOf(const database::QuestionnaireAnswer& answer) { return answer.condition.empty() ? answer.sealedCode : answer.condition; }
+
+std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design, const psychophysics::Questionnaire& questionnaire,
+                                        const std::vector<database::QuestionnaireAnswer>& answers) {
+    std::vector<AnsweredPart> parts;
+    if (questionnaire.when != psychophysics::Questionnaire::When::afterCondition)
+        parts.emplace_back();
+    for (const database::QuestionnaireAnswer& answer : answers) {
+        if (answer.questionnaire != questionnaire.id || answer.withheld)
+            continue;
+        auto part = std::find_if(parts.begin(), parts.end(), [&](const AnsweredPart& each) { return each.label == labelOf(answer); });
+        if (part == parts.end())
+            part = parts.insert(parts.end(), {labelOf(answer), {}});
+        part->answers.push_back(answer);
+    }
+    const auto place = [&](const AnsweredPart& part) {
+        const auto& all = design.conditions;
+        return std::find_if(all.begin(), all.end(), [&](const psychophysics::Condition& each) { return each.id == part.label; }) - all.begin();
+    };
+    std::sort(parts.begin(), parts.end(), [&](const AnsweredPart& a, const AnsweredPart& b) { return std::pair(place(a), a.label) < std::pair(place(b), b.label); });
+    return parts;
 }
 
 std::vector<psychophysics::QuestionnaireReply> questionnaireReplies(const psychophysics::Questionnaire& questionnaire,

@@ -13,7 +13,20 @@ namespace chiron::session {
 /// error) theirs is, in standard deviations of its condition; more is better. Who has no such run is not in it.
 std::map<database::ParticipantNumber, double> performanceOf(const StudyAnalysis& analysis);
 
-/// What each participant answered to one questionnaire, by participant, beside how well they did (where `performance` says so). Erased
+/// What an answer is about: the condition's id, or its sealed code while blinded; empty where the questionnaire is asked once.
+std::string labelOf(const database::QuestionnaireAnswer& answer);
+
+/// Answers to one questionnaire that belong together: at most one to a question of each participant.
+struct AnsweredPart {
+    std::string label; ///< of the condition that they are about; empty where the questionnaire is asked once
+    std::vector<database::QuestionnaireAnswer> answers;
+};
+/// One part with all of them where the questionnaire is asked once, also where nobody has answered; where it is asked after each condition one for
+/// each that somebody has answered about, in the design's order, sealed codes behind it by code. What is withheld is in none.
+std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design, const psychophysics::Questionnaire& questionnaire,
+                                        const std::vector<database::QuestionnaireAnswer>& answers);
+
+/// What each participant answered to one questionnaire (of a part, where it is asked after each condition), by participant, beside how well they did (where `performance` says so). Erased
 /// answers are none.
 std::vector<psychophysics::QuestionnaireReply> questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
                                                                     const std::vector<database::QuestionnaireAnswer>& answers,

@@ -83,7 +83,8 @@ struct Questionnaire {
     std::string id;
     StudyText title;
     /// `enrolment`: what is written down of a participant when they are enrolled (age, sex, handedness, ...), not asked at a sitting.
-    enum class When : std::uint8_t { before, after, enrolment } when = When::after;
+    /// `afterCondition`: once after each condition, about that condition.
+    enum class When : std::uint8_t { before, after, enrolment, afterCondition } when = When::after;
     std::vector<QuestionnaireItem> items;
     std::string score; ///< rule that makes scores of the answers (measures/instrument_score.h); empty: none
 };

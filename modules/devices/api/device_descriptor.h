@@ -45,6 +45,8 @@ struct DeviceDescriptor {
     /// damping added up. Measured, with margin (tests/damping/README.md).
     double maximumDamping_Ns_per_m = 50.0;
     double frictionCompensation = 0.0; ///< share of its axes' Coulomb friction that is fed forward, 0..1; 0 = off (haptics/friction_compensation.h)
+    /// As the driver has it from the device (of a HID device its descriptor's string); empty: the device tells none, as simulated ones.
+    std::string serialNumber{};
     DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
 };
 

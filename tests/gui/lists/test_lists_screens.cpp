@@ -423,6 +423,8 @@ private slots:
         for (const char* told : {"rhea", "bench-2", "A device", "SN-7", "1.2 build", "41"})
             QVERIFY2(head.contains(QLatin1String(told)), told);
         QVERIFY(head.join(QString()).contains(QStringLiteral("2026")));
+        QCOMPARE(serialWords(QString()), QStringLiteral("not told by the device"));
+        QCOMPARE(serialWords(std::nullopt), QStringLiteral("none")); // there is no device
         QCOMPARE(failed.tables.front().lines[1].mid(1), QStringList({"0.310 %", "at most 0.300 %", "FAIL"}));
         result.loop.late = 30;
         const report::CheckRecord good = loopRecord(result, of, QLocale::c());

@@ -53,6 +53,7 @@ private slots:
         QVERIFY(ended.wait(60'000));
         QVERIFY(button->isEnabled());
         QVERIFY(desktop.find<QWidget>(QStringLiteral("station.verdict")));
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("station.serial"))->text().contains(QStringLiteral("not told by the device"))); // it is a simulation
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.fingers"))->rowCount(), 8);
         QVERIFY(desktop.find<report::PlotView>(QStringLiteral("station.sine")));
         QCOMPARE(desktop.find<QTableWidget>(QStringLiteral("station.figures"))->rowCount(), 6);

@@ -12,6 +12,8 @@
 #include <QDir>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPointer>
+#include <QRadioButton>
 #include <QWheelEvent>
 
 using namespace chiron;
@@ -25,6 +27,12 @@ constexpr double kBeside_m = 0.004; ///< to the right of the apex
 psychophysics::StudyDesign quickApexStudy() {
     psychophysics::StudyDesign design = tests::apexStudy("apex_trials", 4);
     design.instructions = {{"en", "A ball that you cannot see lies in front of you. Feel your way over it and mark its highest point."}};
+    psychophysics::Questionnaire effort;
+    effort.id = "effort";
+    effort.title = {{"en", "Effort"}};
+    effort.when = psychophysics::Questionnaire::When::afterCondition;
+    effort.items = {{"hard", {{"en", "How hard was it?"}}, psychophysics::QuestionnaireItem::Kind::likert, 5, {{"en", "not at all"}}, {{"en", "very"}}, {}, "", 0, 0, true}};
+    design.questionnaires = {effort};
     design.trial.visibleObjects = false;
     design.trial.betweenTrials_s = 0.1;
     design.fidelity.lateTicks = 1.0; // a busy machine is no fault of what is tested
@@ -256,9 +264,21 @@ void TestApexTrials::aSpoiledTrialComesAgainAndTheRunEnds() {
     QVERIFY(mark(screen)); // in a further session
     QCOMPARE(m_sessions, 2);
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
-    QCOMPARE(screen->findChild<QLabel*>(QStringLiteral("break.text"))->text(), QStringLiteral("Please call the experimenter."));
+    QTRY_VERIFY(screen->findChild<QWidget*>(QStringLiteral("trials.questions"))); // about what was just done, on the participant's page
+    auto* submit = screen->findChild<QPushButton*>(QStringLiteral("questions.submit"));
+    QVERIFY(submit && submit->isVisible());
+    submit->click(); // it must be answered
+    screen->findChild<QRadioButton*>(QStringLiteral("questionnaire.hard.4"))->click();
+    submit->click();
+    const QPointer<QLabel> said = screen->findChild<QLabel*>(QStringLiteral("break.text"));
+    QTRY_VERIFY_WITH_TIMEOUT(said && said->isVisible() && said->text() == QStringLiteral("Please call the experimenter."), kPatience_ms);
     stop(screen);
-    QCOMPARE(opened().runs.front().state, database::StudyRunState::completed);
+    const database::StudyRun run = opened().runs.front();
+    QCOMPARE(run.state, database::StudyRunState::completed);
+    auto connection = m_site->database().openReader();
+    const auto answers = database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study);
+    QVERIFY(answers && answers->size() == 1);
+    QVERIFY(answers->front().run == run.id && answers->front().condition == "sphere" && answers->front().number == 4.0 && answers->front().language == "en");
 }
 
 void TestApexTrials::theAnalysisHoldsTheMarks() {

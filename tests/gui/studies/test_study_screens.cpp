@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study from its draft to its data, as a researcher does it.
 #include "catalogue/instrument_catalogue.h"
+#include "database/repositories/privacy_repository.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_data/study_data_screen.h"
@@ -19,6 +20,7 @@
 #include <QTabBar>
 #include <QSlider>
 #include <QTableWidget>
+#include <algorithm>
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -38,7 +40,9 @@ private slots:
     void frozen();
     void enrolledAndConsented();
     void theNewOneIsSelected();
+    void anAccountIsNamed();
     void fieldsAreWrittenDownAtTheEnrolment();
+    void askedAfterEachCondition();
     void runsInOrder();
     void questionnaire();
     void dataAndUnblinding();
@@ -191,6 +195,73 @@ void TestStudyScreens::theNewOneIsSelected() {
     click("participants.run");
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), second);
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+}
+
+/// Instead of an identity, or with it: who has an account gets what they do here when they ask for their data.
+void TestStudyScreens::anAccountIsNamed() {
+    const auto number = tests::addDraft(*m_site, m_site->context.actor(), tests::smallStudy("linked"));
+    tests::writeAs(*m_site, m_site->context.actor(), [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    go("study", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), 5}});
+    click("participants.enrol");
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("enrol.accept"))->isEnabled());
+    auto* account = m_site->find<QLineEdit>(QStringLiteral("enrol.account"));
+    QVERIFY(account);
+    account->setText(QStringLiteral("nobody here"));
+    click("enrol.accept");
+    const auto said = [this] {
+        const auto labels = m_site->find<QDialog>(QStringLiteral("enrol"))->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains(QStringLiteral("nobody here")); });
+    };
+    QTRY_VERIFY(said());
+    QVERIFY(text("enrol.code").isEmpty());
+    account->setText(QStringLiteral("tina"));
+    click("enrol.accept");
+    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    const QString code = text("enrol.code");
+    click("enrol.cancel");
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    const database::Actor tina = m_site->actor("tina");
+    auto connection = m_site->database().openReader();
+    const auto held = database::PrivacyRepository(**connection, tina).exportPerson(tina.personId());
+    QVERIFY(held && held->participations.size() == 1);
+    QCOMPARE(QString::fromStdString(held->participations.front().participant.code), code);
+}
+
+/// On the Run screen what is asked about a condition comes once it is done, and is shown by condition where the data are.
+void TestStudyScreens::askedAfterEachCondition() {
+    const database::Actor rhea = m_site->context.actor();
+    psychophysics::StudyDesign design = tests::smallStudy("each_condition");
+    design.questionnaires.front().when = psychophysics::Questionnaire::When::afterCondition;
+    const auto number = tests::addDraft(*m_site, rhea, design);
+    tests::writeAs(*m_site, rhea, [&](database::StudyRepository& studies) { return studies.freezeStudy(number); });
+    const auto participant = tests::addParticipant(*m_site, rhea, number, design, "somebody");
+    const auto open = [&] { go("study_run", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), QString::fromStdString(participant.code)}}); };
+    const auto offered = [&] {
+        const auto all = m_site->window->screen()->findChildren<QPushButton*>();
+        return std::count_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); });
+    };
+    open();
+    QCOMPARE(offered(), 0); // nothing was done yet
+    tests::addRun(*m_site, rhea, design, participant, "stiffness", 0.1, 5);
+    open();
+    QCOMPARE(offered(), 1);
+    const auto all = m_site->window->screen()->findChildren<QPushButton*>();
+    (*std::find_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); }))->click();
+    QTRY_VERIFY(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")));
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
+    m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
+    m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
+    click("questionnaire.submit");
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QCOMPARE(offered(), 0); // answered; of the other condition there is nothing to ask yet
+    auto connection = m_site->database().openReader();
+    const auto answers = database::StudyReader(**connection, rhea).questionnaireAnswers(number);
+    QVERIFY(answers && answers->size() == 3);
+    QVERIFY(std::all_of(answers->begin(), answers->end(), [](const database::QuestionnaireAnswer& each) { return each.condition == "stiffness" && each.language == "en"; }));
+    go("study_data", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), int(desktop::StudyDataScreen::questionnairesTab)}});
+    QTRY_VERIFY(m_site->find<QLabel>(QStringLiteral("summary.validity.stiffness")));
+    QVERIFY(!m_site->find<QLabel>(QStringLiteral("summary.validity.mass")));
 }
 
 /// What the design says is asked for, stored with the participation, and nobody is enrolled without what must be answered.

@@ -34,6 +34,7 @@ void addWriting(Calls& map) {
     add(Action::enrolParticipant, Touches::frozen, [](C& c, A a, N n) {
         return drop(StudyRepository(c, a).enrolParticipant(n, "", 0, "weber:0.2"));
     });
+    add(Action::enrolAccount, Touches::frozen, [](C& c, A a, N n) { return drop(StudyRepository(c, a).enrolAccount(n, "", "bob")); });
     add(Action::recordConsent, Touches::enrolled,
         [](C& c, A a, N n) { return StudyRepository(c, a).recordConsent(n, consentDigest()); });
     add(Action::completeParticipant, Touches::ready,

@@ -3,6 +3,7 @@
 
 #include "database/boot_clock.h"
 #include "database/repositories/audit_repository.h"
+#include "database/repositories/station_repository.h"
 #include "database/repositories/study_rules.h"
 
 #include <QJsonDocument>
@@ -24,6 +25,7 @@ private slots:
     void sessionsAreNoted();
     void studiesAreNoted();
     void upkeepIsNoted();
+    void stationChecksHoldTheSerialNumber();
     void thePersonsOwnAreTheSame();
     void codesTakeTheirBytesInTurn();
     void theSystemsClockIsSinceItsStart();
@@ -185,6 +187,18 @@ void TestAuditEntries::codesTakeTheirBytesInTurn() {
         letters.insert(codeFrom(of, 0)[0]);
     }
     QCOMPARE(QString::fromStdString(std::string(letters.begin(), letters.end())), QStringLiteral("34679ACDEFGHJKMNPQRTWXY"));
+}
+
+/// Where the device tells one; anything else than printable ASCII is no serial number.
+void TestAuditEntries::stationChecksHoldTheSerialNumber() {
+    const auto checked = [&](const std::string& serial) {
+        return m->database->write([&](WriteContext& w) { return StationRepository(w.connection(), m_ruth).recordStationCheck({"loop", "simulated", "1", true, serial}); });
+    };
+    REQUIRE(checked(""));
+    QVERIFY(!lastDetail().contains("serial"));
+    REQUIRE(checked("SN-7 / 12"));
+    QCOMPARE(lastDetail()["serial"].toString(), QStringLiteral("SN-7 / 12"));
+    QCOMPARE(checked("SN\n7").error().code, core::ErrorCode::badInput);
 }
 
 // Nanoseconds since the machine started, sleep included, and the start by its own name.

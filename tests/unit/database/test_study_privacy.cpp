@@ -36,6 +36,7 @@ private slots:
     void recordingsGoWhereTheParticipantWishes_data();
     void recordingsGoWhereTheParticipantWishes();
     void erasingAPersonErasesTheParticipant();
+    void anAccountIsLinkedByItsLoginName();
     void erasingAnExperimenterKeepsParticipantsRecordings();
     void restoredBackupsStayErased();
     void nonceKeepsDigestsFromTelling();
@@ -103,6 +104,44 @@ void TestStudyPrivacy::exportHoldsParticipations() {
     const auto after = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
     REQUIRE(after);
     QVERIFY(!after->participations.front().sealed && after->participations.front().trials.size() == 1);
+}
+
+/// An experimenter names the account; what the person gets and what is erased reaches the participation; nothing else tells of it.
+void TestStudyPrivacy::anAccountIsLinkedByItsLoginName() {
+    const Actor rob = m->person(m_admin, "rob", {Role::researcher}).value();
+    const StudyNumber other = m->database->write([&](WriteContext& w) -> core::Result<StudyNumber> {
+        StudyRepository studies(w.connection(), m_ruth);
+        const auto made = studies.createStudy("other", "Other", someDesign("other"));
+        const auto frozen = made ? studies.freezeStudy(*made) : tl::unexpected(made.error());
+        return frozen ? made : core::Result<StudyNumber>(tl::unexpected(frozen.error()));
+    }).value();
+    const auto enrolled = [&](const Actor& actor, const std::string& account) {
+        return m->database->write([&](WriteContext& w) { return StudyRepository(w.connection(), actor).enrolAccount(other, "", account); });
+    };
+    QCOMPARE(enrolled(rob, "nobody").error().code, core::ErrorCode::notFound);
+    const auto tim = AccountService(*m->database).login("tim", kPassword);
+    REQUIRE(tim);
+    QCOMPARE(enrolled(*tim, "tim").error().code, core::ErrorCode::notAllowed);
+    const auto who = enrolled(rob, "TIM"); // as at the login
+    REQUIRE(who);
+    const auto twice = enrolled(rob, "tim");
+    QVERIFY(!twice && twice.error().code == core::ErrorCode::badInput && twice.error().message.find(who->code) == std::string::npos);
+    QCOMPARE(m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), rob).participantKeys(other); }).error().code, core::ErrorCode::notAllowed);
+    const auto keys = m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), m_ruth).participantKeys(other); });
+    QVERIFY(keys && keys->size() == 1 && keys->front().person == m_tim && keys->front().account == "tim");
+    const auto held = PrivacyRepository(*reader(), *tim).exportPerson(m_tim);
+    REQUIRE(held);
+    QCOMPARE(held->participations.size(), std::size_t{2});
+    QCOMPARE(held->participations.back().participant.code, who->code);
+    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM audit WHERE action = 'enrolParticipant' AND target = 'participant_key' AND detail_json = '{\"account\":true}'")->value_or(0),
+             std::int64_t{2});
+    QCOMPARE(selectInteger(*reader(), "SELECT count(*) FROM audit WHERE instr(detail_json, ?) OR instr(detail_json, '\"tim\"')", {who->code})->value_or(-1), std::int64_t{0});
+    REQUIRE(AccountService(*m->database).erasePerson(m_admin, kPassword, m_tim, "wish", false));
+    QVERIFY(StudyReader(*reader(), m_ruth).participantByCode(other, who->code)->erased);
+    const auto after = m->database->write([&](WriteContext& w) { return StudyReader(w.connection(), m_ruth).participantKeys(other); });
+    QVERIFY(after && after->empty());
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
 }
 
 /// Blind are those who conduct. Who is done with a blinded study, or has left it, gets their trials, without the codes that experimenters know.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_people.h"
 
+#include "database/integrity/verifier.h"
 #include "database/query.h"
 
 #include <cmath>
@@ -26,6 +27,7 @@ private slots:
     void sealedCodesCannotBeComputed();
     void answersMustFit();
     void enrolmentComesBeforeTheConsent();
+    void answersOfConditionsBelongToRuns();
 };
 
 // The row of the order of conditions: from 0 in each study, of people and of simulated observers apart; whoever left makes room.
@@ -347,6 +349,55 @@ void TestStudyRuns::enrolmentComesBeforeTheConsent() {
     const auto left = write(m_ruth, [&](StudyRepository& s) { return s.enrolParticipant(*study, "John Roe", 0, ""); });
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(left->id, false); }));
     QCOMPARE(store(left->id, "person", "age", 40.0).error().code, core::ErrorCode::wrongUse);
+}
+
+/// A questionnaire that is asked after each condition: once for each completed run of the participant, by sealed code and withheld while the study is
+/// blinded (its conditions differ), with the language in which it was shown.
+void TestStudyRuns::answersOfConditionsBelongToRuns() {
+    std::string design = someDesign("each");
+    design.replace(design.find(R"({"id":"face",)"), 13, R"({"id":"face","when":"after_condition",)");
+    const auto study = write(m_ruth, [&](StudyRepository& s) { return s.createStudy("each", "Each", design); });
+    REQUIRE(study);
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.freezeStudy(*study); }));
+    const ParticipantNumber who = consented(*study), other = consented(*study);
+    const auto begun = [&](ParticipantNumber of, const char* condition) {
+        return write(m_ruth, [&](StudyRepository& s) { return s.beginRun({of, codeOf(*reader(), *study, condition), 0, 1, "descending@1"}); }).value_or(0);
+    };
+    const auto store = [&](StudyRunNumber run, double value, const std::string& language = "en") {
+        QuestionnaireAnswer answer{who, "face", "real", value, "", ""};
+        answer.run = run;
+        answer.language = language;
+        return write(m_ruth, [&](StudyRepository& s) { return s.storeQuestionnaireAnswers({answer}); });
+    };
+    const auto completed = [&](StudyRunNumber run) { return write(m_ruth, [&](StudyRepository& s) { return s.finishRun(run, StudyRunState::completed); }); };
+    const StudyRunNumber soft = begun(who, "soft"), foreign = begun(other, "soft");
+    QCOMPARE(store(0, 5.0).error().code, core::ErrorCode::badInput); // of which condition?
+    QCOMPARE(store(soft, 5.0).error().code, core::ErrorCode::wrongUse); // not done yet
+    REQUIRE(completed(soft));
+    REQUIRE(completed(foreign));
+    QCOMPARE(store(foreign, 5.0).error().code, core::ErrorCode::badInput); // somebody else's
+    QCOMPARE(store(soft, 5.0, "xx").error().code, core::ErrorCode::badInput); // it is not written in that
+    REQUIRE(store(soft, 5.0));
+    QCOMPARE(store(soft, 4.0).error().code, core::ErrorCode::wrongUse); // once
+    const StudyRunNumber hard = begun(who, "hard");
+    REQUIRE(completed(hard));
+    REQUIRE(store(hard, 2.0, ""));
+    for (const QuestionnaireAnswer& answer : *StudyReader(*reader(), m_ruth).questionnaireAnswers(*study)) {
+        QVERIFY(answer.withheld && !answer.number && answer.utc.empty() && answer.condition.empty());
+        QCOMPARE(answer.sealedCode, codeOf(*reader(), *study, answer.run == soft ? "soft" : "hard"));
+    }
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.unblindStudy(*study, "all are done"); }));
+    const auto answers = StudyReader(*reader(), m_ruth).questionnaireAnswers(*study);
+    QCOMPARE(answers->size(), std::size_t{2});
+    QVERIFY(answers->front().condition == "soft" && answers->front().number == 5.0 && answers->front().language == "en" && !answers->front().withheld);
+    QVERIFY(answers->back().condition == "hard" && answers->back().number == 2.0 && answers->back().language.empty());
+    REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(who, false); }));
+    REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, who, "wish"));
+    for (const QuestionnaireAnswer& answer : *StudyReader(*reader(), m_ruth).questionnaireAnswers(*study)) {
+        QVERIFY(!answer.number && answer.text.empty()); // of every condition
+    }
+    m->database.reset();
+    QVERIFY(verifyDatabase(m->path(), m->options).ok());
 }
 
 QTEST_GUILESS_MAIN(TestStudyRuns)

@@ -59,6 +59,7 @@ devices::DeviceDescriptor awkwardDevice() {
     d.maximumTorque_Nm = 0.151;
     d.maximumDamping_Ns_per_m = 33.3;
     d.frictionCompensation = 0.8 / 3.0;
+    d.serialNumber = "SN-7 Ω";
     return d;
 }
 
@@ -68,7 +69,7 @@ bool same(double a, double b) {
 
 /// Keys that earlier versions did not write: not there is their old meaning, 0.
 const QStringList kLater{QStringLiteral("coulomb_friction"), QStringLiteral("viscous_friction"), QStringLiteral("friction_compensation"),
-                         QStringLiteral("capKnee")};
+                         QStringLiteral("serial_number"), QStringLiteral("capKnee")};
 
 /// Every member taken away, and every member of another type: the error names the key.
 template <class Read> void checkDamage(const QJsonObject& good, const QString& place, Read read) {
@@ -139,6 +140,10 @@ void TestSessionJson::deviceComesBack() {
     QVERIFY(same(after->maximumTorque_Nm, before.maximumTorque_Nm));
     QVERIFY(same(after->maximumDamping_Ns_per_m, before.maximumDamping_Ns_per_m));
     QVERIFY(same(after->frictionCompensation, before.frictionCompensation));
+    QCOMPARE(after->serialNumber, before.serialNumber);
+    devices::DeviceDescriptor untold = before;
+    untold.serialNumber.clear();
+    QVERIFY(!session::toJson(untold).contains("serial_number")); // the text of a session as it always was
     QJsonObject older = session::toJson(before); // as versions before wrote it
     older.remove("friction_compensation");
     QCOMPARE(session::descriptorFromJson(older)->frictionCompensation, 0.0);

@@ -12,6 +12,7 @@ private slots:
     void performanceIsAmongOthers();
     void aConditionThatTellsNobodyApart();
     void repliesAreByParticipant();
+    void partsAreByCondition();
 };
 
 namespace {
@@ -68,6 +69,32 @@ void TestQuestionnaireReplies::repliesAreByParticipant() {
     QCOMPARE(replies.size(), std::size_t{2});
     QVERIFY(replies[0].numbers.at("real") == 5.0 && std::isnan(replies[0].performance));
     QVERIFY(replies[1].numbers.at("real") == 4.0 && replies[1].texts.at("remarks") == "soft" && replies[1].performance == 0.5);
+}
+
+/// Asked once: one part, whoever has answered; after each condition: one for each that was answered about, in the design's order.
+void TestQuestionnaireReplies::partsAreByCondition() {
+    psychophysics::StudyDesign design;
+    design.conditions.resize(2);
+    design.conditions[0].id = "soft";
+    design.conditions[1].id = "hard";
+    psychophysics::Questionnaire questionnaire;
+    questionnaire.id = "tlx";
+    QCOMPARE(session::answeredParts(design, questionnaire, {}).size(), std::size_t{1});
+    const auto about = [](database::StudyRunNumber run, const char* condition, const char* code, bool withheld = false) {
+        database::QuestionnaireAnswer answer{1, "tlx", "effort", 3.0, "", ""};
+        answer.run = run;
+        answer.condition = condition;
+        answer.sealedCode = code;
+        answer.withheld = withheld;
+        return answer;
+    };
+    questionnaire.when = psychophysics::Questionnaire::When::afterCondition;
+    QVERIFY(session::answeredParts(design, questionnaire, {}).empty());
+    const auto parts = session::answeredParts(design, questionnaire, {about(7, "hard", "Q7M"), about(8, "soft", "A3K"), about(9, "hard", "Q7M"), about(4, "", "ZZZ", true)});
+    QCOMPARE(parts.size(), std::size_t{2});
+    QVERIFY(parts[0].label == "soft" && parts[0].answers.size() == 1 && parts[1].label == "hard" && parts[1].answers.size() == 2);
+    const auto codes = session::answeredParts(design, questionnaire, {about(7, "", "Q7M"), about(8, "", "A3K")});
+    QVERIFY(codes.size() == 2 && codes[0].label == "A3K" && codes[1].label == "Q7M");
 }
 
 QTEST_GUILESS_MAIN(TestQuestionnaireReplies)
