@@ -10,6 +10,7 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
+#include "session_report/group_words.h"
 #include "session_report/run_curve_plot.h"
 #include "session_report/study_comparison_words.h"
 #include "session_report/study_warning_words.h"
@@ -82,11 +83,12 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         column->addWidget(kit::label(theme, interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval), TextStyle::small, "muted"));
         grid->cell(part);
     };
-    fact(tr("Weber fraction"), study_words::percent(estimate.weber, locale), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    const auto marked = [&](const QString& value) { return session_report::markedValue(value, estimate); };
+    fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
     if (!m_facts.study.blind() && condition) {
         const psychophysics::StimulusDesign& stimulus = condition->stimulus;
         const double perWeber = stimulus.reference * study_words::unitOf(stimulus.attribute).factor;
-        fact(tr("JND at the reference"), study_words::value(estimate.jnd, stimulus.attribute, locale),
+        fact(tr("JND at the reference"), marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
              study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
         if (std::isfinite(estimate.pse)) {
             const double factor = study_words::unitOf(stimulus.attribute).factor;
@@ -97,7 +99,12 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
     if (std::isfinite(estimate.tie))
         fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
+    if (std::isfinite(estimate.exponent))
+        fact(tr("Exponent of the power law"), study_words::number(estimate.exponent, locale), study_words::interval(estimate.exponent95.low, estimate.exponent95.high, locale));
     box.layout->addWidget(grid);
+    auto* use = kit::label(theme, tr("In the group value: %1.").arg(session_report::presenceWords(run.presence)));
+    use->setObjectName(QStringLiteral("data.run_use"));
+    box.layout->addWidget(use);
     const QString method = session_report::methodWords(estimate.method);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
                                                 .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
@@ -114,6 +121,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                                                          "match.")
                                                           .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
                                          TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
+    if (!estimate.warnings.empty())
+        box.layout->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : estimate.warnings)
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     return box.frame;
