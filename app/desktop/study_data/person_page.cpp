@@ -10,6 +10,7 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
+#include "session/study/trial_fidelity.h"
 #include "session_report/group_words.h"
 #include "session_report/run_curve_plot.h"
 #include "session_report/study_comparison_words.h"
@@ -17,6 +18,7 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -111,6 +113,15 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                                                      run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
                                                      locale.toString(run.spoiled), method.isEmpty() ? method : method + QLatin1Char('.')),
                                      TextStyle::small, "muted"));
+    const auto unmasked = std::count_if(run.trials.begin(), run.trials.end(), [](const database::StudyTrial& trial) {
+        return session::circumstancesOf(trial.fidelityJson).masking == session::TrialCircumstances::kMaskingSilent;
+    });
+    if (unmasked > 0) {
+        auto* said = kit::notice(theme, "warning", tr("The masking sound was not heard in %1 of %2 trials: the machine had no sound output.")
+                                                       .arg(locale.toString(qlonglong(unmasked)), locale.toString(qlonglong(run.trials.size()))));
+        said->setObjectName(QStringLiteral("data.not_masked"));
+        box.layout->addWidget(said);
+    }
     if (const QString influence = session_report::influenceWords(estimate.priorInfluence, locale); !influence.isEmpty())
         box.layout->addWidget(kit::label(theme, influence, TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;

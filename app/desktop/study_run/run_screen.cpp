@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/run_screen.h"
 
+#include "desktop/sound/sound_loader.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -33,6 +34,7 @@ QString RunScreen::help() const {
 void RunScreen::enter() { load(); }
 
 void RunScreen::load() {
+    m_heard.reset(); // headphones may have come
     m_panel->showLoading(tr("Reading the studies …"),
                          readStudies(context(), this,
                                      [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
@@ -150,10 +152,27 @@ void RunScreen::showParticipant() {
     auto* column = new QVBoxLayout(m_shown);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context().theme().px(16));
+    if (QWidget* notice = soundNotice())
+        column->addWidget(notice);
     column->addWidget(participantBox());
     if (QWidget* left = leftBox())
         column->addWidget(left);
     m_holder->addWidget(m_shown);
+}
+
+/// Said here, to the experimenter, because the participant's page is no place for it.
+QWidget* RunScreen::soundNotice() {
+    const ParticipantRow* row = participant();
+    if (!study()->design.trial.maskingSound || !row || row->participant.state != database::ParticipantState::consented)
+        return nullptr;
+    if (!m_heard)
+        m_heard = loadSound().output != nullptr;
+    if (*m_heard)
+        return nullptr;
+    auto* notice = kit::notice(context().theme(), "warning", tr("This study plays a masking sound, and this machine has no sound output: participants would hear the device. Connect "
+                                                                "headphones or loudspeakers and open this page again. You can also go on: each trial is then recorded as not masked."));
+    notice->setObjectName(QStringLiteral("run.no_sound"));
+    return notice;
 }
 
 QWidget* RunScreen::participantBox() {

@@ -5,6 +5,7 @@
 #include "desktop/frame/screen.h"
 #include "desktop/studies/study_store.h"
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -40,6 +41,7 @@ private:
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
+    QWidget* soundNotice(); ///< of a study with masking sound on a machine that plays none; else null
     QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);
     void showParticipant();
@@ -53,6 +55,7 @@ private:
     QVBoxLayout* m_holder = nullptr;
     QWidget* m_shown = nullptr;
     std::vector<OpenStudy> m_studies;
+    std::optional<bool> m_heard; ///< whether this machine has a sound output; not asked yet
     database::StudyNumber m_study;
     QString m_participant;
 };
