@@ -2,6 +2,7 @@
 #include "desktop/study_run/run_screen.h"
 
 #include "desktop/sound/sound_loader.h"
+#include "desktop/studies/participant_progress.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -207,40 +208,41 @@ QWidget* RunScreen::participantBox() {
         if (each.when == When::enrolment && !open.answered.contains({row->participant.id, each.id}))
             box.layout->addWidget(questionnaireRow(*row, each));
     questionnaires(When::before);
-    const std::vector<std::string> order = session::labelsInOrder(open.design, open.sealed, row->participant.order);
     bool next = row->participant.state == database::ParticipantState::consented;
-    for (std::size_t position = 0; position < order.size(); ++position) {
-        const std::string& label = order[position];
-        const bool done = std::any_of(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& run) {
-            return session::labelOf(run) == label && run.state == database::StudyRunState::completed;
-        });
-        box.layout->addWidget(conditionRow(*row, static_cast<int>(position), label, next && !done));
+    bool offered = false;
+    int position = 0;
+    for (const ConditionProgress& progress : conditionProgress(open, *row)) {
+        const bool done = progress.state == ConditionProgress::State::done;
+        const bool offer = next && !done && !progress.closed;
+        box.layout->addWidget(conditionRow(*row, position++, progress, offer));
+        offered = offered || offer;
         next = next && done;
     }
     questionnaires(When::after);
+    if (!offered) { // no dead end
+        auto* step = kit::label(theme, nextStepFor(open, *row, context().language()), TextStyle::body);
+        step->setObjectName(QStringLiteral("run.next_step"));
+        box.layout->addWidget(step);
+    }
     return box.frame;
 }
 
-QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next) {
+QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next) {
     const Theme& theme = context().theme();
     const OpenStudy& open = *study();
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
+    const std::string& label = progress.label;
     const QString name = conditionName(open, label, context().language());
     auto* said = new QVBoxLayout; // one under the other: beside each other, what was interrupted breaks into four lines
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));
-    QString state = tr("not started yet");
+    const QString state = progressWords(open, progress, context().locale());
     const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
-        if (session::labelOf(run) == label) {
-            state = study_words::runState(run.state);
-            interrupted = run.state == database::StudyRunState::open ? &run : nullptr;
-        }
-    for (const LeftRun& left : row.left)
-        if (interrupted && left.run == interrupted->id)
-            state = leftWords(left);
+        if (session::labelOf(run) == label && run.state == database::StudyRunState::open)
+            interrupted = &run;
     auto* words = kit::label(theme, state, TextStyle::body, interrupted ? "warning" : "muted");
     words->setObjectName(QStringLiteral("run.state.%1").arg(position));
     said->addWidget(words);

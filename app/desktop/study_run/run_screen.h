@@ -15,6 +15,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+struct ConditionProgress;
 class StatePanel;
 class Theme;
 
@@ -37,12 +38,11 @@ private:
     /// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
     static QVBoxLayout* buttonCell(QHBoxLayout& line);
     QWidget* leftBox(); ///< what was interrupted of the others; null where nothing was
-    QString leftWords(const LeftRun& left) const;
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
     QWidget* soundNotice(); ///< of a study with masking sound on a machine that plays none; else null
-    QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
+    QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next);
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire);
     void showParticipant();
     const OpenStudy* study() const;

@@ -11,6 +11,7 @@
 #include "desktop/widgets/state_panel.h"
 
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 
