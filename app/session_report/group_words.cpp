@@ -143,6 +143,9 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
                                     Presence::shown, Presence::simulated, Presence::withdrawn})
         if (const std::vector<std::string> codes = roll.codesOf(presence); !codes.empty())
             said << reason(presence, roll.closed).arg(joined(codes));
+    const bool simulatedAlone = roll.enrolled == 0 && !roll.people.empty();
+    if (!roll.closed && !simulatedAlone && roll.enrolled < roll.planned)
+        said << Words::tr("So far %1 of %2 planned participants are enrolled. Enrol the others on the study's page.").arg(locale.toString(roll.enrolled), locale.toString(roll.planned));
     std::vector<std::string> open;
     for (const session::RolledPerson& person : roll.people)
         if (person.open && person.presence == Presence::used)

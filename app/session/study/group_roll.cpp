@@ -77,11 +77,13 @@ Presence GroupRoll::of(const std::string& code) const {
     return found == people.end() ? Presence::notBegun : found->presence;
 }
 
-GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed) {
+GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed, int planned) {
     GroupRoll roll;
     roll.closed = closed;
+    roll.planned = planned;
     for (const database::Participant& participant : participants) {
         const bool withdrawn = participant.state == database::ParticipantState::withdrawn;
+        roll.enrolled += participant.simulated || withdrawn ? 0 : 1;
         RolledPerson person{participant.code, withdrawn ? Presence::withdrawn : Presence::notBegun, false};
         bool any = false;
         for (const AnalysedRun& run : runs) {

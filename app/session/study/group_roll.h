@@ -44,6 +44,8 @@ struct RolledPerson {
 struct GroupRoll {
     std::vector<RolledPerson> people; ///< in the order enrolled
     bool closed = false;              ///< no run can be begun any more
+    int planned = 0;                  ///< participants; 0: not said
+    int enrolled = 0;                 ///< people who did not withdraw
 
     int used() const;
     int expected() const; ///< who take part: without those who are left out because they withdrew or were simulated
@@ -52,6 +54,6 @@ struct GroupRoll {
 };
 
 /// `runs`: of one condition, with their presence. Simulated participants are on it only with a run of the condition.
-GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed);
+GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed, int planned = 0);
 
 } // namespace chiron::session

@@ -251,7 +251,7 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         if (study->sealed()) // whoever withdrew or was simulated is told of no condition either
             for (AnalysedRun& run : condition.runs)
                 run.presence = Presence::sealed;
-        condition.roll = groupRoll(*participants, condition.runs, study->record.summary.state != database::StudyState::frozen);
+        condition.roll = groupRoll(*participants, condition.runs, study->record.summary.state != database::StudyState::frozen, study->design.participantsPlanned);
         if (study->sealed())
             for (RolledPerson& person : condition.roll.people)
                 person = {person.code, Presence::sealed, false};

@@ -83,7 +83,11 @@ void TestGroupWords::noValueIsSaidOnce() {
 void TestGroupWords::closedStudiesBeginNothing() {
     session::GroupRoll roll = rollOf({{"A", Presence::notBegun}});
     QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it under Run")));
+    roll.planned = 12;
+    roll.enrolled = 1;
+    QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("1 of 12 planned")));
     roll.closed = true;
+    QVERIFY(!session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("planned"))); // nobody can be enrolled
     QVERIFY(!session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it")));
 }
 
