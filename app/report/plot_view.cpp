@@ -144,17 +144,20 @@ void PlotView::addMeans(const QString& name, const std::vector<PlotPoint>& means
 }
 
 void PlotView::addEstimates(const QString& name, const std::vector<PlotPoint>& estimates,
-                            const std::vector<Interval>& intervals) {
+                            const std::vector<Interval>& intervals, Trust trust) {
     const QColor ink = m_impl->theme.ink;
     QCPGraph* graph = m_impl->addGraph(name);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setPen(QPen(ink, 1.4));
     graph->setScatterStyle(
-        QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
+        QCPScatterStyle(trust == Trust::sound      ? QCPScatterStyle::ssDiamond
+                        : trust == Trust::doubtful ? QCPScatterStyle::ssTriangle
+                                                   : QCPScatterStyle::ssCross,
+                        QPen(ink, 1.2), QBrush(m_impl->theme.paper), 11));
     auto* bars = new QCPErrorBars(m_impl->plot->xAxis, m_impl->plot->yAxis);
     bars->removeFromLegend();
     bars->setDataPlottable(graph);
-    bars->setPen(QPen(ink, 1.4));
+    bars->setPen(QPen(ink, 1.4, trust == Trust::sound ? Qt::SolidLine : Qt::DashLine));
     bars->setWhiskerWidth(9);
     bars->setSymbolGap(11);
     for (std::size_t i = 0; i < std::min(estimates.size(), intervals.size()); ++i) {

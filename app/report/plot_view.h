@@ -70,8 +70,10 @@ public:
         double high = 0.0;
     };
     /// A marker with a vertical bar between the ends of its interval; no bar where an end is not finite.
+    /// Each trust has a shape of its own: a diamond; a triangle, and a cross for what is left out, with broken bars.
+    enum class Trust { sound, doubtful, leftOut };
     void addEstimates(const QString& name, const std::vector<PlotPoint>& estimates,
-                      const std::vector<Interval>& intervals);
+                      const std::vector<Interval>& intervals, Trust trust = Trust::sound);
     /// Bars of one of `count` groups side by side around each x.
     void addBars(const QString& name, const std::vector<PlotPoint>& tops, PlotStyle style, int index,
                  int count);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came out of each condition: group, persons, curves.
+#include "session_report/group_words.h"
+#include "session_report/marked_estimates.h"
 #include "session_report/run_curve_plot.h"
 #include "session_report/study_comparison_words.h"
 #include "session_report/study_report_blocks.h"
@@ -36,8 +38,13 @@ std::unique_ptr<PlotView> curvePlot(const session::AnalysedRun& run, bool ranks,
 void StudyReportBlocks::addCondition(std::size_t at) {
     const session::AnalysedCondition& condition = m_data.analysis.conditions[at];
     addHeading(m_data.conditionName(at));
-    if (condition.runs.empty())
+    if (condition.runs.empty() && m_data.blind())
         return addMuted(Words::tr("Nobody has done this condition yet."));
+    if (condition.runs.empty()) {
+        for (const QString& said : groupSentences(condition.roll, m_theme.locale))
+            addMuted(said);
+        return;
+    }
     if (m_data.analysis.sealed())
         return addMuted(Words::tr("The result, the time and the number of trials stay sealed until the study is unblinded."));
     if (condition.apex)
@@ -54,40 +61,39 @@ void StudyReportBlocks::addGroup(std::size_t at) {
     const psychophysics::GroupEstimate& group = m_data.analysis.conditions[at].group;
     const psychophysics::Attribute attribute = m_data.attribute(at);
     const QLocale& locale = m_theme.locale;
-    std::vector<std::pair<QString, QString>> pairs{
-        {Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
-        {Words::tr("95 % interval"), words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
-        {Words::tr("95 % prediction interval"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)},
-        {Words::tr("Participants included, excluded"), QStringLiteral("%1, %2").arg(locale.toString(group.participants), locale.toString(group.leftOut))}};
-    if (!m_data.blind())
-        pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
+    std::vector<std::pair<QString, QString>> pairs;
+    if (std::isfinite(group.weber)) {
+        pairs = {{Words::tr("Weber fraction of the group"), words::percent(group.weber, locale)},
+                 {Words::tr("95 % interval"), words::intervalPercent(group.weber95.low, group.weber95.high, locale)},
+                 {Words::tr("95 % prediction interval"), words::intervalPercent(group.prediction95.low, group.prediction95.high, locale)}};
+        if (!m_data.blind())
+            pairs.emplace_back(Words::tr("JND at the reference"), words::value(group.jnd, attribute, locale));
+    }
     if (!m_data.blind() && std::isfinite(group.pse))
         pairs.emplace_back(Words::tr("Point of subjective equality"), words::value(group.pse, attribute, locale));
     if (std::isfinite(group.exponent))
         pairs.emplace_back(Words::tr("Exponent of the power law"), words::number(group.exponent, locale));
-    addPairs(pairs, 3);
-    for (const psychophysics::Warning& warning : group.warnings)
+    if (!pairs.empty())
+        addPairs(pairs, 3);
+    for (const QString& said : groupSentences(m_data.analysis.conditions[at].roll, locale))
+        addMuted(said);
+    for (const psychophysics::Warning& warning : furtherWarnings(group.warnings))
         addMuted(QStringLiteral("! ") + warningWords(warning));
 }
 
 void StudyReportBlocks::addWeberPlot(const session::AnalysedCondition& condition) {
     std::vector<QString> names;
-    std::vector<report::PlotPoint> points;
-    std::vector<PlotView::Interval> intervals; // longer upwards: they are of a logarithm
+    MarkedEstimates estimates;
     for (const session::AnalysedRun& run : condition.runs) {
-        const psychophysics::RunEstimate& estimate = run.estimate;
         const double place = static_cast<double>(names.size());
-        names.push_back(QString::fromStdString(run.participant.code));
-        if (!std::isfinite(estimate.weber))
-            continue;
-        points.push_back({place, kPercent * estimate.weber});
-        intervals.push_back({kPercent * estimate.weber95.low, kPercent * estimate.weber95.high});
+        names.push_back(markedValue(QString::fromStdString(run.participant.code), run.estimate));
+        estimates.add(place, run.estimate, run.presence);
     }
-    if (points.empty())
+    if (estimates.empty())
         return;
     auto plot = std::make_unique<PlotView>(m_theme);
     plot->setYAxis({Words::tr("Weber fraction (%)"), 0.0, {}});
-    plot->addEstimates(Words::tr("estimate with its 95 % interval"), points, intervals);
+    estimates.draw(*plot);
     if (std::isfinite(condition.group.weber))
         plot->addReference(Words::tr("group"), kPercent * condition.group.weber);
     plot->setXCategories(names);
@@ -101,26 +107,31 @@ void StudyReportBlocks::addRuns(std::size_t at) {
     const psychophysics::Attribute attribute = m_data.attribute(at);
     const QLocale& locale = m_theme.locale;
     std::vector<std::vector<QString>> rows;
-    for (const session::AnalysedRun& run : condition.runs)
-        rows.push_back({QString::fromStdString(run.participant.code), words::percent(run.estimate.weber, locale),
-                        words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale),
-                        m_data.blind() ? QStringLiteral("–") : words::value(run.estimate.jnd, attribute, locale),
-                        std::isfinite(run.estimate.priorInfluence) ? words::percent(run.estimate.priorInfluence, locale) : QStringLiteral("–"),
-                        locale.toString(run.scored), locale.toString(run.spoiled), words::runState(run.run.state)});
+    for (const session::AnalysedRun& run : condition.runs) {
+        const psychophysics::RunEstimate& estimate = run.estimate;
+        QStringList remarks{Words::tr("In the group value: %1.").arg(presenceWords(run.presence))};
+        for (const psychophysics::Warning& warning : estimate.warnings)
+            remarks << QStringLiteral("! ") + warningWords(warning);
+        rows.push_back({QString::fromStdString(run.participant.code), markedValue(words::percent(estimate.weber, locale), estimate),
+                        words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
+                        m_data.blind() ? QStringLiteral("–") : markedValue(words::value(estimate.jnd, attribute, locale), estimate),
+                        std::isfinite(estimate.priorInfluence) ? words::percent(estimate.priorInfluence, locale) : QStringLiteral("–"),
+                        run.spoiled > 0 ? Words::tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored),
+                        words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
+    }
     addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior influence"), Words::tr("Scored"),
-              Words::tr("Repeated"), Words::tr("Run")},
-             rows, {0.1, 0.12, 0.16, 0.11, 0.13, 0.1, 0.12, 0.16}, {false, true, true, true, true, true, true, false});
+              Words::tr("Run"), Words::tr("In the group, and warnings")},
+             rows, {0.1, 0.1, 0.12, 0.1, 0.1, 0.1, 0.11, 0.27}, {false, true, true, true, true, true, false, false});
+    if (std::any_of(condition.runs.begin(), condition.runs.end(), [](const session::AnalysedRun& run) { return !run.estimate.warnings.empty(); }))
+        addMuted(markMeaning());
     const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
     if (std::any_of(condition.runs.begin(), condition.runs.end(), known))
         addMuted(Words::tr("Share of the prior: %1").arg(influenceMeaning()));
-    for (const session::AnalysedRun& run : condition.runs)
-        for (const psychophysics::Warning& warning : run.estimate.warnings)
-            addMuted(QStringLiteral("! %1: %2").arg(QString::fromStdString(run.participant.code), warningWords(warning)));
 }
 
 void StudyReportBlocks::addComparisons() {
     const session::StudyAnalysis& analysis = m_data.analysis;
-    if (analysis.conditions.size() < 2 || (analysis.comparisons.empty() && !m_data.blind()))
+    if (analysis.conditions.size() < 2)
         return;
     addHeading(Words::tr("Conditions compared"));
     if (m_data.blind())
@@ -128,8 +139,17 @@ void StudyReportBlocks::addComparisons() {
     std::vector<std::vector<QString>> rows;
     for (const session::ComparedConditions& each : analysis.comparisons)
         rows.push_back(comparisonRow(each, m_data.conditionName(each.first), m_data.conditionName(each.second), m_theme.locale));
-    addTable(comparisonHeadings(), rows, {0.3, 0.1, 0.17, 0.09, 0.1, 0.13, 0.11}, {false, true, true, true, true, true, true});
-    addMuted(comparisonNote());
+    if (!rows.empty()) {
+        addTable(comparisonHeadings(), rows, {0.3, 0.1, 0.17, 0.09, 0.1, 0.13, 0.11}, {false, true, true, true, true, true, true});
+        addMuted(comparisonNote());
+    }
+    if (std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); }))
+        return; // of marks no Weber fractions are compared
+    std::vector<session::GroupRoll> rolls;
+    for (const session::AnalysedCondition& condition : analysis.conditions)
+        rolls.push_back(condition.roll);
+    for (const QString& said : comparisonSentences(rolls, analysis.comparisons, [this](std::size_t at) { return m_data.conditionName(at); }))
+        addMuted(said);
 }
 
 void StudyReportBlocks::addCurves(std::size_t at) {

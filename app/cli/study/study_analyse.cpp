@@ -3,6 +3,7 @@
 #include "cli/study/study_access.h"
 #include "cli/text_table.h"
 #include "session/study/study_analysis.h"
+#include "session_report/group_words.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -74,8 +75,9 @@ QString labelOf(const session::AnalysedCondition& condition) {
 
 struct Told {
     QJsonArray runs, conditions;
-    TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">prior's part", ">same choices", "warnings"}};
+    TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">prior's part", ">same choices", "in the group", "warnings"}};
     TextTable marks = apexTable(false); ///< of conditions in which an apex was looked for
+    QString statements; ///< of each condition what its group value rests on
     bool compared = false, marked = false;
 };
 
@@ -84,7 +86,7 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
     for (const session::AnalysedRun& run : condition.runs) {
         const psychophysics::RunEstimate& e = run.estimate;
         QJsonObject json{{"participant", text(run.participant.code)}, {"condition", label}, {"run", ++counts[run.participant.code]},
-                         {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}, {"force_class", forceClassJson(run.felt)}, {"in_group", run.pooled}};
+                         {"simulated", run.participant.simulated}, {"estimate", estimateJson(e, blinded)}, {"replayed", replayedJson(run.replayed)}, {"force_class", forceClassJson(run.felt)}, {"in_group", run.presence == session::Presence::used}, {"group_use", text(std::string(session::presenceToken(run.presence)))}};
         if (run.apex)
             json.insert("apex", apexJson(*run.apex, blinded));
         told.runs.append(json);
@@ -94,8 +96,8 @@ void tellRuns(Told& told, const session::AnalysedCondition& condition, const QSt
             continue;
         }
         told.compared = true;
-        told.table.add({text(run.participant.code), label, hasWarning(e.warnings, psychophysics::WarningKind::sealed) ? QStringLiteral("sealed") : QString::number(e.trials), shortNumber(e.weber), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
-                        shortNumber(e.priorInfluence), QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), warningTokens(e.warnings)});
+        told.table.add({text(run.participant.code), label, hasWarning(e.warnings, psychophysics::WarningKind::sealed) ? QStringLiteral("sealed") : QString::number(e.trials), session_report::markedValue(shortNumber(e.weber), e), shortNumber(e.weber95.low), shortNumber(e.weber95.high),
+                        shortNumber(e.priorInfluence), QStringLiteral("%1/%2").arg(run.replayed.same + run.replayed.ties).arg(run.replayed.trials), session_report::presenceWords(run.presence), warningTokens(e.warnings)});
     }
 }
 
@@ -106,7 +108,7 @@ void tellGroup(Told& told, const session::AnalysedCondition& condition, const QS
         same += run.replayed.same + run.replayed.ties;
         trials += run.replayed.trials;
     }
-    QJsonObject json{{"condition", label}, {"group", groupJson(g, blinded)}, {"replayed", QJsonObject{{"trials", trials}, {"same", same}}}};
+    QJsonObject json{{"condition", label}, {"group", groupJson(g, blinded)}, {"statement", QJsonArray::fromStringList(session_report::groupSentences(condition.roll, QLocale::c()))}, {"replayed", QJsonObject{{"trials", trials}, {"same", same}}}};
     if (condition.apex)
         json.insert("apex", apexJson(*condition.apex, blinded));
     told.conditions.append(json);
@@ -115,7 +117,7 @@ void tellGroup(Told& told, const session::AnalysedCondition& condition, const QS
         return;
     }
     told.table.add({QStringLiteral("(group of %1)").arg(g.participants), label, QString(), shortNumber(g.weber), shortNumber(g.weber95.low), shortNumber(g.weber95.high),
-                    QString(), QStringLiteral("%1/%2").arg(same).arg(trials), warningTokens(g.warnings)});
+                    QString(), QStringLiteral("%1/%2").arg(same).arg(trials), QString(), warningTokens(g.warnings)});
 }
 
 QJsonObject comparisonJson(const session::ComparedConditions& each, const QString& first, const QString& second) {
@@ -134,8 +136,6 @@ QString pWords(double p) { return !std::isfinite(p) ? QString() : p < 0.001 ? QS
 
 /// Ratios of Weber fractions, the second condition's over the first's.
 QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& array) {
-    if (analysis.comparisons.empty())
-        return {};
     TextTable table({"condition A", "condition B", ">B/A", ">low", ">high", ">p", ">p (Holm)", "people", ">p of two thresholds", "warnings"});
     for (const session::ComparedConditions& each : analysis.comparisons) {
         const QString first = labelOf(analysis.conditions[each.first]), second = labelOf(analysis.conditions[each.second]);
@@ -145,7 +145,23 @@ QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& arra
                    c.paired ? QStringLiteral("%1, each did both").arg(c.participants) : QStringLiteral("%1 and %2").arg(c.first).arg(c.second),
                    pWords(each.models.pValue), warningTokens(c.warnings)});
     }
-    return QStringLiteral("\n") + table.toText();
+    return analysis.comparisons.empty() ? QString() : QStringLiteral("\n") + table.toText();
+}
+
+/// Of conditions in which Weber fractions are compared: why two are not, and who is in no comparison.
+QStringList missingComparisons(const session::StudyAnalysis& analysis) {
+    const bool marks = std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); });
+    if (analysis.blind() || marks)
+        return {};
+    std::vector<session::GroupRoll> rolls;
+    for (const session::AnalysedCondition& condition : analysis.conditions)
+        rolls.push_back(condition.roll);
+    return session_report::comparisonSentences(rolls, analysis.comparisons, [&](std::size_t at) { return labelOf(analysis.conditions[at]); });
+}
+
+void tellStatement(Told& told, const session::AnalysedCondition& condition) {
+    for (const QString& sentence : session_report::groupSentences(condition.roll, QLocale::c()))
+        told.statements += QStringLiteral("%1: %2\n").arg(labelOf(condition), sentence);
 }
 
 } // namespace
@@ -167,19 +183,26 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
     const bool blinded = analysis->blind();
     QJsonArray comparisons;
     const QString compared = tellComparisons(*analysis, comparisons);
+    const QStringList missing = missingComparisons(*analysis);
+    Told told;
+    told.marks = apexTable(blinded);
     auto& conditions = analysis->conditions;
+    for (const session::AnalysedCondition& condition : conditions)
+        if (!blinded && condition.runs.empty())
+            tellStatement(told, condition);
     std::erase_if(conditions, [](const auto& each) { return each.runs.empty(); });
     if (blinded) // neither the design's order nor that of enrolment shows
         std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a) < labelOf(b); });
-    Told told;
-    told.marks = apexTable(blinded);
     for (const session::AnalysedCondition& condition : conditions) {
+        tellStatement(told, condition);
         tellRuns(told, condition, labelOf(condition), blinded);
         tellGroup(told, condition, labelOf(condition), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
-                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"runs", told.runs}, {"quality", qualityJson(*analysis)}}),
-                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + compared, 0};
+                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"not_compared", QJsonArray::fromStringList(missing)}, {"runs", told.runs}, {"quality", qualityJson(*analysis)}}),
+                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + QStringLiteral("\n") + told.statements + compared +
+                             (missing.isEmpty() ? QString() : QStringLiteral("\n") + missing.join(QLatin1Char('\n')) + QLatin1Char('\n')),
+                         0};
 }
 
 } // namespace chiron::cli

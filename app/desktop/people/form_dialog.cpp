@@ -85,6 +85,10 @@ void FormDialog::setAcceptable(bool acceptable) {
     renew();
 }
 
+void FormDialog::reveal(QWidget& part) {
+    m_page->ensureWidgetVisible(&part);
+}
+
 void FormDialog::setWorking(bool working, bool formShowsIt) {
     m_working = working;
     m_body->setEnabled(!working || formShowsIt);

@@ -36,6 +36,8 @@ protected:
     void setAcceptable(bool acceptable); ///< the form is complete
     /// What cannot be undone and asks for nothing to be typed: Enter leaves it. After setAccept.
     void cancelAtEnter();
+    /// Scrolls to a part of the form, for whoever comes to it by a key.
+    void reveal(QWidget& part);
     /// While working the form cannot be used, unless it shows the progress itself.
     void setWorking(bool working, bool formShowsIt = false);
     bool isWorking() const { return m_working; }

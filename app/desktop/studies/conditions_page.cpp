@@ -8,6 +8,7 @@
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/studies/text_claims.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
@@ -185,6 +186,8 @@ QWidget* ConditionsPage::stimulusBox() {
     if (!apex())
         addTask(*grid);
     box.layout->addWidget(grid);
+    if (!m_page.readOnly)
+        box.layout->addWidget(claimsNotice(m_page, FalseClaim::Where::title, m_shown));
     return box.frame;
 }
 

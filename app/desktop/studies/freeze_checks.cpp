@@ -5,6 +5,7 @@
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_screen.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/studies/text_claims.h"
 #include "session/study/participant_view.h"
 
 #include <QCoreApplication>
@@ -62,6 +63,19 @@ FreezeCheck aimCheck(const StudyDesign& design) {
     });
     return written ? found(check, State::good, CheckWords::tr("It is written."))
                    : found(check, State::bad, CheckWords::tr("Write what is to be found out and what you expect. It cannot be added later."));
+}
+
+/// Texts that the settings contradict: participants would read them, or reports say them.
+FreezeCheck textsCheck(const StudyDesign& design, const QLocale& locale) {
+    const std::vector<FalseClaim> claims = falseClaims(design, locale);
+    if (claims.empty())
+        return found(checkOf("texts", CheckWords::tr("Texts"), StudyScreen::generalTab, "design.objective"), State::good, CheckWords::tr("Nothing in the aim, the instructions or the titles contradicts the settings."));
+    const FalseClaim& first = claims.front();
+    const bool title = first.where == FalseClaim::Where::title, aim = first.where == FalseClaim::Where::aim;
+    FreezeCheck check = checkOf("texts", CheckWords::tr("Texts"), title ? StudyScreen::conditionsTab : aim ? StudyScreen::generalTab : StudyScreen::trialsTab,
+                                title ? "condition.title" : aim ? "design.objective" : "design.instructions");
+    check.condition = first.condition;
+    return found(check, State::advice, claimWords(first));
 }
 
 FreezeCheck ethicsCheck(const StudyDesign& design) {
@@ -172,6 +186,7 @@ int balancedBy(const StudyDesign& design) {
 std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
     return {designCheck(facts),
             aimCheck(design),
+            textsCheck(design, locale),
             ethicsCheck(design),
             consentCheck(design),
             participantsCheck(design, locale),

@@ -4,6 +4,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/studies/text_claims.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCoreApplication>
@@ -67,6 +68,8 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     }, true);
     grid->explain(QStringLiteral("design.source"), tr("Where the design was published, with its DOI; empty for a design of your own."));
     box.layout->addWidget(grid);
+    if (!page.readOnly)
+        box.layout->addWidget(claimsNotice(page, FalseClaim::Where::aim));
     return box.frame;
 }
 

@@ -3,16 +3,19 @@
 
 #include "catalogue/study_catalogue.h"
 #include "desktop/accounts/form.h"
+#include "desktop/frame/palette_search.h"
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_store.h"
+#include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/tile_button.h"
 
 #include <QButtonGroup>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <algorithm>
@@ -42,12 +45,22 @@ QString keyOf(const QString& title) {
     return key.replace(kOther, QStringLiteral("_")).remove(kEnds).left(kLongestKey);
 }
 
-QString freeOf(const QString& wanted, const std::set<QString>& taken, const QString& between) {
-    if (!taken.contains(wanted))
-        return wanted;
-    for (int n = 2;; ++n)
-        if (const QString other = wanted + between + QString::number(n); !taken.contains(other))
-            return other;
+QString freeKey(const QString& wanted, const std::set<QString>& taken) {
+    QString key = wanted;
+    for (int n = 2; taken.contains(key); ++n)
+        key = QStringLiteral("%1_%2").arg(wanted, QString::number(n));
+    return key;
+}
+
+/// What a template is found by: also in English, in which its source is written.
+QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, const QString& objective) {
+    QStringList words{title, objective, QString::fromStdString(design.source), study_words::text(design.title, QStringLiteral("en"))};
+    for (const psychophysics::Condition& condition : design.conditions) {
+        words << study_words::attribute(condition.stimulus.attribute) << study_words::task(condition.task);
+        for (const psychophysics::ProcedureSpec& procedure : condition.procedures)
+            words << study_words::procedure(psychophysics::kindOf(procedure));
+    }
+    return forSearch(words.join(QLatin1Char(' ')));
 }
 
 } // namespace
@@ -82,31 +95,43 @@ psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design) {
 NewStudyDialog::NewStudyDialog(AppContext& context, const QString& title, QWidget* parent) : FormDialog(context, QStringLiteral("new_study"), title, parent) {}
 
 NewStudyDialog::NewStudyDialog(AppContext& context, QWidget* parent) : NewStudyDialog(context, tr("New study"), parent) {
-    m_list = new QWidget;
-    auto* rows = new QVBoxLayout(m_list);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(theme().px(8));
-    m_choice = new QButtonGroup(this);
-    connect(m_choice, &QButtonGroup::idClicked, this, &NewStudyDialog::choose);
-    column()->addWidget(kit::label(theme(), tr("Begin with"), TextStyle::label));
-    column()->addWidget(kit::label(theme(), tr("Each is a complete design. Everything in it can be changed until the study is frozen."), TextStyle::small, "muted"));
-    column()->addWidget(m_list);
+    addTemplates();
     addNames();
     renew();
     loadTaken();
     loadTemplates();
+    m_filter->setFocus();
 }
 
 NewStudyDialog::NewStudyDialog(AppContext& context, const psychophysics::StudyDesign& copied, QWidget* parent) : NewStudyDialog(context, tr("Copy to a new study"), parent) {
     m_templates = {copyOf(copied)};
     column()->addWidget(kit::label(theme(), tr("The copy is a draft with the whole design of “%1”, without its participants, data and ethics approval.").arg(study_words::text(copied.title, context.language()))));
     addNames();
-    m_title->setText(study_words::text(copied.title, QStringLiteral("en")));
-    suggestKey();
+    suggestTitle();
     renew();
     loadTaken();
-    m_title->selectAll();
     m_title->setFocus();
+}
+
+void NewStudyDialog::addTemplates() {
+    column()->addWidget(kit::label(theme(), tr("Each template is a complete design. Everything in it can be changed until the study is frozen."), TextStyle::small, "muted"));
+    m_filter = form::textField(theme(), column(), tr("Find a template"), QStringLiteral("new_study.filter"));
+    m_filter->setPlaceholderText(tr("Attribute, task, procedure or author"));
+    m_filter->setClearButtonEnabled(true);
+    m_filter->installEventFilter(this);
+    connect(m_filter, &QLineEdit::textChanged, this, &NewStudyDialog::filter);
+    column()->addWidget(kit::label(theme(), tr("Begin with"), TextStyle::label));
+    m_none = kit::label(theme(), {}, TextStyle::body, "muted");
+    m_none->setObjectName(QStringLiteral("new_study.none"));
+    m_none->hide();
+    column()->addWidget(m_none);
+    m_list = new QWidget;
+    auto* rows = new QVBoxLayout(m_list);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(theme().px(8));
+    column()->addWidget(m_list);
+    m_choice = new QButtonGroup(this);
+    connect(m_choice, &QButtonGroup::idClicked, this, &NewStudyDialog::choose);
 }
 
 void NewStudyDialog::addNames() {
@@ -123,12 +148,13 @@ void NewStudyDialog::addNames() {
     m_keyFault = fault("new_study.key.fault");
     column()->addWidget(kit::label(theme(), tr("Lower-case letters, digits and _ only. It cannot be changed later."), TextStyle::small, "muted"));
     setAccept(tr("Create draft"));
-    connect(m_title, &QLineEdit::textEdited, this, [this] {
+    connect(m_title, &QLineEdit::textEdited, this, [this](const QString& typed) {
+        m_ownTitle = !typed.isEmpty();
         suggestKey();
         renew();
     });
-    connect(m_key, &QLineEdit::textEdited, this, [this] {
-        m_ownKey = true;
+    connect(m_key, &QLineEdit::textEdited, this, [this](const QString& typed) {
+        m_ownKey = !typed.isEmpty();
         renew();
     });
 }
@@ -141,11 +167,9 @@ void NewStudyDialog::loadTaken() {
                         return;
                     for (const database::StudySummary& each : *studies) {
                         m_keys.insert(QString::fromStdString(each.key));
-                        m_titles.insert(QString::fromStdString(each.title).trimmed());
+                        m_titles.insert(titleForComparison(QString::fromStdString(each.title)));
                     }
-                    if (!m_choice)
-                        m_title->setText(freeOf(m_title->text(), m_titles, QStringLiteral(" ")));
-                    suggestKey();
+                    suggestTitle();
                     renew();
                 });
 }
@@ -165,9 +189,7 @@ void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templ
     m_templates.push_back(plainStudy());
     for (std::size_t i = 0; i < m_templates.size(); ++i)
         m_list->layout()->addWidget(tile(i, i + 1 == m_templates.size()));
-    m_choice->button(0)->setChecked(true);
-    m_choice->button(0)->setFocus();
-    choose(0);
+    filter(); // whoever is quick has typed already
 }
 
 /// What it finds out, what a participant does for it, and where it was published.
@@ -187,6 +209,7 @@ QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     tile->setObjectName(QStringLiteral("new_study.template.%1").arg(QString::fromStdString(design.id)));
     const QString source = QString::fromStdString(design.source);
     tile->setAccessibleName(tr("%1. %2").arg(title, objective));
+    m_folded.push_back(wordsOf(design, title, objective));
     tile->setAccessibleDescription(meets.join(QStringLiteral(". ")) + QStringLiteral(". ") + source);
     auto* words = new QVBoxLayout;
     words->addWidget(kit::label(theme(), title, TextStyle::strong));
@@ -199,6 +222,7 @@ QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     }
     tile->row()->addLayout(words, 1);
     tile->seal();
+    tile->installEventFilter(this);
     m_choice->addButton(tile, static_cast<int>(index));
     return tile;
 }
@@ -208,27 +232,78 @@ const psychophysics::StudyDesign* NewStudyDialog::chosen() const {
     return index >= 0 && static_cast<std::size_t>(index) < m_templates.size() ? &m_templates[static_cast<std::size_t>(index)] : nullptr;
 }
 
-void NewStudyDialog::choose(int index) {
-    const psychophysics::StudyDesign& design = m_templates[static_cast<std::size_t>(index)];
-    m_ownKey = false;
-    m_title->setText(study_words::text(design.title, QStringLiteral("en")));
-    suggestKey();
+void NewStudyDialog::choose(int) {
+    suggestTitle();
     renew();
+    filter(); // the one that was chosen before may go
+}
+
+bool NewStudyDialog::isFound(int index) const {
+    const QStringList words = forSearch(m_filter->text()).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QString& in = m_folded[static_cast<std::size_t>(index)];
+    return std::all_of(words.begin(), words.end(), [&](const QString& word) { return in.contains(word); });
+}
+
+std::optional<int> NewStudyDialog::firstFound() const {
+    for (std::size_t i = 0; i < m_folded.size(); ++i)
+        if (isFound(static_cast<int>(i)))
+            return static_cast<int>(i);
+    return std::nullopt;
+}
+
+/// The chosen one stays where it is whatever is typed: nobody creates what they do not see.
+void NewStudyDialog::filter() {
+    for (QAbstractButton* tile : m_choice->buttons())
+        tile->setVisible(tile->isChecked() || isFound(m_choice->id(tile)));
+    const bool none = !m_folded.empty() && !firstFound();
+    m_none->setText(none ? tr("No template matches “%1”. Try fewer or other words.").arg(m_filter->text().simplified()) : QString());
+    m_none->setVisible(none);
+}
+
+bool NewStudyDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn && static_cast<QFocusEvent*>(event)->reason() != Qt::MouseFocusReason) // else it would go from under the mouse
+        if (auto* tile = qobject_cast<TileButton*>(watched))
+            reveal(*tile);
+    if (watched != m_filter || event->type() != QEvent::KeyPress)
+        return FormDialog::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Down)
+        return FormDialog::eventFilter(watched, event);
+    const std::optional<int> first = firstFound();
+    QAbstractButton* tile = first ? m_choice->button(*first) : nullptr;
+    if (tile && key == Qt::Key_Down) {
+        tile->setFocus(Qt::TabFocusReason);
+    } else if (tile) {
+        tile->click();
+        m_title->setFocus(Qt::TabFocusReason); // with all of it selected
+        reveal(*m_title);
+    }
+    return true; // Enter in a filter never creates a study
+}
+
+/// Until somebody types one: free, and in a copy of what the study it is of is called.
+void NewStudyDialog::suggestTitle() {
+    const psychophysics::StudyDesign* design = chosen();
+    if (design && !m_ownTitle) {
+        const QString title = study_words::text(design->title, QStringLiteral("en"));
+        m_title->setText(m_choice ? freeTitle(title, m_titles) : copyTitle(title, m_titles));
+        m_title->selectAll();
+    }
+    suggestKey();
 }
 
 void NewStudyDialog::suggestKey() {
-    if (m_ownKey || !m_title)
+    if (m_ownKey || !chosen())
         return;
-    const psychophysics::StudyDesign* design = chosen();
-    const bool untouched = m_choice && design && m_title->text() == study_words::text(design->title, QStringLiteral("en"));
-    const QString key = untouched ? QString::fromStdString(design->id) : keyOf(m_title->text());
-    m_key->setText(key.isEmpty() ? QString() : freeOf(key, m_keys, QStringLiteral("_")));
+    const bool untouched = m_choice && !m_ownTitle;
+    const QString key = untouched ? QString::fromStdString(chosen()->id) : keyOf(m_title->text());
+    m_key->setText(key.isEmpty() ? QString() : freeKey(key, m_keys));
 }
 
 QString NewStudyDialog::titleFault() const {
     if (m_title->text().trimmed().isEmpty())
         return tr("Give the study a title.");
-    return m_titles.contains(m_title->text().trimmed()) ? tr("Another study has this title. They would look alike in lists; a different one is easier to find.") : QString();
+    return m_titles.contains(titleForComparison(m_title->text())) ? tr("Another study has this title, and the two could not be told apart in lists. Choose another title.") : QString();
 }
 
 QString NewStudyDialog::keyFault() const {
@@ -248,13 +323,13 @@ void NewStudyDialog::showFault(QLineEdit* field, QLabel* words, const QString& f
 }
 
 void NewStudyDialog::renew() {
-    if (!chosen()) { // templates are still being read
+    if (!chosen()) { // nothing is chosen, or templates are still being read
         setAcceptable(false);
         return;
     }
     showFault(m_title, m_titleFault, titleFault());
     showFault(m_key, m_keyFault, keyFault());
-    setAcceptable(!m_title->text().trimmed().isEmpty() && keyFault().isEmpty()); // titles may be alike
+    setAcceptable(titleFault().isEmpty() && keyFault().isEmpty());
 }
 
 void NewStudyDialog::submit() {

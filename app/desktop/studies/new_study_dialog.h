@@ -4,6 +4,7 @@
 #include "desktop/people/form_dialog.h"
 #include "psychophysics/study/study_design.h"
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -18,7 +19,8 @@ psychophysics::StudyDesign plainStudy();
 /// What a copy of a study begins as: all of its design, but nobody's approval, and no pilot of anything.
 psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design);
 
-/// Makes a draft of a template, or of another study's design, under a name and a key of its own. GUI thread.
+/// Makes a draft of a template, or of another study's design, under a name and a key of its own. Templates are found by words, as people are; none is chosen
+/// beforehand. Enter in the filter takes the first that is found and goes on to the title; Down goes into the list. GUI thread.
 class NewStudyDialog final : public FormDialog {
     Q_OBJECT
 public:
@@ -30,15 +32,21 @@ signals:
 
 protected:
     void submit() override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     NewStudyDialog(AppContext& context, const QString& title, QWidget* parent);
+    void addTemplates();
     void addNames();
     void loadTemplates();
     void loadTaken();
     void showTemplates(std::vector<psychophysics::StudyDesign> templates);
     QWidget* tile(std::size_t index, bool plain);
     void choose(int index);
+    void filter();
+    bool isFound(int index) const;
+    std::optional<int> firstFound() const;
+    void suggestTitle();
     void suggestKey();
     void renew();
     QString keyFault() const;
@@ -46,15 +54,19 @@ private:
     void showFault(QLineEdit* field, QLabel* words, const QString& fault);
     const psychophysics::StudyDesign* chosen() const;
 
+    QLineEdit* m_filter = nullptr; ///< null for a copy
     QWidget* m_list = nullptr;
+    QLabel* m_none = nullptr; ///< no template is found
     QButtonGroup* m_choice = nullptr; ///< null for a copy
     QLineEdit* m_title = nullptr;
     QLineEdit* m_key = nullptr;
     QLabel* m_titleFault = nullptr;
     QLabel* m_keyFault = nullptr;
+    bool m_ownTitle = false; ///< typed, not suggested
     bool m_ownKey = false; ///< typed, not made from the title
-    std::set<QString> m_keys, m_titles; ///< of the studies there are
+    std::set<QString> m_keys, m_titles; ///< of the studies there are; titles as titleForComparison() makes them
     std::vector<psychophysics::StudyDesign> m_templates;
+    std::vector<QString> m_folded; ///< of each template: its words as forSearch() makes them
 };
 
 } // namespace chiron::desktop

@@ -5,6 +5,7 @@
 #include "desktop/studies/consent_dialog.h"
 #include "desktop/studies/enrol_dialog.h"
 #include "desktop/studies/key_table_dialog.h"
+#include "desktop/studies/participant_progress.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/studies/withdraw_dialog.h"
 #include "desktop/widgets/flow_layout.h"
@@ -42,12 +43,25 @@ ParticipantsPage::ParticipantsPage(AppContext& app, const OpenStudy& study, cons
         m_table->setHorizontalHeaderLabels({tr("Code"), tr("State"), tr("Conditions"), tr("Order"), tr("Enrolled"), tr("Consent")});
         fill(selected);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showActions);
+        connect(m_table, &QTableWidget::itemSelectionChanged, this, &ParticipantsPage::showDetail);
         connect(m_table, &QTableWidget::itemSelectionChanged, this, [this] {
             if (const ParticipantRow* row = this->selected())
                 emit selectedChanged(QString::fromStdString(row->participant.code));
         });
         connect(m_table, &QTableWidget::activated, this, &ParticipantsPage::run);
         column->addWidget(m_table);
+        const kit::Box detail = kit::box(theme);
+        const auto line = [&](const char* name, TextStyle style) {
+            auto* words = kit::label(theme, {}, style);
+            words->setObjectName(QLatin1String(name));
+            detail.layout->addWidget(words);
+            return words;
+        };
+        m_detailTitle = line("participants.detail.code", TextStyle::title);
+        m_detail = line("participants.detail", TextStyle::body);
+        m_next = line("participants.detail.next", TextStyle::strong);
+        column->addWidget(detail.frame);
+        showDetail();
     }
     column->addStretch();
     showActions();
@@ -79,7 +93,23 @@ QString ParticipantsPage::progressOf(const ParticipantRow& row) const {
     const auto open = std::count_if(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::open; });
     const QLocale locale = m_app.locale();
     const QString text = tr("%1 of %2 done").arg(locale.toString(static_cast<int>(done)), locale.toString(static_cast<int>(m_study.design.conditions.size())));
-    return open > 0 ? tr("%1, one open").arg(text) : text;
+    if (open > 0)
+        return tr("%1, one interrupted").arg(text);
+    const bool brokenOff = std::any_of(row.runs.begin(), row.runs.end(), [](const database::StudyRun& run) { return run.state == database::StudyRunState::stopped; });
+    return brokenOff ? tr("%1, one broken off").arg(text) : text;
+}
+
+void ParticipantsPage::showDetail() {
+    const ParticipantRow* row = selected();
+    if (!row)
+        return;
+    QStringList lines;
+    for (const ConditionProgress& each : conditionProgress(m_study, *row))
+        lines << tr("%1. %2: %3.").arg(m_app.locale().toString(lines.size() + 1), conditionName(m_study, each.label, m_app.language()),
+                                       progressWords(m_study, each, m_app.locale()));
+    m_detailTitle->setText(QString::fromStdString(row->participant.code));
+    m_detail->setText(lines.join(QLatin1Char('\n')));
+    m_next->setText(nextStepFor(m_study, *row, m_app.language()));
 }
 
 void ParticipantsPage::fill(const QString& selected) {

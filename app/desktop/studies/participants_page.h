@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QPushButton;
 
 namespace chiron::desktop {
@@ -35,10 +36,14 @@ private:
     void showKeys();
     void run();
     QString progressOf(const ParticipantRow& row) const;
+    void showDetail(); ///< of whoever is selected: each condition in words, and what to do next
 
     AppContext& m_app;
     OpenStudy m_study;
     FittedTable* m_table = nullptr;
+    QLabel* m_detailTitle = nullptr;
+    QLabel* m_detail = nullptr;
+    QLabel* m_next = nullptr;
     QPushButton* m_enrol = nullptr;
     QPushButton* m_consent = nullptr;
     QPushButton* m_run = nullptr;

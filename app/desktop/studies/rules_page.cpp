@@ -5,6 +5,7 @@
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/studies/text_claims.h"
 #include "desktop/widgets/kit.h"
 #include "session/study/participant_view.h"
 
@@ -110,6 +111,8 @@ QWidget* RulesPage::instructionsBox(const DesignPage& page) {
     });
     grid->explain(name, tr("What to do, and how to hold the instrument. Leave out time, trials, feedback and breaks: those sentences are made from the settings and always fit them."));
     box.layout->addWidget(grid);
+    if (!page.readOnly)
+        box.layout->addWidget(claimsNotice(page, FalseClaim::Where::instructions));
     if (!page.readOnly && !page.draft.design().ownInstructions)
         box.layout->addWidget(kit::notice(theme, "info", tr("These instructions were written before sentences were made from the settings. Remove what those say now.")));
     box.layout->addWidget(kit::label(theme, tr("What participants read"), TextStyle::label));

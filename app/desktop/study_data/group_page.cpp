@@ -9,6 +9,8 @@
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
+#include "session_report/group_words.h"
+#include "session_report/marked_estimates.h"
 #include "session_report/study_comparison_words.h"
 #include "session_report/study_warning_words.h"
 
@@ -18,10 +20,9 @@
 namespace chiron::desktop {
 
 namespace {
-enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, trialsColumn, priorColumn, stateColumn, warningColumn, columns };
+enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, groupColumn, warningColumn, trialsColumn, priorColumn, stateColumn, columns };
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
-constexpr double kPercent = 100.0;
 constexpr double kUnknownFactor = 50.0; // between the ends of an interval that says nothing
 } // namespace
 
@@ -39,6 +40,8 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     if (runs().empty()) {
         column->addWidget(kit::notice(theme, "info", tr("Nobody has run this condition yet. Each participant's result appears here after "
                                                         "their first run.")));
+        if (!facts.rolls[condition].people.empty())
+            addGroupWords(*column);
         return;
     }
     column->addWidget(groupBox());
@@ -46,8 +49,6 @@ GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condi
     column->addWidget(tableBox());
     if (facts.ranks(condition))
         column->addWidget(new RankingBox(app, facts.rankings[condition], RankingBox::Of::group));
-    if (conditionLabels(facts.study).size() > 1 && (facts.study.blind() || !facts.comparisons.empty()))
-        column->addWidget(comparisonBox());
 }
 
 std::vector<const RunFacts*> GroupPage::runs() const {
@@ -70,7 +71,27 @@ QWidget* GroupPage::chooser() {
         connect(button, &QPushButton::clicked, this, [this, i] { emit conditionChosen(static_cast<uint>(i)); });
         row->addWidget(button);
     }
+    if (labels.size() > 1) {
+        auto* compare = kit::button(m_app.theme(), tr("Compare the conditions"), "quiet", QStringLiteral("office-chart-line"));
+        compare->setObjectName(QStringLiteral("data.compare"));
+        connect(compare, &QPushButton::clicked, this, &GroupPage::comparisonAsked);
+        row->addWidget(compare);
+    }
     return bar;
+}
+
+QStringList GroupPage::weberWords(const psychophysics::GroupEstimate& group) const {
+    const QLocale locale = m_app.locale();
+    const QString interval = study_words::intervalPercent(group.weber95.low, group.weber95.high, locale);
+    const QString next = study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
+    QStringList words{tr("Weber fraction (random effects)")};
+    if (!interval.isEmpty())
+        words << tr("95 %: %1").arg(interval);
+    if (group.prediction95.high > kUnknownFactor * group.prediction95.low) // of three people it may reach from nothing to 5,000 %
+        words << tr("too few participants for a prediction");
+    else if (!next.isEmpty())
+        words << tr("prediction for a new participant: %1").arg(next);
+    return words;
 }
 
 QWidget* GroupPage::groupBox() {
@@ -80,22 +101,24 @@ QWidget* GroupPage::groupBox() {
     box.frame->setObjectName(QStringLiteral("data.group"));
     const psychophysics::GroupEstimate& group = m_facts.groups[m_condition];
     box.layout->addWidget(kit::label(theme, tr("Group"), TextStyle::title));
-    const QString interval = study_words::intervalPercent(group.weber95.low, group.weber95.high, locale);
-    const QString next = study_words::intervalPercent(group.prediction95.low, group.prediction95.high, locale);
-    box.layout->addWidget(kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
-    QStringList words{tr("Weber fraction of %n participant(s) (random effects)", nullptr, group.participants)};
-    if (!interval.isEmpty())
-        words << tr("95 %: %1").arg(interval);
-    if (group.prediction95.high > kUnknownFactor * group.prediction95.low) // of three people it may reach from nothing to 5,000 %
-        words << tr("too few participants for a prediction");
-    else if (!next.isEmpty())
-        words << tr("prediction for a new participant: %1").arg(next);
     const auto& designed = m_facts.designed[m_condition];
-    if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
-        words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
-    box.layout->addWidget(kit::label(theme, words.join(QStringLiteral(" · "))));
+    QStringList words;
+    if (std::isfinite(group.exponent)) { // of numbers said there is no Weber fraction
+        box.layout->addWidget(kit::label(theme, study_words::number(group.exponent, locale), TextStyle::display, "accent"));
+        words << tr("Exponent of the power law");
+        if (const QString interval = study_words::interval(group.exponent95.low, group.exponent95.high, locale); !interval.isEmpty())
+            words << tr("95 %: %1").arg(interval);
+    } else if (std::isfinite(group.weber)) {
+        box.layout->addWidget(kit::label(theme, study_words::percent(group.weber, locale), TextStyle::display, "accent"));
+        words << weberWords(group);
+        if (!m_facts.study.blind() && designed && std::isfinite(group.jnd))
+            words << tr("JND %1").arg(study_words::value(group.jnd, designed->stimulus.attribute, locale));
+    }
+    if (!words.isEmpty())
+        box.layout->addWidget(kit::label(theme, words.join(QStringLiteral(" · "))));
+    addGroupWords(*box.layout);
     addAgreement(*box.layout);
-    for (const psychophysics::Warning& warning : group.warnings)
+    for (const psychophysics::Warning& warning : session_report::furtherWarnings(group.warnings))
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     return box.frame;
 }
@@ -131,20 +154,15 @@ QWidget* GroupPage::plotBox() {
     plot->setYAxis({tr("Weber fraction (%)"), 0.0, {}});
     plot->setXAxis({tr("Participant"), {}, {}});
     std::vector<QString> names;
-    std::vector<report::PlotPoint> points;
-    std::vector<report::PlotView::Interval> intervals; // longer upwards: they are of a logarithm
+    session_report::MarkedEstimates estimates;
     for (const RunFacts* run : runs()) {
-        const psychophysics::RunEstimate& estimate = run->estimate;
         const double at = static_cast<double>(names.size());
-        names.push_back(QString::fromStdString(m_facts.study.participants[run->participant].participant.code));
-        if (!std::isfinite(estimate.weber))
-            continue;
-        points.push_back({at, kPercent * estimate.weber});
-        intervals.push_back({kPercent * estimate.weber95.low, kPercent * estimate.weber95.high});
+        names.push_back(session_report::markedValue(QString::fromStdString(m_facts.study.participants[run->participant].participant.code), run->estimate));
+        estimates.add(at, run->estimate, run->presence);
     }
-    plot->addEstimates(tr("estimate with its 95 % interval"), points, intervals);
+    estimates.draw(*plot);
     plot->setXCategories(names);
-    if (points.empty())
+    if (estimates.empty())
         plot->setNote(tr("No estimate yet"));
     box.layout->addWidget(plot);
     return box.frame;
@@ -156,7 +174,7 @@ QWidget* GroupPage::tableBox() {
     auto* table = new FittedTable(theme, columns);
     table->setObjectName(QStringLiteral("data.runs"));
     table->setAccessibleName(tr("Runs"));
-    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("Trials"), tr("Prior influence"), tr("Run"), tr("Warnings")});
+    table->setHorizontalHeaderLabels({tr("Code"), tr("Weber fraction"), tr("95 % interval"), tr("JND"), tr("In the group"), tr("Warnings"), tr("Trials"), tr("Prior influence"), tr("Run")});
     table->horizontalHeaderItem(priorColumn)->setToolTip(session_report::influenceMeaning());
     const std::vector<const RunFacts*> shown = runs();
     const bool sealed = m_facts.study.blind() || !m_facts.designed[m_condition];
@@ -170,9 +188,10 @@ QWidget* GroupPage::tableBox() {
             table->setItem(row, column, item);
         };
         put(codeColumn, QString::fromStdString(m_facts.study.participants[run.participant].participant.code));
-        put(weberColumn, study_words::percent(run.estimate.weber, locale));
+        put(weberColumn, session_report::markedValue(study_words::percent(run.estimate.weber, locale), run.estimate));
         put(intervalColumn, study_words::intervalPercent(run.estimate.weber95.low, run.estimate.weber95.high, locale));
-        put(jndColumn, sealed ? tr("sealed") : study_words::value(run.estimate.jnd, attribute, locale));
+        put(jndColumn, sealed ? tr("sealed") : session_report::markedValue(study_words::value(run.estimate.jnd, attribute, locale), run.estimate));
+        put(groupColumn, session_report::presenceWords(run.presence));
         put(trialsColumn, run.spoiled > 0 ? tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored));
         put(priorColumn, std::isfinite(run.estimate.priorInfluence) ? study_words::percent(run.estimate.priorInfluence, locale) : QString());
         put(stateColumn, study_words::runState(run.run.state));
@@ -183,36 +202,25 @@ QWidget* GroupPage::tableBox() {
     }
     table->setRowsSeen(std::clamp(table->rowCount(), kFewestRows, kMostRows));
     connect(table, &QTableWidget::activated, this, [this](const QModelIndex& index) { emit runOpened(index.data(Qt::UserRole).toLongLong()); });
-    return table;
+    auto* part = new QWidget;
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(table);
+    const bool marked = std::any_of(shown.begin(), shown.end(), [](const RunFacts* run) { return !run->estimate.warnings.empty(); });
+    if (marked)
+        column->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
+    return part;
 }
 
-QWidget* GroupPage::comparisonBox() {
+/// One statement, whether there is a value or not.
+void GroupPage::addGroupWords(QVBoxLayout& layout) const {
     const Theme& theme = m_app.theme();
-    const kit::Box box = kit::box(theme);
-    box.frame->setObjectName(QStringLiteral("data.comparisons"));
-    box.layout->addWidget(kit::label(theme, tr("Conditions compared"), TextStyle::title));
-    if (m_facts.study.blind()) {
-        box.layout->addWidget(kit::label(theme, session_report::comparisonSealed(), TextStyle::body, "muted"));
-        return box.frame;
+    const QStringList said = session_report::groupSentences(m_facts.rolls[m_condition], m_app.locale());
+    for (qsizetype i = 0; i < said.size(); ++i) {
+        auto* words = i == 0 ? kit::label(theme, said[i]) : kit::notice(theme, "info", said[i]);
+        words->setObjectName(i == 0 ? QStringLiteral("data.group_statement") : QStringLiteral("data.group_missing"));
+        layout.addWidget(words);
     }
-    const std::vector<QString> headings = session_report::comparisonHeadings();
-    const std::vector<std::string> labels = conditionLabels(m_facts.study);
-    const auto name = [&](std::size_t at) { return conditionName(m_facts.study, labels[at], m_app.language()); };
-    auto* table = new FittedTable(theme, static_cast<int>(headings.size()));
-    table->setObjectName(QStringLiteral("data.comparison_table"));
-    table->setAccessibleName(tr("Conditions compared"));
-    table->setHorizontalHeaderLabels(QStringList(headings.begin(), headings.end()));
-    table->setRowCount(static_cast<int>(m_facts.comparisons.size()));
-    for (int row = 0; row < table->rowCount(); ++row) {
-        const session::ComparedConditions& each = m_facts.comparisons[static_cast<std::size_t>(row)];
-        const std::vector<QString> cells = session_report::comparisonRow(each, name(each.first), name(each.second), m_app.locale());
-        for (int column = 0; column < static_cast<int>(cells.size()); ++column)
-            table->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
-    }
-    table->setRowsSeen(std::clamp(table->rowCount(), 1, kMostRows));
-    box.layout->addWidget(table);
-    box.layout->addWidget(kit::label(theme, session_report::comparisonNote(), TextStyle::small, "muted"));
-    return box.frame;
 }
 
 } // namespace chiron::desktop

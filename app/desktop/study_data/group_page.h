@@ -18,14 +18,16 @@ public:
 signals:
     void conditionChosen(uint condition);
     void runOpened(qlonglong run);
+    void comparisonAsked();
 
 private:
     QWidget* chooser();
     QWidget* groupBox();
+    QStringList weberWords(const psychophysics::GroupEstimate& group) const;
     void addAgreement(QVBoxLayout& layout) const; ///< of rankings
     QWidget* plotBox();
     QWidget* tableBox();
-    QWidget* comparisonBox(); ///< of all conditions, two by two
+    void addGroupWords(QVBoxLayout& layout) const; ///< who is in the group's value and who is not
     std::vector<const RunFacts*> runs() const;
 
     AppContext& m_app;

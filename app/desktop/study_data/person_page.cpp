@@ -10,12 +10,15 @@
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
 #include "session/study/study_store.h"
+#include "session/study/trial_fidelity.h"
+#include "session_report/group_words.h"
 #include "session_report/run_curve_plot.h"
 #include "session_report/study_comparison_words.h"
 #include "session_report/study_warning_words.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -82,11 +85,12 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
         column->addWidget(kit::label(theme, interval.isEmpty() ? tr("no interval") : tr("95 %: %1").arg(interval), TextStyle::small, "muted"));
         grid->cell(part);
     };
-    fact(tr("Weber fraction"), study_words::percent(estimate.weber, locale), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
+    const auto marked = [&](const QString& value) { return session_report::markedValue(value, estimate); };
+    fact(tr("Weber fraction"), marked(study_words::percent(estimate.weber, locale)), study_words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale));
     if (!m_facts.study.blind() && condition) {
         const psychophysics::StimulusDesign& stimulus = condition->stimulus;
         const double perWeber = stimulus.reference * study_words::unitOf(stimulus.attribute).factor;
-        fact(tr("JND at the reference"), study_words::value(estimate.jnd, stimulus.attribute, locale),
+        fact(tr("JND at the reference"), marked(study_words::value(estimate.jnd, stimulus.attribute, locale)),
              study_words::interval(estimate.weber95.low * perWeber, estimate.weber95.high * perWeber, locale));
         if (std::isfinite(estimate.pse)) {
             const double factor = study_words::unitOf(stimulus.attribute).factor;
@@ -97,13 +101,27 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
     fact(tr("Internal noise, log10"), study_words::number(estimate.sigma_log10, locale), study_words::interval(estimate.sigma95.low, estimate.sigma95.high, locale));
     if (std::isfinite(estimate.tie))
         fact(tr("Equality threshold (σ)"), study_words::number(estimate.tie, locale), study_words::interval(estimate.tie95.low, estimate.tie95.high, locale));
+    if (std::isfinite(estimate.exponent))
+        fact(tr("Exponent of the power law"), study_words::number(estimate.exponent, locale), study_words::interval(estimate.exponent95.low, estimate.exponent95.high, locale));
     box.layout->addWidget(grid);
+    auto* use = kit::label(theme, tr("In the group value: %1.").arg(session_report::presenceWords(run.presence)));
+    use->setObjectName(QStringLiteral("data.run_use"));
+    box.layout->addWidget(use);
     const QString method = session_report::methodWords(estimate.method);
     box.layout->addWidget(kit::label(theme, tr("%1. %2. %3 scored trials, %4 repeated. %5")
                                                 .arg(condition ? study_words::task(condition->task) : QStringLiteral("–"),
                                                      run.run.procedures.empty() ? QStringLiteral("–") : study_words::procedure(run.run.procedures), locale.toString(run.scored),
                                                      locale.toString(run.spoiled), method.isEmpty() ? method : method + QLatin1Char('.')),
                                      TextStyle::small, "muted"));
+    const auto unmasked = std::count_if(run.trials.begin(), run.trials.end(), [](const database::StudyTrial& trial) {
+        return session::circumstancesOf(trial.fidelityJson).masking == session::TrialCircumstances::kMaskingSilent;
+    });
+    if (unmasked > 0) {
+        auto* said = kit::notice(theme, "warning", tr("The masking sound was not heard in %1 of %2 trials: the machine had no sound output.")
+                                                       .arg(locale.toString(qlonglong(unmasked)), locale.toString(qlonglong(run.trials.size()))));
+        said->setObjectName(QStringLiteral("data.not_masked"));
+        box.layout->addWidget(said);
+    }
     if (const QString influence = session_report::influenceWords(estimate.priorInfluence, locale); !influence.isEmpty())
         box.layout->addWidget(kit::label(theme, influence, TextStyle::small, "muted"));
     const session::ReplayedChoices& again = run.replayed;
@@ -114,6 +132,8 @@ QWidget* PersonPage::estimateBox(const RunFacts& run) const {
                                                          "match.")
                                                           .arg(locale.toString(again.same + again.ties), locale.toString(again.trials)),
                                          TextStyle::small, again.same + again.ties == again.trials ? "muted" : "warning"));
+    if (!estimate.warnings.empty())
+        box.layout->addWidget(kit::label(theme, session_report::markMeaning(), TextStyle::small, "muted"));
     for (const psychophysics::Warning& warning : estimate.warnings)
         box.layout->addWidget(kit::notice(theme, "warning", session_report::warningWords(warning)));
     return box.frame;

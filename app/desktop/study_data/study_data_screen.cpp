@@ -3,6 +3,7 @@
 
 #include "desktop/studies/study_words.h"
 #include "desktop/study_data/apex_page.h"
+#include "desktop/study_data/comparison_page.h"
 #include "desktop/study_data/group_page.h"
 #include "desktop/study_data/person_page.h"
 #include "desktop/study_data/questionnaire_summary.h"
@@ -40,7 +41,8 @@ QString StudyDataScreen::title() const { return tr("Data"); }
 QString StudyDataScreen::help() const {
     return tr("The results of a study.\n\nGroup shows each participant's Weber fraction with its interval for every condition, and any "
               "warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one "
-              "did not count. Questions summarises the questionnaires.\n\nYou can export tables (CSV), a BIDS dataset or a PDF; each "
+              "did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is "
+              "missing where they cannot be compared.\n\nYou can export tables (CSV), a BIDS dataset or a PDF; each "
               "contains the design's SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you "
               "see only how well each participant's trials went. Unblinding asks for a reason, is recorded and cannot be undone.");
 }
@@ -110,7 +112,7 @@ void StudyDataScreen::build() {
     m_bar->setFont(theme.font(TextStyle::body));
     m_bar->setDrawBase(false);
     m_bar->setExpanding(false);
-    for (const QString& name : {tr("Group"), tr("Person"), tr("Trials"), tr("Questions")})
+    for (const QString& name : {tr("Group"), tr("Person"), tr("Trials"), tr("Questions"), tr("Comparison")})
         m_bar->addTab(name);
     m_bar->setCurrentIndex(m_tab);
     connect(m_bar, &QTabBar::currentChanged, this, [this](int tab) {
@@ -228,6 +230,9 @@ void StudyDataScreen::showPage() {
     case questionnairesTab:
         m_page = new QuestionnaireSummary(context(), m_facts);
         break;
+    case comparisonTab:
+        m_page = new ComparisonPage(context(), m_facts);
+        break;
     default: {
         if (m_facts.apexes[m_condition]) {
             m_page = listening(new ApexPage(context(), m_facts, m_condition));
@@ -238,6 +243,7 @@ void StudyDataScreen::showPage() {
             m_condition = condition;
             QMetaObject::invokeMethod(this, &StudyDataScreen::showPage, Qt::QueuedConnection);
         });
+        connect(page, &GroupPage::comparisonAsked, this, [this] { m_bar->setCurrentIndex(comparisonTab); });
         connect(page, &GroupPage::runOpened, this, [this](qlonglong run) {
             m_run = run;
             m_bar->setCurrentIndex(personTab);

@@ -19,12 +19,12 @@ class ApexPage;
 class StatePanel;
 class WorkToken;
 
-/// What came of a study: group and persons, every trial, questionnaires; unblinding and exports. Place: {study, tab, condition, run}. GUI
+/// What came of a study: group and persons, every trial, questionnaires, conditions compared; unblinding and exports. Place: {study, tab, condition, run}. GUI
 /// thread.
 class StudyDataScreen final : public Screen {
     Q_OBJECT
 public:
-    enum Tab { groupTab, personTab, trialsTab, questionnairesTab, tabs };
+    enum Tab { groupTab, personTab, trialsTab, questionnairesTab, comparisonTab, tabs };
 
     StudyDataScreen(AppContext& context, const Place& place);
     ~StudyDataScreen() override;

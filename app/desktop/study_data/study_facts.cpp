@@ -39,12 +39,13 @@ core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::Stu
     for (std::size_t i = 0; i < analysis->conditions.size(); ++i) {
         facts.designed.push_back(analysis->designed(i) ? std::optional(*analysis->designed(i)) : std::nullopt);
         facts.groups.push_back(analysis->conditions[i].group);
+        facts.rolls.push_back(analysis->conditions[i].roll);
         facts.rankings.push_back(analysis->conditions[i].ranking);
         facts.apexes.push_back(apexFacts(analysis->conditions[i]));
         for (session::AnalysedRun& run : analysis->conditions[i].runs)
             if (const std::size_t participant = indexOf(facts.study, run.participant); participant < facts.study.participants.size())
                 facts.runs.push_back({participant, i, std::move(run.run), std::move(run.trials), std::move(run.estimate), run.replayed, run.scored, run.spoiled, run.felt,
-                                      std::move(run.apex), std::move(run.ranking)});
+                                      std::move(run.apex), std::move(run.ranking), run.presence});
     }
     facts.anyShown = std::any_of(facts.runs.begin(), facts.runs.end(), [](const RunFacts& run) { return !run.felt.value_or(true); });
     auto answers = reader.questionnaireAnswers(study);

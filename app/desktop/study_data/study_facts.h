@@ -23,6 +23,7 @@ struct RunFacts {
     std::optional<bool> felt{}; ///< false where any trial was only shown
     std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
     psychophysics::RankingSummary ranking{}; ///< where three are ranked; else of none
+    session::Presence presence = session::Presence::noValue; ///< whether the group's value uses it, or why not
 };
 
 /// A condition in which an apex is looked for: everybody's marks, and whose they are by the summary's numbers.
@@ -37,6 +38,7 @@ struct StudyFacts {
     std::vector<RunFacts> runs;
     // Of each of conditionLabels():
     std::vector<psychophysics::GroupEstimate> groups;
+    std::vector<session::GroupRoll> rolls; ///< what each group's value rests on
     std::vector<psychophysics::RankingSummary> rankings; ///< where three are ranked
     std::vector<std::optional<ApexFacts>> apexes;
     std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/study_run/run_screen.h"
 
+#include "desktop/sound/sound_loader.h"
+#include "desktop/studies/participant_progress.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -33,6 +35,7 @@ QString RunScreen::help() const {
 void RunScreen::enter() { load(); }
 
 void RunScreen::load() {
+    m_heard.reset(); // headphones may have come
     m_panel->showLoading(tr("Reading the studies …"),
                          readStudies(context(), this,
                                      [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
@@ -150,10 +153,27 @@ void RunScreen::showParticipant() {
     auto* column = new QVBoxLayout(m_shown);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context().theme().px(16));
+    if (QWidget* notice = soundNotice())
+        column->addWidget(notice);
     column->addWidget(participantBox());
     if (QWidget* left = leftBox())
         column->addWidget(left);
     m_holder->addWidget(m_shown);
+}
+
+/// Said here, to the experimenter, because the participant's page is no place for it.
+QWidget* RunScreen::soundNotice() {
+    const ParticipantRow* row = participant();
+    if (!study()->design.trial.maskingSound || !row || row->participant.state != database::ParticipantState::consented)
+        return nullptr;
+    if (!m_heard)
+        m_heard = loadSound().output != nullptr;
+    if (*m_heard)
+        return nullptr;
+    auto* notice = kit::notice(context().theme(), "warning", tr("This study plays a masking sound, and this machine has no sound output: participants would hear the device. Connect "
+                                                                "headphones or loudspeakers and open this page again. You can also go on: each trial is then recorded as not masked."));
+    notice->setObjectName(QStringLiteral("run.no_sound"));
+    return notice;
 }
 
 QWidget* RunScreen::participantBox() {
@@ -188,46 +208,47 @@ QWidget* RunScreen::participantBox() {
         if (each.when == When::enrolment && !open.answered.contains({row->participant.id, each.id}))
             box.layout->addWidget(questionnaireRow(*row, each));
     questionnaires(When::before);
-    const std::vector<std::string> order = session::labelsInOrder(open.design, open.sealed, row->participant.order);
     bool next = row->participant.state == database::ParticipantState::consented;
-    for (std::size_t position = 0; position < order.size(); ++position) {
-        const std::string& label = order[position];
-        const bool done = std::any_of(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& run) {
-            return session::labelOf(run) == label && run.state == database::StudyRunState::completed;
-        });
-        box.layout->addWidget(conditionRow(*row, static_cast<int>(position), label, next && !done));
+    bool offered = false;
+    int position = 0;
+    for (const ConditionProgress& progress : conditionProgress(open, *row)) {
+        const bool done = progress.state == ConditionProgress::State::done;
+        const bool offer = next && !done && !progress.closed;
+        box.layout->addWidget(conditionRow(*row, position++, progress, offer));
+        offered = offered || offer;
         next = next && done;
         const auto run = std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
-            return session::labelOf(each) == label && each.state == database::StudyRunState::completed;
+            return session::labelOf(each) == progress.label && each.state == database::StudyRunState::completed;
         });
         for (const psychophysics::Questionnaire& each : open.design.questionnaires) // about what was just done: before it is done there is nothing to ask
             if (each.when == When::afterCondition && run != row->runs.end())
                 box.layout->addWidget(questionnaireRow(*row, each, &*run, static_cast<int>(position)));
     }
     questionnaires(When::after);
+    if (!offered) { // no dead end
+        auto* step = kit::label(theme, nextStepFor(open, *row, context().language()), TextStyle::body);
+        step->setObjectName(QStringLiteral("run.next_step"));
+        box.layout->addWidget(step);
+    }
     return box.frame;
 }
 
-QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next) {
+QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next) {
     const Theme& theme = context().theme();
     const OpenStudy& open = *study();
     const kit::Box box = kit::box(theme, "raised");
     auto* line = new QHBoxLayout;
+    const std::string& label = progress.label;
     const QString name = conditionName(open, label, context().language());
     auto* said = new QVBoxLayout; // one under the other: beside each other, what was interrupted breaks into four lines
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));
-    QString state = tr("not started yet");
+    const QString state = progressWords(open, progress, context().locale());
     const database::StudyRun* interrupted = nullptr;
     for (const database::StudyRun& run : row.runs)
-        if (session::labelOf(run) == label) {
-            state = study_words::runState(run.state);
-            interrupted = run.state == database::StudyRunState::open ? &run : nullptr;
-        }
-    for (const LeftRun& left : row.left)
-        if (interrupted && left.run == interrupted->id)
-            state = leftWords(left);
+        if (session::labelOf(run) == label && run.state == database::StudyRunState::open)
+            interrupted = &run;
     auto* words = kit::label(theme, state, TextStyle::body, interrupted ? "warning" : "muted");
     words->setObjectName(QStringLiteral("run.state.%1").arg(position));
     said->addWidget(words);

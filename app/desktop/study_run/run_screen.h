@@ -5,6 +5,7 @@
 #include "desktop/frame/screen.h"
 #include "desktop/studies/study_store.h"
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -14,6 +15,7 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
+struct ConditionProgress;
 class StatePanel;
 class Theme;
 
@@ -36,11 +38,11 @@ private:
     /// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
     static QVBoxLayout* buttonCell(QHBoxLayout& line);
     QWidget* leftBox(); ///< what was interrupted of the others; null where nothing was
-    QString leftWords(const LeftRun& left) const;
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
-    QWidget* conditionRow(const ParticipantRow& row, int position, const std::string& label, bool next);
+    QWidget* soundNotice(); ///< of a study with masking sound on a machine that plays none; else null
+    QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next);
     /// `run`: of the condition that is asked about, at `position`; null: asked once.
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run = nullptr, int position = 0);
     void showParticipant();
@@ -54,6 +56,7 @@ private:
     QVBoxLayout* m_holder = nullptr;
     QWidget* m_shown = nullptr;
     std::vector<OpenStudy> m_studies;
+    std::optional<bool> m_heard; ///< whether this machine has a sound output; not asked yet
     database::StudyNumber m_study;
     QString m_participant;
 };

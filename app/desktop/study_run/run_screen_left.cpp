@@ -2,7 +2,7 @@
 // What was interrupted, and one click to go on with it.
 #include "desktop/study_run/run_screen.h"
 
-#include "desktop/studies/study_words.h"
+#include "desktop/studies/participant_progress.h"
 #include "desktop/widgets/kit.h"
 #include "session/study/study_store.h"
 
@@ -40,16 +40,6 @@ QString RunScreen::firstChoice() const {
     return chosen ? QString::fromStdString(chosen->participant.code) : QString();
 }
 
-QString RunScreen::leftWords(const LeftRun& left) const {
-    const QLocale locale = context().locale();
-    const QString next = locale.toString(left.scored + 1);
-    if (study()->blinding.seals()) // at which trial would be how many there were
-        return tr("interrupted, %1").arg(study_words::moment(left.lastUtc, locale));
-    const QString where = left.atMost > 0 ? tr("interrupted at trial %1 of at most %2").arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
-                                          : tr("interrupted at trial %1").arg(next);
-    return tr("%1, %2").arg(where, study_words::moment(left.lastUtc, locale));
-}
-
 QPushButton* RunScreen::resumeButton(const QString& participant, const database::StudyRun& run) {
     auto* go = kit::button(context().theme(), tr("Resume here"), "primary", QStringLiteral("media-playback-start"));
     go->setAccessibleName(tr("Resume %1 where it was interrupted").arg(participant));
@@ -78,7 +68,7 @@ QWidget* RunScreen::leftBox() {
             said->setSpacing(theme.px(2));
             line->addLayout(said, 1);
             said->addWidget(kit::label(theme, tr("%1 · %2").arg(code, conditionName(*study(), session::labelOf(*run), context().language())), TextStyle::strong));
-            said->addWidget(kit::label(theme, leftWords(left), TextStyle::body, "muted"));
+            said->addWidget(kit::label(theme, interruptedWords(*study(), left, context().locale()), TextStyle::body, "muted"));
             QPushButton* go = resumeButton(code, *run);
             go->setObjectName(QStringLiteral("run.resume.%1").arg(code));
             buttonCell(*line)->addWidget(go, 0, Qt::AlignRight);

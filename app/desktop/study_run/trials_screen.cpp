@@ -86,7 +86,8 @@ void TrialsScreen::begin() {
     buildLive();
     connectPointer();
     if (m_live->design().trial.maskingSound)
-        m_silent = !m_sound.open().isEmpty();
+        (void)m_sound.open(); // whether it plays is asked all the time: an output may go
+    showSilence();
     m_live->pause(); // nothing is presented until the instructions are read
     showInstructions();
     m_frame.start(kFrame_ms);
@@ -155,6 +156,7 @@ void TrialsScreen::poll() {
     const session::LiveStudyView view = m_live->view();
     if (m_begun)
         showState(view);
+    showSilence();
     if (atDesk())
         m_experimenter->show(view, m_live->numbers(), m_live->condition());
     if (m_live->finished())

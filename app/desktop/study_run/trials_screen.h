@@ -82,6 +82,7 @@ private:
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
+    void showSilence(); ///< to the experimenter alone
 
     // trials_screen_desk.cpp: who sees what, and who may go on
     void placePage();
@@ -127,6 +128,7 @@ private:
     QWidget* m_desk = nullptr;
     ParticipantWindow* m_window = nullptr;
     QLabel* m_deskNote = nullptr;
+    QWidget* m_noSound = nullptr; ///< at the desk: masking sound is asked for and not heard
     QPushButton* m_toPage = nullptr;
     QPushButton* m_leave = nullptr;
     ReadyCard* m_card = nullptr;
@@ -149,7 +151,6 @@ private:
     KeyFilter* m_keys = nullptr;
     SoundCuePlayer m_sound{4.0};
     bool m_masking = true;
-    bool m_silent = false;    ///< there is no sound output
     bool m_released = false;  ///< the experimenter goes on elsewhere
     bool m_gate = false;      ///< their password is asked for
     QString m_ended;          ///< what became of the sitting, for the experimenter

@@ -87,6 +87,11 @@ void TrialsScreen::buildDesk() {
     connect(masking, &QCheckBox::toggled, this, [this](bool on) { m_masking = on; });
     row->addWidget(masking);
     column->addWidget(bar);
+    m_noSound = kit::notice(theme, "warning", tr("The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the "
+                                                 "sitting, connect headphones or loudspeakers, and resume the run."));
+    m_noSound->setObjectName(QStringLiteral("trials.no_sound"));
+    m_noSound->hide();
+    column->addWidget(m_noSound);
     m_deskNote = kit::label(theme, {}, TextStyle::body, "muted");
     m_deskNote->setObjectName(QStringLiteral("trials.desk_note"));
     column->addWidget(m_deskNote);

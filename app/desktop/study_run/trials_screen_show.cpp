@@ -14,6 +14,7 @@
 
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <cmath>
 
@@ -60,8 +61,10 @@ void TrialsScreen::hearMasking(bool scene) {
     const bool wanted = m_masking && m_live->design().trial.maskingSound;
     if (m_live->design().trial.maskingSound)
         m_sound.mask(wanted && scene);
-    m_live->setMasking(!wanted ? TrialCircumstances::kMaskingOff : m_silent ? TrialCircumstances::kMaskingSilent : TrialCircumstances::kMaskingNoise);
+    m_live->setMasking(!wanted ? TrialCircumstances::kMaskingOff : m_sound.works() ? TrialCircumstances::kMaskingNoise : TrialCircumstances::kMaskingSilent);
 }
+
+void TrialsScreen::showSilence() { m_noSound->setVisible(m_live->design().trial.maskingSound && !m_sound.works()); }
 
 /// The free minute, and the feedback of practice.
 void TrialsScreen::showStrip(const session::LiveStudyView& view) {

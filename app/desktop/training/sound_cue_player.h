@@ -17,6 +17,7 @@ public:
 
     /// Opens the output (some 0.1 s the first time); empty, or why it stays silent.
     QString open();
+    bool works() const noexcept { return m_sound.output && m_sound.output->works(); } ///< an output may turn out to be missing, or go, later
     void setSwitches(const SoundSwitches& on) { m_cues.on = on; }
     void setMuted(bool muted) { m_muted = muted; }
     bool muted() const noexcept { return m_muted; }

@@ -81,6 +81,13 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
 
 bool wasShown(const AnalysedRun& run) { return run.felt && !*run.felt; }
 
+/// Of an apex marks are what counts, of which there is no Weber fraction.
+Presence presenceIn(const AnalysedRun& run) {
+    if (!run.apex)
+        return presenceOf(run.estimate);
+    return run.apex->trials > 0 ? Presence::used : Presence::noAnswers;
+}
+
 /// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
 void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed, const AnalysisChoices& choices) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
@@ -95,12 +102,15 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
         run.pooled = false;
         withdrawn += takesPart(run) ? 0 : 1;
         simulated += takesPart(run) && run.participant.simulated ? 1 : 0;
+        run.presence = takesPart(run) ? Presence::simulated : Presence::withdrawn;
         if (!takesPart(run) || run.participant.simulated == real)
             continue;
         shown += wasShown(run) ? 1 : 0;
+        run.presence = Presence::shown;
         if (wasShown(run) && !choices.withShown)
             continue;
         run.pooled = true;
+        run.presence = presenceIn(run);
         estimates.push_back(run.estimate);
         rows.push_back(static_cast<int>(i));
         notRendered += wasNotRendered(run.participant, run.trials) ? 1 : 0;
@@ -195,7 +205,7 @@ core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::Stud
     if (!labels)
         return tl::unexpected(labels.error());
     for (const std::string& label : *labels)
-        study.conditions.push_back({label, {}, {}, {}, {}});
+        study.conditions.push_back({label, {}, {}, {}, {}, {}});
     return study;
 }
 
@@ -238,6 +248,13 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         AnalysedCondition& condition = study->conditions[i];
         const psychophysics::Condition* designed = study->designed(i);
         pool(condition, designed, core::Random::mix(seed, "group " + condition.condition), choices);
+        if (study->sealed()) // whoever withdrew or was simulated is told of no condition either
+            for (AnalysedRun& run : condition.runs)
+                run.presence = Presence::sealed;
+        condition.roll = groupRoll(*participants, condition.runs, study->record.summary.state != database::StudyState::frozen, study->design.participantsPlanned);
+        if (study->sealed())
+            for (RolledPerson& person : condition.roll.people)
+                person = {person.code, Presence::sealed, false};
         if (designed && looksForApex(*designed))
             poolApex(condition, designed->stimulus.reference, core::Random::mix(seed, "apex " + condition.condition));
     }

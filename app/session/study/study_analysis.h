@@ -7,6 +7,7 @@
 #include "psychophysics/measures/ranking_summary.h"
 #include "psychophysics/study/group_estimate.h"
 #include "psychophysics/study/run_estimate.h"
+#include "session/study/group_roll.h"
 #include "session/study/study_comparisons.h"
 #include "session/study/study_progress.h"
 
@@ -25,6 +26,7 @@ struct AnalysedRun {
     int scored = 0, spoiled = 0, practice = 0;
     std::optional<bool> felt; ///< false where any trial was only shown; nothing where nothing was rendered
     bool pooled = true;       ///< the group is of it, too, where it has an estimate
+    Presence presence = Presence::noValue; ///< whether the group's value uses it, or why not
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
     std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
@@ -40,6 +42,7 @@ struct AnalysedCondition {
     /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
     psychophysics::RankingSummary ranking; ///< of the same members; where three are ranked, else of none
+    GroupRoll roll; ///< what the group's value rests on
 };
 
 struct StudyAnalysis {

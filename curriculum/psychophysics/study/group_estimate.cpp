@@ -30,12 +30,17 @@ bool priorMadeIt(const RunEstimate& run) {
     return hasWarning(run.warnings, WarningKind::priorEdgeLow) || hasWarning(run.warnings, WarningKind::priorEdgeHigh);
 }
 
-LogWeber logWeberOf(const RunEstimate& run) {
-    LogWeber result;
+bool hasWeber(const RunEstimate& run) {
     const double low = std::log10(run.weber95.low);
     const double high = std::log10(run.weber95.high);
-    if (!(run.weber > 0.0) || !std::isfinite(run.weber) || !std::isfinite(low) || !std::isfinite(high) || high < low || priorMadeIt(run))
-        return result;
+    return run.weber > 0.0 && std::isfinite(run.weber) && std::isfinite(low) && std::isfinite(high) && high >= low;
+}
+
+LogWeber logWeberOf(const RunEstimate& run) {
+    if (!hasWeber(run) || priorMadeIt(run))
+        return {};
+    const double low = std::log10(run.weber95.low);
+    const double high = std::log10(run.weber95.high);
     const double error = (high - low) / (2.0 * 1.959963984540054);
     return {true, std::log10(run.weber), error * error};
 }
@@ -123,6 +128,14 @@ void takeEffects(GroupEstimate& result, const RandomEffects& effects, double ref
 
 } // namespace
 
+Usable usableInGroup(const RunEstimate& run) {
+    if (run.method == EstimateMethod::numbersSaid)
+        return std::isfinite(run.exponent) ? Usable::yes : Usable::noValue;
+    if (!hasWeber(run))
+        return Usable::noValue;
+    return priorMadeIt(run) ? Usable::priorMadeIt : Usable::yes;
+}
+
 GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t seed) {
     GroupEstimate result;
     result.method = "random effects on log10 W (REML, Hartung-Knapp interval), BCa bootstrap over participants";
@@ -137,7 +150,7 @@ GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t 
         reference = runs[i].jnd / runs[i].weber;
         result.unit = runs[i].unit;
     }
-    result.participants = static_cast<int>(logs.size());
+    result.participants = static_cast<int>(std::count_if(runs.begin(), runs.end(), [](const RunEstimate& run) { return usableInGroup(run) == Usable::yes; }));
     const int sealed = static_cast<int>(std::count_if(runs.begin(), runs.end(), isSealed));
     result.leftOut = static_cast<int>(runs.size()) - result.participants - sealed;
     warnOfNumber(result.warnings, result.participants, result.leftOut, sealed);
@@ -151,7 +164,7 @@ GroupEstimate estimateGroup(const std::vector<RunEstimate>& runs, std::uint64_t 
         if (std::isfinite(member.errorLog10))
             member.weight = effects.weights[used++];
     const BootstrapInterval bootstrap =
-        bootstrapSubjects(result.participants, [&](const std::vector<int>& drawn) { return meanOf(logs, drawn); }, seed);
+        bootstrapSubjects(static_cast<int>(logs.size()), [&](const std::vector<int>& drawn) { return meanOf(logs, drawn); }, seed);
     result.bootstrap95 = powerOfTen(bootstrap.low, bootstrap.high);
     return result;
 }

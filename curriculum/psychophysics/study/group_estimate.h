@@ -8,6 +8,14 @@
 
 namespace chiron::psychophysics {
 
+/// Whether an estimate counts in its group's value, or why it does not.
+enum class Usable : std::uint8_t {
+    yes,
+    noValue,     ///< no Weber fraction above zero with an interval; of numbers said no exponent
+    priorMadeIt, ///< a value that the answers do not bound: it is where the prior put it
+};
+Usable usableInGroup(const RunEstimate& run);
+
 /// One participant in a group's estimate.
 struct GroupMember {
     int index = 0;                ///< of the estimates given
@@ -33,8 +41,8 @@ struct GroupEstimate {
     Interval exponent95;
     std::string unit;
     std::string method;
-    int participants = 0; ///< used
-    int leftOut = 0;      ///< without a Weber fraction, or with one that the prior made
+    int participants = 0; ///< used: usableInGroup
+    int leftOut = 0;      ///< the others whose answers are not sealed
     std::vector<GroupMember> members;
     std::vector<Warning> warnings;
 };

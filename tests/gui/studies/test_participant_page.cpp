@@ -47,6 +47,7 @@ private slots:
     void aSecondScreenIsTheParticipants();
     void anUnpluggedScreenBringsThePageBack();
     void sittingsNoteTheirCircumstances();
+    void maskingThatNobodyHearsIsToldTheExperimenter();
 
 private:
     /// A frozen study and a participant who has consented.
@@ -373,6 +374,35 @@ void TestParticipantPage::sittingsNoteTheirCircumstances() {
     QCOMPARE(noted.language, std::string("en"));
     QCOMPARE(noted.masking, std::string(session::TrialCircumstances::kMaskingOff));
     QVERIFY(noted.answerTick && *noted.answerTick >= trial.firstTick && *noted.answerTick + 100 < trial.lastTick); // the first key, not the last
+}
+
+/// Before the run and at the desk, never on the participant's page; and with the trial.
+void TestParticipantPage::maskingThatNobodyHearsIsToldTheExperimenter() {
+    const QByteArray before = qgetenv("CHIRON_NO_SOUND");
+    qputenv("CHIRON_NO_SOUND", "1");
+    prepare("unmasked", [](psychophysics::StudyDesign& design) { design.trial.maskingSound = true; });
+    m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QWidget>(QStringLiteral("run.no_sound")), kPatience_ms);
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    auto* notice = screen->findChild<QWidget*>(QStringLiteral("trials.no_sound"));
+    QVERIFY(notice && !notice->isHidden());
+    QVERIFY(!page(screen)->isAncestorOf(notice));
+    QVERIFY2(!told(*page(screen)).contains(QStringLiteral("sound")), qPrintable(told(*page(screen))));
+    tests::sittingButton(screen, "answer.2")->click();
+    for (const char* button : {"answer.0", "answer.confirm"})
+        tests::sittingButton(screen, button)->click();
+    QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
+    QCOMPARE(session::circumstancesOf(stored().front().fidelityJson).masking, std::string(session::TrialCircumstances::kMaskingSilent));
+    QVERIFY(tests::stopSitting(*m_site, screen));
+    m_site->go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), 1}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QWidget>(QStringLiteral("data.not_masked")), kPatience_ms);
+    before.isEmpty() ? qunsetenv("CHIRON_NO_SOUND") : qputenv("CHIRON_NO_SOUND", before);
+    prepare("no_masking", [](psychophysics::StudyDesign& design) { design.trial.maskingSound = false; });
+    m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
+    QVERIFY(!m_site->find<QWidget>(QStringLiteral("run.no_sound")));
 }
 
 int main(int argc, char** argv) {

@@ -13,6 +13,7 @@
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/studies_screen.h"
 #include "desktop/studies/study_screen.h"
+#include "desktop/studies/study_titles.h"
 #include "desktop/study_run/trials_screen.h"
 #include "support/sitting_hands.h"
 #include "support/every_place.h"
@@ -58,6 +59,8 @@ private slots:
     void templatesCiteTheirSource();
     void fromNothingToFrozen();
     void aCopyOfAFrozenStudy();
+    void titlesOfCopies();
+    void aTemplateIsFoundByWords();
     void namesThatAreTaken();
     void theSummaryIsAlwaysTrue();
     void instructionsFollowTheSettings();
@@ -216,7 +219,10 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     const psychophysics::StudyDesign original = design();
     click("study.copy");
     QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
-    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes 2")); // not the same twice
+    auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
+    QTRY_COMPARE(title->text(), QStringLiteral("Soft and stiff tubes (copy)"));
+    QCOMPARE(title->selectedText(), title->text()); // to be typed over
+    QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes_copy"));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
     click("new_study.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.ethics")), kPatience_ms);
@@ -233,6 +239,65 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("studies.copy")));
     click("studies.copy");
     QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes (copy 2)")); // there is a copy already
+    type("new_study.title", QStringLiteral("soft  and stiff Tubes")); // the original's, but for capitals and a space
+    QVERIFY(text("new_study.title.fault").contains(QStringLiteral("Another study has this title")));
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
+    type("new_study.title", QStringLiteral("Softer tubes"));
+    QVERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
+    click("new_study.cancel");
+}
+
+/// A suggestion is free, does not grow with each copy, and stays short enough to be stored.
+void TestStudyDesign::titlesOfCopies() {
+    using desktop::copyTitle;
+    using desktop::titleForComparison;
+    QCOMPARE(copyTitle(QStringLiteral("Tubes"), {}), QStringLiteral("Tubes (copy)"));
+    QCOMPARE(copyTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("TUBES (Copy)"))}), QStringLiteral("Tubes (copy 2)"));
+    QCOMPARE(copyTitle(QStringLiteral("Tubes (copy)"), {titleForComparison(QStringLiteral("Tubes (copy)"))}), QStringLiteral("Tubes (copy 2)"));
+    QCOMPARE(copyTitle(QStringLiteral("Tubes (copy 2)"), {}), QStringLiteral("Tubes (copy)"));
+    QVERIFY(copyTitle(QString(500, QLatin1Char('x')), {}).toUtf8().size() <= 500);
+    QCOMPARE(desktop::freeTitle(QStringLiteral("Tubes"), {titleForComparison(QStringLiteral("tubes"))}), QStringLiteral("Tubes 2"));
+}
+
+/// Nothing is chosen beforehand; words find, in any order and without accents; Enter takes what is found, and never creates by itself.
+void TestStudyDesign::aTemplateIsFoundByWords() {
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    click("studies.new");
+    QTRY_VERIFY(shown<QPushButton>("new_study.template.new_study"));
+    const auto* accept = m_site->find<QPushButton>(QStringLiteral("new_study.accept"));
+    QVERIFY(!accept->isEnabled());
+    QVERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text().isEmpty());
+    auto* dialog = m_site->find<QDialog>(QStringLiteral("new_study"));
+    auto* filter = m_site->find<QLineEdit>(QStringLiteral("new_study.filter"));
+    QCOMPARE(dialog->focusWidget(), static_cast<QWidget*>(filter));
+    type("new_study.filter", QStringLiteral("nothing like this"));
+    QVERIFY(shown<QLabel>("new_study.none"));
+    QVERIFY(!shown<QPushButton>("new_study.template.friction") && !shown<QPushButton>("new_study.template.new_study"));
+    QTest::keyClick(filter, Qt::Key_Return);
+    QVERIFY(dialog->isVisible() && !accept->isEnabled());
+    type("new_study.filter", QStringLiteral("2AFC Stíff"));
+    QVERIFY(!shown<QLabel>("new_study.none"));
+    QVERIFY(shown<QPushButton>("new_study.template.stiffness_2afc") && !shown<QPushButton>("new_study.template.apex"));
+    QTest::keyClick(filter, Qt::Key_Down);
+    QVERIFY(dialog->focusWidget() != filter && dialog->focusWidget()->objectName().startsWith(QStringLiteral("new_study.template.")));
+    QVERIFY(!accept->isEnabled()); // it was looked at, not taken
+    filter->setFocus();
+    QTest::keyClick(filter, Qt::Key_Return);
+    auto* chosen = m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc"));
+    QVERIFY(chosen->isChecked() && accept->isEnabled() && dialog->isVisible());
+    auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
+    QCOMPARE(dialog->focusWidget(), static_cast<QWidget*>(title));
+    QVERIFY(!title->text().isEmpty() && title->selectedText() == title->text());
+    // What somebody typed stays when they choose another, and what is chosen is seen whatever the filter says.
+    type("new_study.title", QStringLiteral("Mine"));
+    type("new_study.filter", QStringLiteral("friction"));
+    QVERIFY(shown<QPushButton>("new_study.template.stiffness_2afc"));
+    click("new_study.template.friction");
+    QCOMPARE(title->text(), QStringLiteral("Mine"));
+    QVERIFY(!shown<QPushButton>("new_study.template.stiffness_2afc"));
     click("new_study.cancel");
 }
 
@@ -243,6 +308,7 @@ void TestStudyDesign::namesThatAreTaken() {
     QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
     click("studies.new");
     QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    click("new_study.template.new_study");
     type("new_study.key", QStringLiteral("taken"));
     QTRY_VERIFY(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());

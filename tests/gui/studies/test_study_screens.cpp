@@ -51,6 +51,7 @@ private slots:
 
 private:
     void keepPicture(const QString& name);
+    void whoIsInTheGroup(const QString& waiting);
     void go(const char* screen, const QVariantMap& parameters = {}) {
         m_site->go(QLatin1String(screen), parameters);
         QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
@@ -337,12 +338,43 @@ void TestStudyScreens::keepPicture(const QString& name) {
         m_site->window->grab().save(folder + name);
 }
 
+/// Three of four are in the group: who is not is named, with what to do, and so it is where conditions are compared. What has warnings is seen to have them.
+void TestStudyScreens::whoIsInTheGroup(const QString& waiting) {
+    QVERIFY2(text("data.group_statement").contains(QStringLiteral("3 of 4")), qPrintable(text("data.group_statement")));
+    const auto said = [this](const char* name) {
+        QString words;
+        for (const QWidget* notice : m_site->window->screen()->findChildren<QWidget*>(QLatin1String(name)))
+            for (const QLabel* label : notice->findChildren<QLabel*>())
+                words += label->text();
+        return words;
+    };
+    QVERIFY2(said("data.group_missing").contains(waiting), qPrintable(said("data.group_missing")));
+    const auto* runs = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
+    const auto columnOf = [runs](const QString& heading) {
+        for (int column = 0; column < runs->columnCount(); ++column)
+            if (runs->horizontalHeaderItem(column)->text() == heading)
+                return column;
+        return -1;
+    };
+    const int weber = columnOf(QStringLiteral("Weber fraction")), warnings = columnOf(QStringLiteral("Warnings")), group = columnOf(QStringLiteral("In the group"));
+    QVERIFY(weber >= 0 && warnings >= 0 && group >= 0);
+    for (int row = 0; row < runs->rowCount(); ++row) {
+        QCOMPARE(runs->item(row, weber)->text().startsWith(QStringLiteral("! ")), !runs->item(row, warnings)->text().isEmpty());
+        QCOMPARE(runs->item(row, group)->text(), QStringLiteral("yes"));
+    }
+    click("data.compare");
+    QTRY_VERIFY(m_site->find<QTableWidget>(QStringLiteral("data.comparison_table")));
+    QCOMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::comparisonTab));
+    QVERIFY2(said("data.comparison_missing").contains(waiting), qPrintable(said("data.comparison_missing")));
+}
+
 void TestStudyScreens::dataAndUnblinding() {
     const tests::VisitedStudies studies = tests::addVisitedStudies(*m_site);
     m_data = studies.data;
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.data)}});
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("data.runs"))->rowCount(), 3);
+    whoIsInTheGroup(studies.waiting);
     for (int tab = 0; tab < desktop::StudyDataScreen::tabs; ++tab) {
         m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
         QTest::qWait(50);

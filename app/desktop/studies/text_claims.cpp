@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/studies/text_claims.h"
+
+#include "desktop/frame/app_context.h"
+#include "desktop/studies/participant_sentences.h"
+#include "desktop/studies/study_page.h"
+#include "desktop/studies/study_words.h"
+#include "desktop/widgets/kit.h"
+#include "session/study/participant_view.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace chiron::desktop {
+
+namespace {
+
+using psychophysics::Attribute;
+using psychophysics::StudyDesign;
+using psychophysics::StudyText;
+using Where = FalseClaim::Where;
+
+/// Its texts are translated under this name.
+struct TextClaims {
+    Q_DECLARE_TR_FUNCTIONS(TextClaims)
+};
+
+constexpr double kSameShare = 0.006; // 0.08 s may be 0.0803
+
+/// What texts say, and what has to be set for it. Of the three languages together: none of their words means something else in another.
+struct Expected {
+    const char* words;
+    std::function<bool(const StudyDesign&)> holds;
+    QString setting;
+};
+
+QRegularExpression pattern(const QString& words) {
+    return QRegularExpression(words, QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+}
+
+double numberIn(const QString& digits) { return QString(digits).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(); }
+
+bool same(double a, double b) { return std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b)); }
+
+/// SI of one, and what it measures.
+struct TitleUnit {
+    double factor;
+    std::vector<Attribute> of;
+};
+
+const std::map<QString, TitleUnit>& titleUnits() {
+    static const std::map<QString, TitleUnit> units{{QStringLiteral("N/m"), {1.0, {Attribute::stiffness}}},
+                                                    {QStringLiteral("N·s/m"), {1.0, {Attribute::viscosity}}},
+                                                    {QStringLiteral("kg"), {1.0, {Attribute::mass}}},
+                                                    {QStringLiteral("g"), {1e-3, {Attribute::mass}}},
+                                                    {QStringLiteral("s"), {1.0, {Attribute::deformation}}},
+                                                    {QStringLiteral("ms"), {1e-3, {Attribute::deformation}}},
+                                                    {QStringLiteral("cm"), {1e-2, {Attribute::apex, Attribute::roughness}}},
+                                                    {QStringLiteral("mm"), {1e-3, {Attribute::apex, Attribute::roughness}}},
+                                                    {QStringLiteral("µm"), {1e-6, {Attribute::roughness}}}};
+    return units;
+}
+
+void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition& condition, int at, const QLocale& locale) {
+    static const QRegularExpression withUnit = pattern(QStringLiteral("(\\d+(?:[.,]\\d+)?)\\s*(N·s/m|N/m|kg|g|ms|s|cm|mm|µm)(?![\\w/·])"));
+    static const QRegularExpression plain = pattern(QStringLiteral("(?<![\\w.,])(\\d+[.,]\\d+)(?![\\w.,]|\\s*(?:N|kg|g|m|s|c|µ|%))"));
+    const psychophysics::StimulusDesign& stimulus = condition.stimulus;
+    const QString setting = TextClaims::tr("the reference is %1").arg(study_words::value(stimulus.reference, stimulus.attribute, locale));
+    for (const auto& [language, words] : condition.title) {
+        const QString title = QString::fromStdString(words).replace(QChar(0x03BC), QChar(0x00B5)); // two letters mean micro
+        const auto tell = [&](const QString& said) { claims.push_back({Where::title, at, QString::fromStdString(language), said, setting}); };
+        for (auto each = withUnit.globalMatch(title); each.hasNext();) {
+            const QRegularExpressionMatch match = each.next();
+            const auto unit = titleUnits().find(match.captured(2));
+            if (unit == titleUnits().end())
+                continue;
+            const std::vector<Attribute>& of = unit->second.of;
+            if (std::find(of.begin(), of.end(), stimulus.attribute) == of.end() || !same(numberIn(match.captured(1)) * unit->second.factor, stimulus.reference))
+                tell(match.captured(0));
+        }
+        if (stimulus.attribute == Attribute::friction) // the one that has no unit
+            for (auto each = plain.globalMatch(title); each.hasNext();)
+                if (const QRegularExpressionMatch match = each.next(); !same(numberIn(match.captured(1)), stimulus.reference))
+                    tell(match.captured(1));
+    }
+}
+
+/// Sentences that hold only with a setting.
+std::vector<Expected> expectations() {
+    return {{"three out of four|drei von vier|τρεις από τέσσερις",
+             [](const StudyDesign& d) { return std::any_of(d.conditions.begin(), d.conditions.end(), [](const auto& each) { return same(each.criterion, 0.75); }); },
+             TextClaims::tr("the criterion is not 75 %")},
+            {"cannot see|can't see|unseen|invisible|nicht sehen|unsichtbar\\w*|δεν βλέπετε|αόρατ\\w*", [](const StudyDesign& d) { return !d.trial.visibleObjects; },
+             TextClaims::tr("the objects are shown")},
+            {"look alike|sehen gleich aus|φαίνονται ίδι\\w*", [](const StudyDesign& d) { return d.trial.visibleObjects; }, TextClaims::tr("the objects are not shown")},
+            {"as long as you like|no hurry|no time limit|so lange Sie möchten|solange Sie möchten|ohne Zeitdruck|όση ώρα θέλετε|χωρίς χρονικό όριο",
+             [](const StudyDesign& d) { return d.trial.exploreLimit_s <= 0.0; }, TextClaims::tr("the time to explore is limited")}};
+}
+
+int numberOfWord(const QString& word) {
+    static const std::map<QString, int> numbers{{QStringLiteral("one"), 1},   {QStringLiteral("two"), 2},    {QStringLiteral("three"), 3}, {QStringLiteral("four"), 4},
+                                                {QStringLiteral("zwei"), 2},  {QStringLiteral("zweier"), 2}, {QStringLiteral("drei"), 3},  {QStringLiteral("dreier"), 3},
+                                                {QStringLiteral("vier"), 4},  {QStringLiteral("δύο"), 2},    {QStringLiteral("τρία"), 3},  {QStringLiteral("τρεις"), 3},
+                                                {QStringLiteral("τριών"), 3}, {QStringLiteral("τέσσερα"), 4}, {QStringLiteral("τέσσερις"), 4}};
+    const auto found = numbers.find(word.toLower());
+    return found == numbers.end() ? word.toInt() : found->second;
+}
+
+/// What sentences say of how many, and of how long.
+struct Counts {
+    std::vector<double> objects, trials, seconds;
+};
+
+Counts countsOf(const StudyDesign& design) {
+    Counts counts;
+    const session::ParticipantView view = session::participantView(design);
+    for (const session::PartView& part : view.parts) {
+        counts.objects.push_back(part.objects);
+        counts.trials.insert(counts.trials.end(), {static_cast<double>(part.trialsAtMost), static_cast<double>(part.practice)});
+    }
+    counts.trials.push_back(design.trial.breakEvery);
+    counts.seconds = {design.trial.exploreLimit_s, design.trial.answerLimit_s, design.trial.breakAtLeast_s, design.trial.betweenTrials_s};
+    return counts;
+}
+
+void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts, Where where) {
+    static const QString kNumber = QStringLiteral("(?<!\\w)(\\d+|one|two|three|four|zweier|zwei|dreier|drei|vier|δύο|τρία|τρεις|τριών|τέσσερα|τέσσερις)\\s+");
+    static const QRegularExpression objects = pattern(kNumber + QStringLiteral("(?:objects|tubes|surfaces|spheres|Objekten?|Schläuchen?|Oberflächen|Kugeln|αντικείμενα|αντικειμένων|σωλήνες|σωλήνων|επιφάνειες|επιφανειών)(?!\\w)"));
+    static const QRegularExpression trials = pattern(kNumber + QStringLiteral("(?:trials|Durchgängen?|δοκιμές|δοκιμών)(?!\\w)"));
+    static const QRegularExpression seconds = pattern(kNumber + QStringLiteral("(?:seconds|Sekunden|δευτερόλεπτα|δευτερολέπτων)(?!\\w)"));
+    const Counts counts = countsOf(design);
+    for (const auto& [language, words] : texts) {
+        const QString text = QString::fromStdString(words);
+        const auto tell = [&](const QString& said, const QString& setting) { claims.push_back({where, -1, QString::fromStdString(language), said, setting}); };
+        const auto count = [&](const QRegularExpression& says, const std::vector<double>& set, const QString& setting) {
+            for (auto each = says.globalMatch(text); each.hasNext();) {
+                const QRegularExpressionMatch match = each.next();
+                const double number = numberOfWord(match.captured(1));
+                if (std::none_of(set.begin(), set.end(), [number](double value) { return same(value, number); }))
+                    tell(match.captured(0), setting);
+            }
+        };
+        count(objects, counts.objects, TextClaims::tr("the task has another number of objects"));
+        count(trials, counts.trials, TextClaims::tr("another number of trials is set"));
+        count(seconds, counts.seconds, TextClaims::tr("another time is set"));
+        for (const Expected& each : expectations())
+            if (const QRegularExpressionMatch match = pattern(QString::fromUtf8(each.words)).match(text); match.hasMatch() && !each.holds(design))
+                tell(match.captured(0), each.setting);
+    }
+}
+
+QString languageName(const QString& language) {
+    if (language == QStringLiteral("de"))
+        return TextClaims::tr("German");
+    return language == QStringLiteral("el") ? TextClaims::tr("Greek") : TextClaims::tr("English");
+}
+
+} // namespace
+
+std::vector<FalseClaim> falseClaims(const StudyDesign& design, const QLocale& locale) {
+    std::vector<FalseClaim> claims;
+    checkSentences(claims, design, design.objective, Where::aim);
+    checkSentences(claims, design, ownSentences(design), Where::instructions);
+    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+        checkTitle(claims, design.conditions[i], static_cast<int>(i), locale);
+    return claims;
+}
+
+QString claimWords(const FalseClaim& claim) {
+    return TextClaims::tr("The text says “%1” (%2), but %3. Change one of them.").arg(claim.said, languageName(claim.language), claim.setting);
+}
+
+QWidget* claimsNotice(const DesignPage& page, Where where, int condition) {
+    auto* words = kit::label(page.app.theme(), {}, TextStyle::small, "warning");
+    words->setObjectName(where == Where::aim ? QStringLiteral("design.objective.claims") : where == Where::instructions ? QStringLiteral("design.instructions.claims") : QStringLiteral("condition.title.claims"));
+    const auto show = [words, where, condition, &draft = page.draft, locale = page.app.locale()] {
+        QStringList said;
+        for (const FalseClaim& claim : falseClaims(draft.design(), locale))
+            if (claim.where == where && claim.condition == condition)
+                said << QStringLiteral("! ") + claimWords(claim);
+        words->setText(said.join(QLatin1Char('\n')));
+        words->setVisible(!said.isEmpty());
+    };
+    QObject::connect(&page.draft, &StudyDraft::changed, words, show);
+    show();
+    return words;
+}
+
+} // namespace chiron::desktop

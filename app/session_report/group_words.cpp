@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session_report/group_words.h"
+
+#include "session_report/study_report_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session_report {
+
+namespace {
+
+using psychophysics::WarningKind;
+using session::GroupRoll;
+using session::Presence;
+
+QString joined(const std::vector<std::string>& codes) {
+    QStringList list;
+    for (const std::string& code : codes)
+        list << QString::fromStdString(code);
+    return list.join(QStringLiteral(", "));
+}
+
+QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
+    if (!roll.codesOf(Presence::sealed).empty())
+        return Words::tr("The group value stays sealed until the study is unblinded.");
+    const int used = roll.used();
+    const int expected = roll.expected();
+    if (expected == 0)
+        return Words::tr("There is no group value: nobody takes part.");
+    if (used == 0)
+        return Words::tr("There is no group value yet: nobody has given a usable one.");
+    return used == expected ? Words::tr("The group value includes everybody who takes part.")
+                            : Words::tr("The group value includes %1 of %2 participants.").arg(locale.toString(used), locale.toString(expected));
+}
+
+/// Why they are not in it, and what to do. "%1": their codes.
+QString reason(Presence presence, bool closed) {
+    switch (presence) {
+    case Presence::notBegun:
+        return closed ? Words::tr("%1: this condition was not begun, and no run can be begun any more because the study is closed.")
+                      : Words::tr("%1: this condition has not been begun. Begin it under Run.");
+    case Presence::noAnswers:
+        return Words::tr("%1: no answer counts yet. Resume the run under Run.");
+    case Presence::allRight:
+        return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study "
+                         "and plan smaller differences.");
+    case Presence::guessing:
+        return Words::tr("%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that "
+                         "the task was understood; to measure the threshold, copy the study and plan larger differences.");
+    case Presence::unbounded:
+        return Words::tr("%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy "
+                         "the study and plan more trials or smaller differences.");
+    case Presence::noValue:
+        return Words::tr("%1: the answers give no value. The warnings of the run say why.");
+    case Presence::shown:
+        return Words::tr("%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.");
+    case Presence::simulated:
+        return Words::tr("%1: simulated, and therefore left out of a group of people.");
+    case Presence::withdrawn:
+        return Words::tr("%1: withdrawn, and therefore left out.");
+    case Presence::used:
+    case Presence::sealed:
+        break;
+    }
+    return {};
+}
+
+QString notCompared(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b) {
+    for (const auto& [roll, name] : {std::pair{&first, a}, std::pair{&second, b}})
+        if (roll->used() == 0)
+            return Words::tr("“%1” and “%2” are not compared yet: “%3” has no group value.").arg(a, b, name);
+    std::vector<std::string> both;
+    for (const std::string& code : first.codesOf(Presence::used))
+        if (second.of(code) == Presence::used)
+            both.push_back(code);
+    return both.empty() ? Words::tr("“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.").arg(a, b)
+                        : Words::tr("“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.")
+                              .arg(a, b, joined(both));
+}
+
+/// The same in a few words.
+QString whyNot(Presence presence) {
+    switch (presence) {
+    case Presence::used:
+        return Words::tr("in the group value");
+    case Presence::sealed:
+        return Words::tr("sealed");
+    case Presence::notBegun:
+        return Words::tr("not begun");
+    case Presence::noAnswers:
+        return Words::tr("no answer counts yet");
+    case Presence::allRight:
+        return Words::tr("every answer was right");
+    case Presence::guessing:
+        return Words::tr("hardly better than guessing");
+    case Presence::unbounded:
+        return Words::tr("the value comes from prior assumptions");
+    case Presence::noValue:
+        return Words::tr("the answers give no value");
+    case Presence::shown:
+        return Words::tr("shown, not felt");
+    case Presence::simulated:
+        return Words::tr("simulated");
+    case Presence::withdrawn:
+        return Words::tr("withdrawn");
+    }
+    return {};
+}
+
+/// Left out of a whole study, which its groups tell.
+bool isOut(Presence presence) { return presence == Presence::withdrawn || presence == Presence::simulated; }
+
+/// Whether a run of theirs belongs to the group, with a value or without.
+bool belongs(Presence presence) { return presence != Presence::notBegun && presence != Presence::shown && !isOut(presence); }
+
+/// Who takes part and is not in the comparison of two conditions, and why. `groups`: it is of different people, and who did both is in neither.
+QStringList missing(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b, bool groups) {
+    QStringList said;
+    std::vector<std::string> codes;
+    for (const GroupRoll* roll : {&first, &second})
+        for (const session::RolledPerson& person : roll->people)
+            if (std::find(codes.begin(), codes.end(), person.code) == codes.end())
+                codes.push_back(person.code);
+    for (const std::string& code : codes) {
+        const Presence inFirst = first.of(code), inSecond = second.of(code);
+        const bool inPair = inFirst == Presence::used && inSecond == Presence::used;
+        const bool inGroup = (inFirst == Presence::used && !belongs(inSecond)) || (inSecond == Presence::used && !belongs(inFirst));
+        if ((groups ? inGroup : inPair) || isOut(inFirst) || isOut(inSecond))
+            continue;
+        said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).").arg(QString::fromStdString(code), a, whyNot(inFirst), b, whyNot(inSecond));
+    }
+    return said;
+}
+
+} // namespace
+
+QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
+    QStringList said{whetherThereIsOne(roll, locale)};
+    if (!roll.codesOf(Presence::sealed).empty())
+        return said;
+    for (const Presence presence : {Presence::notBegun, Presence::noAnswers, Presence::allRight, Presence::guessing, Presence::unbounded, Presence::noValue,
+                                    Presence::shown, Presence::simulated, Presence::withdrawn})
+        if (const std::vector<std::string> codes = roll.codesOf(presence); !codes.empty())
+            said << reason(presence, roll.closed).arg(joined(codes));
+    const bool simulatedAlone = roll.enrolled == 0 && !roll.people.empty();
+    if (!roll.closed && !simulatedAlone && roll.enrolled < roll.planned)
+        said << Words::tr("So far %1 of %2 planned participants are enrolled. Enrol the others on the study's page.").arg(locale.toString(roll.enrolled), locale.toString(roll.planned));
+    std::vector<std::string> open;
+    for (const session::RolledPerson& person : roll.people)
+        if (person.open && person.presence == Presence::used)
+            open.push_back(person.code);
+    if (!open.empty())
+        said << Words::tr("%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.").arg(joined(open));
+    return said;
+}
+
+std::vector<psychophysics::Warning> furtherWarnings(const std::vector<psychophysics::Warning>& warnings) {
+    std::vector<psychophysics::Warning> further;
+    for (const psychophysics::Warning& warning : warnings)
+        switch (warning.kind) {
+        case WarningKind::leftOutParticipants:
+        case WarningKind::noParticipants:
+        case WarningKind::withdrawn:
+        case WarningKind::simulatedLeftOut:
+        case WarningKind::shownLeftOut:
+        case WarningKind::sealed:
+            break;
+        default:
+            further.push_back(warning);
+        }
+    return further;
+}
+
+QString presenceWords(Presence presence) {
+    if (presence == Presence::used)
+        return Words::tr("yes");
+    return presence == Presence::sealed ? whyNot(presence) : Words::tr("no: %1").arg(whyNot(presence));
+}
+
+QString markedValue(const QString& value, const psychophysics::RunEstimate& estimate) {
+    return estimate.warnings.empty() || !std::isfinite(estimate.weber) ? value : QStringLiteral("! ") + value;
+}
+
+QString markMeaning() { return Words::tr("“!” before a value: the run has warnings. Read them before you use the value."); }
+
+QStringList comparisonSentences(const std::vector<GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
+                                const std::function<QString(std::size_t)>& name) {
+    QStringList said;
+    for (std::size_t i = 0; i < rolls.size(); ++i)
+        for (std::size_t j = i + 1; j < rolls.size(); ++j) {
+            const auto found = std::find_if(compared.begin(), compared.end(), [&](const auto& each) { return each.first == i && each.second == j; });
+            if (found == compared.end())
+                said << notCompared(rolls[i], rolls[j], name(i), name(j));
+            said << missing(rolls[i], rolls[j], name(i), name(j), found != compared.end() && !found->weber.paired);
+        }
+    return said;
+}
+
+} // namespace chiron::session_report

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a group's value rests on, and what a comparison waits for: one statement, which names everybody and never contradicts itself.
+#include "psychophysics/study/group_estimate.h"
+#include "report/plot_view.h"
+#include "session/study/study_analysis.h"
+#include "session_report/group_words.h"
+#include "session_report/marked_estimates.h"
+
+#include <QtTest>
+
+using namespace chiron;
+using psychophysics::WarningKind;
+using session::Presence;
+
+namespace {
+
+constexpr std::array kAll{Presence::used,  Presence::sealed,  Presence::notBegun, Presence::noAnswers, Presence::allRight, Presence::guessing,
+                          Presence::unbounded, Presence::noValue, Presence::shown,    Presence::simulated, Presence::withdrawn};
+
+session::GroupRoll rollOf(std::vector<std::pair<std::string, Presence>> people) {
+    session::GroupRoll roll;
+    for (auto& [code, presence] : people)
+        roll.people.push_back({code, presence, false});
+    return roll;
+}
+
+psychophysics::RunEstimate estimateWith(double weber, std::vector<psychophysics::Warning> warnings) {
+    psychophysics::RunEstimate estimate;
+    estimate.trials = 40;
+    estimate.weber = weber;
+    estimate.weber95 = {0.7 * weber, 1.4 * weber};
+    estimate.warnings = std::move(warnings);
+    return estimate;
+}
+
+const QLocale kEnglish{QLocale::English, QLocale::UnitedKingdom};
+QString nameOf(std::size_t at) { return at == 0 ? QStringLiteral("Soft") : QStringLiteral("Stiff"); }
+
+} // namespace
+
+class TestGroupWords : public QObject {
+    Q_OBJECT
+private slots:
+    void everybodyIsNamedOnce();
+    void noValueIsSaidOnce();
+    void closedStudiesBeginNothing();
+    void whyARunIsNotUsed();
+    void theGroupAgreesWithItsRoll();
+    void comparisonsSayWhatTheyWaitFor();
+    void doubtIsSeen();
+};
+
+void TestGroupWords::everybodyIsNamedOnce() {
+    session::GroupRoll roll;
+    for (const Presence presence : kAll)
+        if (presence != Presence::sealed)
+            roll.people.push_back({"P" + std::to_string(static_cast<int>(presence)), presence, false});
+    const QStringList said = session_report::groupSentences(roll, kEnglish);
+    QCOMPARE(said.front(), QStringLiteral("The group value includes 1 of 8 participants.")); // withdrawn and simulated ones take no part
+    for (const session::RolledPerson& person : roll.people) {
+        const auto named = said.filter(QRegularExpression(QStringLiteral("\\b%1\\b").arg(QString::fromStdString(person.code)))).size();
+        QCOMPARE(named, person.presence == Presence::used ? 0 : 1);
+        QVERIFY(!session_report::presenceWords(person.presence).isEmpty());
+    }
+    roll.people.front().open = true; // used, and not finished
+    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("may still change")));
+    QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::used}, {"B", Presence::used}}), kEnglish), QStringList{QStringLiteral("The group value includes everybody who takes part.")});
+}
+
+/// Where there is none no sentence speaks of one, and no warning says the same again.
+void TestGroupWords::noValueIsSaidOnce() {
+    const QStringList said = session_report::groupSentences(rollOf({{"A", Presence::allRight}, {"B", Presence::notBegun}}), kEnglish);
+    QVERIFY(said.front().startsWith(QStringLiteral("There is no group value yet")));
+    QVERIFY(!said.join(u' ').contains(QStringLiteral("includes")));
+    QVERIFY(said.join(u' ').contains(QStringLiteral("A: every answer was right")) && said.join(u' ').contains(QStringLiteral("B: this condition has not been begun")));
+    const auto group = psychophysics::estimateGroup({estimateWith(0.01, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})}, 1);
+    QVERIFY(psychophysics::hasWarning(group.warnings, WarningKind::noParticipants)); // as data have it
+    QVERIFY(session_report::furtherWarnings(group.warnings).empty());
+    QVERIFY(session_report::groupSentences({}, kEnglish).front().contains(QStringLiteral("nobody takes part")));
+    QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::sealed}, {"B", Presence::sealed}}), kEnglish).size(), 1);
+}
+
+void TestGroupWords::closedStudiesBeginNothing() {
+    session::GroupRoll roll = rollOf({{"A", Presence::notBegun}});
+    QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it under Run")));
+    roll.planned = 12;
+    roll.enrolled = 1;
+    QVERIFY(session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("1 of 12 planned")));
+    roll.closed = true;
+    QVERIFY(!session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("planned"))); // nobody can be enrolled
+    QVERIFY(!session_report::groupSentences(roll, kEnglish).last().contains(QStringLiteral("Begin it")));
+}
+
+void TestGroupWords::whyARunIsNotUsed() {
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {})), Presence::used);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::fewTrials, 5}})), Presence::used); // doubtful, and used
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})), Presence::allRight);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}})), Presence::guessing);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}})), Presence::unbounded);
+    QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {})), Presence::noValue);
+    psychophysics::RunEstimate none;
+    QCOMPARE(session::presenceOf(none), Presence::noAnswers);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::sealed}})), Presence::sealed);
+    QSet<QString> tokens;
+    for (const Presence presence : kAll)
+        tokens.insert(QString::fromUtf8(session::presenceToken(presence).data()));
+    QCOMPARE(tokens.size(), qsizetype(kAll.size()));
+}
+
+/// As many are used as the group's value is of; also of numbers said, which have an exponent and no Weber fraction.
+void TestGroupWords::theGroupAgreesWithItsRoll() {
+    psychophysics::RunEstimate said;
+    said.method = psychophysics::EstimateMethod::numbersSaid;
+    said.trials = 20;
+    said.exponent = 0.8;
+    psychophysics::RunEstimate nothing = said;
+    nothing.exponent = std::nan("");
+    const std::vector<std::vector<psychophysics::RunEstimate>> groups{{said, said, nothing},
+                                                                      {estimateWith(0.1, {}), estimateWith(0.2, {}), estimateWith(0.1, {{WarningKind::priorEdgeHigh}})}};
+    for (const auto& runs : groups) {
+        const auto group = psychophysics::estimateGroup(runs, 1);
+        QCOMPARE(group.participants, 2);
+        QCOMPARE(group.leftOut, 1);
+        QVERIFY(!psychophysics::hasWarning(group.warnings, WarningKind::noParticipants));
+        QCOMPARE(std::count_if(runs.begin(), runs.end(), [](const auto& run) { return session::presenceOf(run) == Presence::used; }), 2);
+    }
+}
+
+void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
+    using session_report::comparisonSentences;
+    const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}});
+    QStringList said = comparisonSentences({soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf);
+    QVERIFY2(said.front().contains(QStringLiteral("“Stiff” has no group value")), qPrintable(said.front()));
+    QVERIFY(said.join(u' ').contains(QStringLiteral("A is not in this comparison (“Soft”: in the group value; “Stiff”: not begun)")));
+    QVERIFY(said.join(u' ').contains(QStringLiteral("B is not in this comparison (“Soft”: in the group value; “Stiff”: every answer was right)")));
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf);
+    QVERIFY2(said.front().contains(QStringLiteral("only A has a usable value in both")), qPrintable(said.front()));
+    session::ComparedConditions paired{0, 1, {}, {}};
+    QVERIFY(comparisonSentences({soft, soft}, {paired}, nameOf).isEmpty());
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired}, nameOf);
+    QCOMPARE(said.size(), 1); // it is there, and says who is not in it
+    QVERIFY(said.front().startsWith(QStringLiteral("B is not in this comparison")));
+    session::ComparedConditions groups{0, 1, {}, {}};
+    groups.weber.paired = false;
+    QVERIFY(comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::notBegun}}), rollOf({{"A", Presence::notBegun}, {"B", Presence::used}})}, {groups}, nameOf).isEmpty());
+}
+
+void TestGroupWords::doubtIsSeen() {
+    using session_report::markedValue;
+    QCOMPARE(markedValue(QStringLiteral("10 %"), estimateWith(0.1, {})), QStringLiteral("10 %"));
+    QCOMPARE(markedValue(QStringLiteral("10 %"), estimateWith(0.1, {{WarningKind::chance}})), QStringLiteral("! 10 %"));
+    QCOMPARE(markedValue(QStringLiteral("–"), estimateWith(std::nan(""), {{WarningKind::noTrials}})), QStringLiteral("–"));
+    session_report::MarkedEstimates estimates;
+    QVERIFY(estimates.empty());
+    estimates.add(0.0, estimateWith(0.1, {}), Presence::used);
+    estimates.add(1.0, estimateWith(0.1, {{WarningKind::lapses}}), Presence::used);
+    estimates.add(2.0, estimateWith(0.1, {{WarningKind::allRight}}), Presence::allRight);
+    report::PlotView plot{report::PlotTheme{}};
+    estimates.draw(plot);
+    QCOMPARE(plot.legendTexts().size(), 3); // in words, not by colour
+}
+
+QTEST_MAIN(TestGroupWords)
+#include "test_group_words.moc"

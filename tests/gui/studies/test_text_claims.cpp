@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every template in every language says what its settings do; and once a setting is changed, what says otherwise is found.
+#include "catalogue/study_catalogue.h"
+#include "desktop/studies/freeze_checks.h"
+#include "desktop/studies/new_study_dialog.h"
+#include "desktop/studies/text_claims.h"
+
+#include <QtTest>
+#include <set>
+
+using namespace chiron;
+using desktop::FalseClaim;
+using psychophysics::StudyDesign;
+using psychophysics::Task;
+
+namespace {
+
+const QLocale kEnglish{QLocale::English, QLocale::UnitedKingdom};
+
+QString told(const std::vector<FalseClaim>& claims) {
+    QString words;
+    for (const FalseClaim& claim : claims)
+        words += desktop::claimWords(claim) + QLatin1Char('\n');
+    return words;
+}
+
+std::set<QString> languagesOf(const std::vector<FalseClaim>& claims, FalseClaim::Where where) {
+    std::set<QString> languages;
+    for (const FalseClaim& claim : claims)
+        if (claim.where == where)
+            languages.insert(claim.language);
+    return languages;
+}
+
+const std::set<QString> kAll{QStringLiteral("de"), QStringLiteral("el"), QStringLiteral("en")};
+
+} // namespace
+
+class TestTextClaims : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        const auto loaded = catalogue::StudyCatalogue::load();
+        QVERIFY(loaded);
+        m_templates = loaded->studies();
+        QVERIFY(m_templates.size() >= 12);
+    }
+    void everyTemplateIsTrue();
+    void anotherReferenceIsFoundInEveryTitle();
+    void anotherTaskIsFound();
+    void whatIsSeenIsFound();
+    void anotherCriterionIsFound();
+    void timeAndTrialsAreFound();
+    void otherTextsStand();
+    void freezingSaysSo();
+
+private:
+    StudyDesign of(const std::string& id) const {
+        const auto found = std::find_if(m_templates.begin(), m_templates.end(), [&](const StudyDesign& each) { return each.id == id; });
+        return found == m_templates.end() ? StudyDesign() : *found;
+    }
+    std::vector<StudyDesign> m_templates;
+};
+
+void TestTextClaims::everyTemplateIsTrue() {
+    m_templates.push_back(desktop::plainStudy());
+    for (const StudyDesign& each : m_templates) {
+        const auto claims = desktop::falseClaims(each, kEnglish);
+        QVERIFY2(claims.empty(), qPrintable(QString::fromStdString(each.id) + QStringLiteral(": ") + told(claims)));
+    }
+    m_templates.pop_back();
+}
+
+/// Each title that holds a number is understood in all its languages: else the test above would say nothing.
+void TestTextClaims::anotherReferenceIsFoundInEveryTitle() {
+    int found = 0;
+    for (StudyDesign design : m_templates)
+        for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+            if (!QString::fromStdString(design.conditions[i].title.at("en")).contains(QRegularExpression(QStringLiteral("\\d"))))
+                continue;
+            design.conditions[i].stimulus.reference *= 2.0;
+            const auto claims = desktop::falseClaims(design, kEnglish);
+            QVERIFY2(languagesOf(claims, FalseClaim::Where::title) == kAll, design.id.c_str());
+            QCOMPARE(claims.front().condition, static_cast<int>(i));
+            ++found;
+        }
+    QVERIFY(found >= 10);
+}
+
+void TestTextClaims::anotherTaskIsFound() {
+    for (const auto& [id, task] : {std::pair{"stiffness_2afc", Task::rank3}, {"stiffness_elastic_tube", Task::twoAfc}, {"surgeons", Task::twoAfc}}) {
+        StudyDesign design = of(id);
+        for (psychophysics::Condition& condition : design.conditions)
+            condition.task = task;
+        QVERIFY2(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll, id);
+    }
+}
+
+void TestTextClaims::whatIsSeenIsFound() {
+    StudyDesign apex = of("apex");
+    apex.trial.visibleObjects = true;
+    const auto claims = desktop::falseClaims(apex, kEnglish);
+    QVERIFY2(languagesOf(claims, FalseClaim::Where::instructions) == kAll && languagesOf(claims, FalseClaim::Where::aim) == kAll, qPrintable(told(claims)));
+    StudyDesign mass = of("mass");
+    mass.trial.visibleObjects = false;
+    QVERIFY(languagesOf(desktop::falseClaims(mass, kEnglish), FalseClaim::Where::instructions) == kAll);
+}
+
+void TestTextClaims::anotherCriterionIsFound() {
+    StudyDesign design = of("stiffness_2afc");
+    design.conditions.front().criterion = 0.8;
+    QVERIFY(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::aim) == kAll);
+}
+
+void TestTextClaims::timeAndTrialsAreFound() {
+    StudyDesign design = of("stiffness_elastic_tube");
+    design.ownInstructions = psychophysics::StudyText{{"en", "Take as long as you like."}, {"de", "Sie haben 45 Sekunden."}, {"el", "Υπάρχουν 12 δοκιμές."}};
+    QVERIFY(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions) == kAll);
+    design.trial.exploreLimit_s = 0.0; // then one may take as long as one likes, and 45 s are nothing still
+    QCOMPARE(languagesOf(desktop::falseClaims(design, kEnglish), FalseClaim::Where::instructions), (std::set<QString>{QStringLiteral("de"), QStringLiteral("el")}));
+    design.trial.answerLimit_s = 45.0;
+    design.trial.breakEvery = 12;
+    QVERIFY(desktop::falseClaims(design, kEnglish).empty());
+}
+
+/// What is not understood is nobody's fault.
+void TestTextClaims::otherTextsStand() {
+    StudyDesign design = of("stiffness_elastic_tube");
+    design.conditions.front().title = {{"en", "Group 3 (2), day 5"}};
+    design.ownInstructions = psychophysics::StudyText{{"en", "Pull twice. One of them differs."}};
+    design.objective = {{"en", "Whether 12 people feel 5 % of 0.3."}};
+    const auto claims = desktop::falseClaims(design, kEnglish);
+    QVERIFY2(claims.empty(), qPrintable(told(claims)));
+}
+
+void TestTextClaims::freezingSaysSo() {
+    StudyDesign design = of("stiffness_elastic_tube");
+    const auto check = [&] {
+        for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, {}, kEnglish))
+            if (each.name == QStringLiteral("texts"))
+                return each;
+        return desktop::FreezeCheck();
+    };
+    QCOMPARE(check().state, desktop::FreezeCheck::State::good);
+    design.conditions.front().stimulus.reference = 120.0;
+    QCOMPARE(check().state, desktop::FreezeCheck::State::advice);
+    QVERIFY2(check().words.contains(QStringLiteral("60 N/m")) && check().words.contains(QStringLiteral("120")), qPrintable(check().words));
+    QCOMPARE(check().field, QStringLiteral("condition.title"));
+}
+
+QTEST_MAIN(TestTextClaims)
+#include "test_text_claims.moc"
