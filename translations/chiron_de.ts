@@ -76,6 +76,10 @@
             <numerusform>Neuer Versuch in %n Sekunden</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Wrong password. Passwords are case-sensitive.</source>
+        <translation>Falsches Passwort. Groß- und Kleinschreibung wird unterschieden.</translation>
+    </message>
 </context>
 <context>
     <name>AnswerNote</name>
@@ -102,10 +106,6 @@
     <message>
         <source>Trial completed</source>
         <translation>Durchgang abgeschlossen</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
     <message>
         <source>Right: there was no lump</source>
@@ -779,6 +779,14 @@ Einzelheiten: %2</translation>
             <numerusform>%n Durchgänge vor jeder Bedingung.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Nothing in the aim, the instructions or the titles contradicts the settings.</source>
+        <translation>Nichts in Ziel, Anleitung und Titeln widerspricht den Einstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -805,6 +813,37 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1: none</source>
         <translation>%1: keine</translation>
+    </message>
+</context>
+<context>
+    <name>GraspNote</name>
+    <message>
+        <source>Nothing was grasped</source>
+        <translation>Nichts gefasst</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the fold still lies over the tube. Retract it first.</source>
+        <translation>Nichts gefasst: Die Falte liegt noch über dem Schlauch. Ziehen Sie sie zuerst zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped. Open the jaws and try again.</source>
+        <translation>Nichts gefasst. Öffnen Sie das Maul und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Nichts gefasst: Der Rand der Falte war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Nichts gefasst: Das Objekt war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Nichts gefasst: Die Stelle, an der sich der Schlauch fassen lässt, war %1 mm entfernt. Öffnen Sie das Maul und gehen Sie näher heran.</translation>
+    </message>
+    <message>
+        <source>Nothing is grasped: the jaws are closed. Open them wide, then close them here.</source>
+        <translation>Nichts gefasst: Das Maul ist geschlossen. Öffnen Sie es weit und schließen Sie es dann hier.</translation>
     </message>
 </context>
 <context>
@@ -1445,24 +1484,12 @@ Einzelheiten: %2</translation>
         <translation>Ausrichtung, quadratisches Mittel</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.</source>
-        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr.</translation>
-    </message>
-    <message>
         <source>Alignment at the bend</source>
         <translation>Ausrichtung an der Biegung</translation>
     </message>
     <message>
-        <source>The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.</source>
-        <translation>Derselbe Winkel auf dem Weg hinein, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss.</translation>
-    </message>
-    <message>
         <source>Alignment round the bend</source>
         <translation>Ausrichtung in der Biegung</translation>
-    </message>
-    <message>
-        <source>The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most.</source>
-        <translation>Derselbe Winkel auf dem Weg hinein, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gekrümmt ist.</translation>
     </message>
     <message>
         <source>Trauma events</source>
@@ -1992,6 +2019,18 @@ Einzelheiten: %2</translation>
         <source>the true position of the apex is not known</source>
         <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow for them.</source>
+        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen. Der Ring zeigt, wohin die Harnröhre weiter vorn führt; in einer Biegung bleiben deshalb einige Grad, obwohl er in der Bildmitte liegt. Die Bestehensgrenzen berücksichtigen das.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
+        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
+        <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gebogen ist. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
+    </message>
 </context>
 <context>
     <name>PaletteSearch</name>
@@ -2283,6 +2322,85 @@ Einzelheiten: %2</translation>
         <source>Questions</source>
         <translation>Fragen</translation>
     </message>
+    <message>
+        <source>%1 before, %2 after each condition, %3 after</source>
+        <translation>%1 vorher, %2 nach jeder Bedingung, %3 nachher</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantProgress</name>
+    <message>
+        <source>interrupted, %1</source>
+        <translation>unterbrochen, %1</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1 of at most %2</source>
+        <translation>unterbrochen bei Durchgang %1 von höchstens %2</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1</source>
+        <translation>unterbrochen bei Durchgang %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>broken off when the participant withdrew</source>
+        <translation>abgebrochen, als sich die Person zurückzog</translation>
+    </message>
+    <message>
+        <source>not begun, and the study is closed</source>
+        <translation>nicht begonnen, und die Studie ist geschlossen</translation>
+    </message>
+    <message>
+        <source>not begun yet</source>
+        <translation>noch nicht begonnen</translation>
+    </message>
+    <message>
+        <source>This participant is simulated: its runs are made on the command line.</source>
+        <translation>Diese Person ist simuliert: Ihre Läufe entstehen auf der Befehlszeile.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to do: this participant has withdrawn. If another is to take their place, enrol somebody.</source>
+        <translation>Es ist nichts mehr zu tun: Diese Person hat sich zurückgezogen. Soll jemand anderes ihren Platz einnehmen, nehmen Sie jemanden auf.</translation>
+    </message>
+    <message>
+        <source>Bring the study back from the archive before this participant goes on.</source>
+        <translation>Holen Sie die Studie aus dem Archiv zurück, bevor diese Person weitermacht.</translation>
+    </message>
+    <message>
+        <source>Record the consent. Then the first condition can be begun.</source>
+        <translation>Halten Sie die Einwilligung fest. Dann kann die erste Bedingung beginnen.</translation>
+    </message>
+    <message>
+        <source>Press Run and resume “%1” at the trial where it stopped. If this participant does not come back, withdraw them: what they did is kept.</source>
+        <translation>Drücken Sie „Durchführen“ und setzen Sie „%1“ bei dem Durchgang fort, bei dem unterbrochen wurde. Kommt diese Person nicht wieder, ziehen Sie sie zurück: Was sie getan hat, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
+        <translation>„%1“ kann nicht mehr beginnen, weil die Studie geschlossen ist. Die erledigten Bedingungen zählen.</translation>
+    </message>
+    <message>
+        <source>Press Run and begin “%1”.</source>
+        <translation>Drücken Sie „Durchführen“ und beginnen Sie „%1“.</translation>
+    </message>
+    <message>
+        <source>Every condition is done. The questionnaire “%1” is not answered yet.</source>
+        <translation>Alle Bedingungen sind erledigt. Der Fragebogen „%1“ ist noch nicht beantwortet.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to do: this participant has done everything.</source>
+        <translation>Es ist nichts mehr zu tun: Diese Person hat alles erledigt.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -2459,6 +2577,20 @@ Einzelheiten: %2</translation>
     <message>
         <source>During the trials you hear a steady noise.</source>
         <translation>Während der Durchgänge hören Sie ein gleichmäßiges Rauschen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>After each part you answer %n question(s) about it.</source>
+        <translation>
+                <numerusform>Nach jedem Teil beantworten Sie %n Frage dazu.</numerusform>
+                <numerusform>Nach jedem Teil beantworten Sie %n Fragen dazu.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s) about them.</source>
+        <translation>
+                <numerusform>Nach den Durchgängen beantworten Sie %n Frage dazu.</numerusform>
+                <numerusform>Nach den Durchgängen beantworten Sie %n Fragen dazu.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -3536,6 +3668,36 @@ Möchten Sie die Datei ersetzen?</translation>
             <numerusform>%n Personen hätten keine Administrationsrechte mehr.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Line %1: the login name %2 belongs to %3 today; it used to be that of %4. Check who is meant.</source>
+        <translation>Zeile %1: Der Anmeldename %2 gehört heute %3; früher war er der von %4. Prüfen Sie, wer gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Line %1: several people had the login name %2 before and nobody has it today, so nobody is changed. Write today&apos;s login name in the list.</source>
+        <translation>Zeile %1: Mehrere Personen hatten früher den Anmeldenamen %2, heute hat ihn niemand; deshalb wird niemand geändert. Schreiben Sie den heutigen Anmeldenamen in die Liste.</translation>
+    </message>
+    <message>
+        <source>Line %1: this is the same person as in line %2, under another login name. Only line %2 counts.</source>
+        <translation>Zeile %1: Das ist dieselbe Person wie in Zeile %2, unter einem anderen Anmeldenamen. Nur Zeile %2 zählt.</translation>
+    </message>
+    <message>
+        <source>%1, known as %2 today</source>
+        <translation>%1, heute bekannt als %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are listed under an earlier login name and are recognised by it.</source>
+        <translation>
+                <numerusform>%n Person steht unter einem früheren Anmeldenamen in der Liste und wird an ihm erkannt.</numerusform>
+                <numerusform>%n Personen stehen unter einem früheren Anmeldenamen in der Liste und werden an ihm erkannt.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
+        <translation>
+                <numerusform>In %n weiteren Zeile ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
+                <numerusform>In %n weiteren Zeilen ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>
@@ -3832,6 +3994,25 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>SiteMaker</name>
+    <message>
+        <source>A study with simulated participants</source>
+        <translation>Eine Studie mit simulierten Teilnehmenden</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by a scripted operator</source>
+        <translation>%1, Stufe %2, von einer programmierten Hand</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by %3</source>
+        <translation>%1, Stufe %2, von %3</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by %3, attempt %4 of %5</source>
+        <translation>%1, Stufe %2, von %3, Versuch %4 von %5</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -4081,6 +4262,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Failed. %1</source>
         <translation>Nicht bestanden. %1</translation>
+    </message>
+    <message>
+        <source>not told by the device</source>
+        <translation>vom Gerät nicht angegeben</translation>
     </message>
 </context>
 <context>
@@ -4598,10 +4783,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>95 % prediction interval</source>
         <translation>95-%-Vorhersageintervall</translation>
-    </message>
-    <message>
-        <source>Participants included, excluded</source>
-        <translation>Personen einbezogen, ausgeschlossen</translation>
     </message>
     <message>
         <source>JND at the reference</source>
@@ -5387,6 +5568,177 @@ Einzelheiten: %2</translation>
         <source>Taken back</source>
         <translation>Zurückgenommen</translation>
     </message>
+    <message>
+        <source>The group value stays sealed until the study is unblinded.</source>
+        <translation>Der Gruppenwert bleibt versiegelt, bis die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>There is no group value: nobody takes part.</source>
+        <translation>Es gibt keinen Gruppenwert: Niemand nimmt teil.</translation>
+    </message>
+    <message>
+        <source>There is no group value yet: nobody has given a usable one.</source>
+        <translation>Es gibt noch keinen Gruppenwert: Niemand hat einen brauchbaren Wert geliefert.</translation>
+    </message>
+    <message>
+        <source>The group value includes everybody who takes part.</source>
+        <translation>Der Gruppenwert umfasst alle, die teilnehmen.</translation>
+    </message>
+    <message>
+        <source>The group value includes %1 of %2 participants.</source>
+        <translation>Der Gruppenwert umfasst %1 von %2 Teilnehmenden.</translation>
+    </message>
+    <message>
+        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <translation>%1: Diese Bedingung wurde nicht begonnen, und weil die Studie geschlossen ist, kann kein Lauf mehr beginnen.</translation>
+    </message>
+    <message>
+        <source>%1: this condition has not been begun. Begin it under Run.</source>
+        <translation>%1: Diese Bedingung ist noch nicht begonnen. Beginnen Sie sie unter „Durchführen“.</translation>
+    </message>
+    <message>
+        <source>%1: no answer counts yet. Resume the run under Run.</source>
+        <translation>%1: Noch zählt keine Antwort. Setzen Sie den Lauf unter „Durchführen“ fort.</translation>
+    </message>
+    <message>
+        <source>%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study and plan smaller differences.</source>
+        <translation>%1: Jede Antwort war richtig, die Schwelle liegt also unter dem kleinsten dargebotenen Unterschied. Um sie zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan larger differences.</source>
+        <translation>%1: Die Antworten sind kaum besser als geraten, die Schwelle liegt also vielleicht über dem größten dargebotenen Unterschied. Prüfen Sie, ob die Aufgabe verstanden wurde; um die Schwelle zu messen, kopieren Sie die Studie und planen Sie größere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
+        <translation>%1: Die Antworten grenzen die Schwelle nicht ein, der Wert beim Lauf stammt also aus Vorannahmen. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder kleinere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value. The warnings of the run say why.</source>
+        <translation>%1: Die Antworten ergeben keinen Wert. Die Warnungen des Laufs sagen, warum.</translation>
+    </message>
+    <message>
+        <source>%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.</source>
+        <translation>%1: Objekte wurden gezeigt, nicht gefühlt. Solche Läufe bleiben außen vor, wenn sie nicht ausdrücklich einbezogen werden.</translation>
+    </message>
+    <message>
+        <source>%1: simulated, and therefore left out of a group of people.</source>
+        <translation>%1: simuliert und deshalb nicht in einer Gruppe von Menschen.</translation>
+    </message>
+    <message>
+        <source>%1: withdrawn, and therefore left out.</source>
+        <translation>%1: zurückgezogen und deshalb nicht einbezogen.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: “%3” has no group value.</source>
+        <translation>„%1“ und „%2“ werden noch nicht verglichen: „%3“ hat keinen Gruppenwert.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.</source>
+        <translation>„%1“ und „%2“ werden noch nicht verglichen: Niemand hat in beiden einen brauchbaren Wert, und mindestens zwei Personen sind nötig.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.</source>
+        <translation>„%1“ und „%2“ werden noch nicht verglichen: Nur %3 hat in beiden einen brauchbaren Wert, und mindestens zwei Personen sind nötig.</translation>
+    </message>
+    <message>
+        <source>in the group value</source>
+        <translation>im Gruppenwert</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>versiegelt</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>no answer counts yet</source>
+        <translation>noch zählt keine Antwort</translation>
+    </message>
+    <message>
+        <source>every answer was right</source>
+        <translation>jede Antwort war richtig</translation>
+    </message>
+    <message>
+        <source>hardly better than guessing</source>
+        <translation>kaum besser als geraten</translation>
+    </message>
+    <message>
+        <source>the value comes from prior assumptions</source>
+        <translation>der Wert stammt aus Vorannahmen</translation>
+    </message>
+    <message>
+        <source>the answers give no value</source>
+        <translation>die Antworten ergeben keinen Wert</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>zurückgezogen</translation>
+    </message>
+    <message>
+        <source>%1 is not in this comparison (“%2”: %3; “%4”: %5).</source>
+        <translation>%1 ist nicht in diesem Vergleich („%2“: %3; „%4“: %5).</translation>
+    </message>
+    <message>
+        <source>So far %1 of %2 planned participants are enrolled. Enrol the others on the study&apos;s page.</source>
+        <translation>Bisher sind %1 von %2 geplanten Personen aufgenommen. Nehmen Sie die anderen auf der Seite der Studie auf.</translation>
+    </message>
+    <message>
+        <source>%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.</source>
+        <translation>%1: mit einem nicht beendeten Lauf im Gruppenwert, der sich also noch ändern kann. Setzen Sie den Lauf unter „Durchführen“ fort.</translation>
+    </message>
+    <message>
+        <source>no: %1</source>
+        <translation>nein: %1</translation>
+    </message>
+    <message>
+        <source>“!” before a value: the run has warnings. Read them before you use the value.</source>
+        <translation>„!“ vor einem Wert: Der Lauf hat Warnungen. Lesen Sie diese, bevor Sie den Wert verwenden.</translation>
+    </message>
+    <message>
+        <source>! with warnings</source>
+        <translation>! mit Warnungen</translation>
+    </message>
+    <message>
+        <source>! not in the group value</source>
+        <translation>! nicht im Gruppenwert</translation>
+    </message>
+    <message>
+        <source>Answers about single conditions are shown once the study is unblinded.</source>
+        <translation>Antworten zu einzelnen Bedingungen werden gezeigt, sobald die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>About the condition %1</source>
+        <translation>Zur Bedingung %1</translation>
+    </message>
+    <message>
+        <source>In the group value: %1.</source>
+        <translation>Im Gruppenwert: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 wiederholt)</translation>
+    </message>
+    <message>
+        <source>In the group, and warnings</source>
+        <translation>In der Gruppe; Warnungen</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTitles</name>
+    <message>
+        <source>copy</source>
+        <translation>Kopie</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -5788,6 +6140,57 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>TextClaims</name>
+    <message>
+        <source>the reference is %1</source>
+        <translation>die Referenz ist %1</translation>
+    </message>
+    <message>
+        <source>the criterion is not 75 %</source>
+        <translation>das Kriterium ist nicht 75 %</translation>
+    </message>
+    <message>
+        <source>the objects are shown</source>
+        <translation>die Objekte werden gezeigt</translation>
+    </message>
+    <message>
+        <source>the objects are not shown</source>
+        <translation>die Objekte werden nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>the time to explore is limited</source>
+        <translation>die Zeit zum Erkunden ist begrenzt</translation>
+    </message>
+    <message>
+        <source>the task has another number of objects</source>
+        <translation>die Aufgabe hat eine andere Zahl von Objekten</translation>
+    </message>
+    <message>
+        <source>another number of trials is set</source>
+        <translation>eine andere Zahl von Durchgängen ist eingestellt</translation>
+    </message>
+    <message>
+        <source>another time is set</source>
+        <translation>eine andere Zeit ist eingestellt</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
+    <message>
+        <source>Greek</source>
+        <translation>Griechisch</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>The text says “%1” (%2), but %3. Change one of them.</source>
+        <translation>Im Text steht „%1“ (%2), aber %3. Ändern Sie eines von beiden.</translation>
+    </message>
+</context>
+<context>
     <name>TrainingWords</name>
     <message>
         <source>Expert</source>
@@ -6050,6 +6453,13 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AccountScreen</name>
     <message>
         <source>Reading your account …</source>
@@ -6058,22 +6468,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>My account</source>
         <translation>Mein Konto</translation>
-    </message>
-    <message>
-        <source>Your own name, language and password.
-
-The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
-
-The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
-
-To change your password, first enter the one that you have now.</source>
-        <translation>Ihr eigener Name, Ihre Sprache und Ihr Passwort.
-
-Den vollständigen Namen sehen andere in Listen und Berichten; Ihre früheren Namen bleiben im Verlauf des Standorts. Den Anmeldenamen kann die Administration ändern.
-
-Die Sprache gilt sofort. Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.
-
-Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -6170,6 +6564,52 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
     <message>
         <source>Login name: %1. You can change it under People.</source>
         <translation>Anmeldename: %1. Sie können ihn unter „Personen“ ändern.</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
+
+To change your password, first enter the one that you have now.
+
+Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
+        <translation>Ihr eigener Name, Ihre Sprache und Ihr Passwort.
+
+Den vollständigen Namen sehen andere in Listen und Berichten; Ihre früheren Namen bleiben im Verlauf des Standorts. Den Anmeldenamen kann die Administration ändern.
+
+Die Sprache gilt sofort. Sie kehrt bei jeder Anmeldung an diesem Arbeitsplatz wieder und ändert für andere nichts.
+
+Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.
+
+Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich erstellen und mit ihm ein neues Passwort festlegen, falls das alte vergessen ist.</translation>
+    </message>
+    <message>
+        <source>Recovery code</source>
+        <translation>Wiederherstellungscode</translation>
+    </message>
+    <message>
+        <source>With a recovery code you can set a new password yourself if you forget yours: at the login, choose &quot;Forgot your password?&quot;.</source>
+        <translation>Mit einem Wiederherstellungscode können Sie selbst ein neues Passwort festlegen, falls Sie Ihres vergessen: Wählen Sie bei der Anmeldung „Passwort vergessen?“.</translation>
+    </message>
+    <message>
+        <source>Make a recovery code …</source>
+        <translation>Wiederherstellungscode erstellen …</translation>
+    </message>
+    <message>
+        <source>It could not be read whether you have one.
+%1</source>
+        <translation>Es konnte nicht gelesen werden, ob Sie einen haben.
+%1</translation>
+    </message>
+    <message>
+        <source>You have one. If it is lost or somebody else may have seen it, make a new one; it replaces the present one.</source>
+        <translation>Sie haben einen. Ist er verloren oder könnte ihn jemand anderes gesehen haben, erstellen Sie einen neuen; er ersetzt den jetzigen.</translation>
+    </message>
+    <message>
+        <source>You have none yet. Without it, only another administrator can help you if you forget your password.</source>
+        <translation>Sie haben noch keinen. Ohne ihn kann Ihnen, falls Sie Ihr Passwort vergessen, nur eine andere Person der Administration helfen.</translation>
     </message>
 </context>
 <context>
@@ -6684,6 +7124,38 @@ Um Ihr Passwort zu ändern, geben Sie zuerst das jetzige ein.</translation>
     <message>
         <source>(erased)</source>
         <translation>(gelöscht)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ComparisonPage</name>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Bedingungen im Vergleich</translation>
+    </message>
+    <message>
+        <source>This study has only one condition, so there is nothing to compare it with.</source>
+        <translation>Diese Studie hat nur eine Bedingung; es gibt nichts, womit sie zu vergleichen wäre.</translation>
+    </message>
+    <message>
+        <source>Weber fractions are compared. The search for an apex has none: its groups tell errors in millimetres.</source>
+        <translation>Verglichen werden Weber-Brüche. Die Suche nach einem Scheitel hat keine: Ihre Gruppen zeigen Fehler in Millimetern.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConditionQuestions</name>
+    <message>
+        <source>Please answer about the part that you have just finished, and about nothing else.</source>
+        <translation>Bitte antworten Sie zu dem Teil, den Sie gerade abgeschlossen haben, und zu nichts anderem.</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still on this page.
+%1</source>
+        <translation>Die Antworten wurden nicht gespeichert. Sie stehen noch auf dieser Seite.
+%1</translation>
     </message>
 </context>
 <context>
@@ -7336,6 +7808,18 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>Record the consent now</source>
         <translation>Einwilligung jetzt festhalten</translation>
     </message>
+    <message>
+        <source>Login name, if the participant has an account here (optional)</source>
+        <translation>Anmeldename, falls die Person hier ein Konto hat (optional)</translation>
+    </message>
+    <message>
+        <source>With it, an export or an erasure of this person&apos;s data also reaches what they do in this study. It is kept only in the key table; no list and no export of the study shows it.</source>
+        <translation>Damit erfasst ein Export oder eine Löschung der Daten dieser Person auch, was sie in dieser Studie tut. Der Name steht nur in der Schlüsseltabelle; keine Liste und kein Export der Studie zeigt ihn.</translation>
+    </message>
+    <message>
+        <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
+        <translation>Niemand hat ein Konto mit dem Anmeldenamen „%1“. Es wurde niemand aufgenommen. Korrigieren Sie den Namen, oder lassen Sie das Feld leer.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -7436,12 +7920,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Endgültig löschen</translation>
     </message>
     <message>
-        <source>Wrong password. Nobody was erased.
-%1</source>
-        <translation>Falsches Passwort. Es wurde niemand gelöscht.
-%1</translation>
-    </message>
-    <message>
         <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
 %2</source>
         <translation>Die Löschung von %1 ist nicht vollständig: Die Datei kann noch alte Kopien enthalten. Drücken Sie die Schaltfläche erneut, um fortzufahren.
@@ -7452,6 +7930,16 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 %2</source>
         <translation>%1 wurde nicht gelöscht.
 %2</translation>
+    </message>
+    <message>
+        <source>Nobody was erased.</source>
+        <translation>Es wurde niemand gelöscht.</translation>
+    </message>
+    <message>
+        <source>Nobody was erased.
+%1</source>
+        <translation>Es wurde niemand gelöscht.
+%1</translation>
     </message>
 </context>
 <context>
@@ -7773,8 +8261,8 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>%1 to %2, usually %3.</source>
-        <translation>%1 bis %2, meist %3.</translation>
+        <source>%1 to %2, usually %3; a template may begin with another.</source>
+        <translation>%1 bis %2, meist %3; eine Vorlage beginnt vielleicht mit einem anderen Wert.</translation>
     </message>
 </context>
 <context>
@@ -8154,13 +8642,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
-    <message numerus="yes">
-        <source>Weber fraction of %n participant(s) (random effects)</source>
-        <translation>
-            <numerusform>Weber-Bruch von %n Person (Zufallseffekte)</numerusform>
-            <numerusform>Weber-Bruch von %n Personen (Zufallseffekte)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>95 %: %1</source>
         <translation>95 %: %1</translation>
@@ -8242,16 +8723,24 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Vollständig richtige Rangfolgen: %1 von %2 (%3; Zufallsniveau höchstens 16,7 %)</translation>
     </message>
     <message>
-        <source>estimate with its 95 % interval</source>
-        <translation>Schätzung mit 95-%-Intervall</translation>
-    </message>
-    <message>
-        <source>Conditions compared</source>
-        <translation>Bedingungen im Vergleich</translation>
-    </message>
-    <message>
         <source>Prior influence</source>
         <translation>Anteil der A-priori-Verteilung</translation>
+    </message>
+    <message>
+        <source>Compare the conditions</source>
+        <translation>Bedingungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Weber fraction (random effects)</source>
+        <translation>Weber-Bruch (Zufallseffekte)</translation>
+    </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Exponent des Potenzgesetzes</translation>
+    </message>
+    <message>
+        <source>In the group</source>
+        <translation>In der Gruppe</translation>
     </message>
 </context>
 <context>
@@ -8534,6 +9023,14 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>%1. %2. Opens the results.</source>
         <translation>%1. %2. Öffnet die Ergebnisse.</translation>
     </message>
+    <message>
+        <source>You are an administrator and have no recovery code yet. With one, you can set a new password yourself if you forget yours.</source>
+        <translation>Sie gehören zur Administration und haben noch keinen Wiederherstellungscode. Mit ihm können Sie selbst ein neues Passwort festlegen, falls Sie Ihres vergessen.</translation>
+    </message>
+    <message>
+        <source>Make one …</source>
+        <translation>Erstellen …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -8749,6 +9246,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>Simulated participants have no key.</source>
         <translation>Simulierte Personen haben keinen Schlüssel.</translation>
     </message>
+    <message>
+        <source>Login name</source>
+        <translation>Anmeldename</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::LatenessChart</name>
@@ -8963,18 +9464,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <translation>Anmelden</translation>
     </message>
     <message>
-        <source>Type a few letters of your name, or choose it in the list, then enter your password.
-
-After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
-
-Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
-        <translation>Geben Sie einige Buchstaben Ihres Namens ein oder wählen Sie ihn in der Liste, danach Ihr Passwort.
-
-Nach drei falschen Passwörtern ist das Konto kurz gesperrt; die Schaltfläche zählt die Sekunden herunter. Daten gehen dabei nicht verloren.
-
-Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erste Administrationskonto gibt es einen Wiederherstellungscode.</translation>
-    </message>
-    <message>
         <source>The site could not be opened.</source>
         <translation>Der Standort konnte nicht geöffnet werden.</translation>
     </message>
@@ -8999,6 +9488,18 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Checking the site&apos;s file …</source>
         <translation>Die Datei des Standorts wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Type a few letters of your name, or choose it in the list, then enter your password.
+
+After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
+
+Forgot your password? An administrator can give you a new one. Administrators can use their recovery code.</source>
+        <translation>Geben Sie einige Buchstaben Ihres Namens ein oder wählen Sie ihn in der Liste, danach Ihr Passwort.
+
+Nach drei falschen Passwörtern ist das Konto kurz gesperrt; die Schaltfläche zählt die Sekunden herunter. Daten gehen dabei nicht verloren.
+
+Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administration selbst kann ihren Wiederherstellungscode verwenden.</translation>
     </message>
 </context>
 <context>
@@ -9040,6 +9541,14 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Close this message</source>
         <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>The whole message</source>
+        <translation>Die ganze Meldung</translation>
     </message>
 </context>
 <context>
@@ -9174,10 +9683,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
 %1</translation>
     </message>
     <message>
-        <source>Each is a complete design. Everything in it can be changed until the study is frozen.</source>
-        <translation>Jede Vorlage ist ein vollständiger Entwurf. Alles darin lässt sich ändern, bis die Studie eingefroren ist.</translation>
-    </message>
-    <message>
         <source>Copy to a new study</source>
         <translation>In eine neue Studie kopieren</translation>
     </message>
@@ -9202,10 +9707,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>Geben Sie der Studie einen Titel.</translation>
     </message>
     <message>
-        <source>Another study has this title. They would look alike in lists; a different one is easier to find.</source>
-        <translation>Eine andere Studie heißt ebenso. In Listen sähen beide gleich aus; mit einem anderen Titel ist sie leichter zu finden.</translation>
-    </message>
-    <message>
         <source>Give the study a key.</source>
         <translation>Geben Sie der Studie eine Kennung.</translation>
     </message>
@@ -9216,6 +9717,26 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Another study has this key. Choose another.</source>
         <translation>Eine andere Studie hat diese Kennung. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Each template is a complete design. Everything in it can be changed until the study is frozen.</source>
+        <translation>Jede Vorlage ist ein vollständiger Entwurf. Alles darin lässt sich ändern, bis die Studie eingefroren ist.</translation>
+    </message>
+    <message>
+        <source>Find a template</source>
+        <translation>Vorlage suchen</translation>
+    </message>
+    <message>
+        <source>Attribute, task, procedure or author</source>
+        <translation>Eigenschaft, Aufgabe, Verfahren oder Autor</translation>
+    </message>
+    <message>
+        <source>No template matches “%1”. Try fewer or other words.</source>
+        <translation>Keine Vorlage passt zu „%1“. Versuchen Sie es mit weniger oder anderen Wörtern.</translation>
+    </message>
+    <message>
+        <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
+        <translation>Eine andere Studie heißt ebenso, und in Listen wären beide nicht zu unterscheiden. Wählen Sie einen anderen Titel.</translation>
     </message>
 </context>
 <context>
@@ -9411,10 +9932,6 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
         <translation>%1 von %2 fertig</translation>
     </message>
     <message>
-        <source>%1, one open</source>
-        <translation>%1, eine offen</translation>
-    </message>
-    <message>
         <source>%1 (simulated)</source>
         <translation>%1 (simuliert)</translation>
     </message>
@@ -9449,6 +9966,18 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Für das erst
     <message>
         <source>Nobody is enrolled yet.</source>
         <translation>Es ist noch niemand aufgenommen.</translation>
+    </message>
+    <message>
+        <source>%1, one interrupted</source>
+        <translation>%1, eine unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1, one broken off</source>
+        <translation>%1, eine abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3.</source>
+        <translation>%1. %2: %3.</translation>
     </message>
 </context>
 <context>
@@ -9808,6 +10337,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Equality threshold (σ)</source>
         <translation>Gleichheitsschwelle (σ)</translation>
     </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Exponent des Potenzgesetzes</translation>
+    </message>
+    <message>
+        <source>In the group value: %1.</source>
+        <translation>Im Gruppenwert: %1.</translation>
+    </message>
+    <message>
+        <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
+        <translation>Das Maskierungsgeräusch war in %1 von %2 Durchgängen nicht zu hören: Der Rechner hatte keine Tonausgabe.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PilotDialog</name>
@@ -9890,6 +10431,10 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Failed.</source>
         <translation>Nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>Seriennummer: %1</translation>
     </message>
 </context>
 <context>
@@ -11031,14 +11576,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Fragebogen</translation>
     </message>
     <message>
-        <source>Each participant answers these questions once.
-
-Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
-        <translation>Jede Person beantwortet diese Fragen einmal.
-
-Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
-    </message>
-    <message>
         <source>Reading the questions …</source>
         <translation>Fragen werden gelesen …</translation>
     </message>
@@ -11095,6 +11632,18 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>Leave</source>
         <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Each participant answers these questions once, or once about each condition.
+
+Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
+        <translation>Jede Person beantwortet diese Fragen einmal, oder einmal zu jeder Bedingung.
+
+Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewegen Sie sich auf einer Skala, mit der Leertaste wählen Sie. Pflichtfragen ohne Antwort werden gekennzeichnet. Die Antworten werden unter dem Code der Person gespeichert, sobald sie abgegeben werden.</translation>
+    </message>
+    <message>
+        <source>Each participant answers it once about each condition.</source>
+        <translation>Jede Person beantwortet ihn einmal zu jeder Bedingung.</translation>
     </message>
 </context>
 <context>
@@ -11157,6 +11706,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <source>Laterality quotient (−100 left, 100 right)</source>
         <translation>Lateralitätsquotient (−100 links, 100 rechts)</translation>
     </message>
+    <message>
+        <source>Answers about single conditions are shown once the study is unblinded.</source>
+        <translation>Antworten zu einzelnen Bedingungen werden gezeigt, sobald die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>About the condition %1</source>
+        <translation>Zur Bedingung %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
@@ -11175,10 +11732,6 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>Free text</source>
         <translation>Freier Text</translation>
-    </message>
-    <message>
-        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs. The answers are stored with the data.</source>
-        <translation>Keine Fragebögen. Jede Person beantwortet einen Fragebogen einmal, vor oder nach den Läufen. Die Antworten werden bei den Daten gespeichert.</translation>
     </message>
     <message>
         <source>Add a questionnaire</source>
@@ -11287,6 +11840,14 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>when a participant is enrolled</source>
         <translation>bei der Aufnahme einer Person</translation>
+    </message>
+    <message>
+        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs, or after each condition. The answers are stored with the data.</source>
+        <translation>Keine Fragebögen. Jede Person beantwortet einen Fragebogen einmal, vor oder nach den Läufen, oder nach jeder Bedingung. Die Antworten werden bei den Daten gespeichert.</translation>
+    </message>
+    <message>
+        <source>after each condition, about that condition</source>
+        <translation>nach jeder Bedingung, zu dieser Bedingung</translation>
     </message>
 </context>
 <context>
@@ -11530,16 +12091,53 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
         <translation>In der Szene:
 •  %1</translation>
     </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Weiter (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Practise for another minute</source>
+        <translation>Noch eine Minute üben</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryCodeDialog</name>
+    <message>
+        <source>Make a recovery code</source>
+        <translation>Wiederherstellungscode erstellen</translation>
+    </message>
+    <message>
+        <source>With a recovery code you can set a new password yourself if you forget yours. It is shown once, to be written down.</source>
+        <translation>Mit einem Wiederherstellungscode können Sie selbst ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird einmal gezeigt, damit Sie ihn aufschreiben.</translation>
+    </message>
+    <message>
+        <source>The recovery code that you have now will no longer be accepted.</source>
+        <translation>Der Wiederherstellungscode, den Sie jetzt haben, wird dann nicht mehr angenommen.</translation>
+    </message>
+    <message>
+        <source>Your own password</source>
+        <translation>Ihr eigenes Passwort</translation>
+    </message>
+    <message>
+        <source>Make the code</source>
+        <translation>Code erstellen</translation>
+    </message>
+    <message>
+        <source>No recovery code was made.
+%1</source>
+        <translation>Es wurde kein Wiederherstellungscode erstellt.
+%1</translation>
+    </message>
+    <message>
+        <source>The recovery code is not shown again. Write it down and tick the box first. If you close this window again, it is gone; you can then make a new one.</source>
+        <translation>Der Wiederherstellungscode wird nicht noch einmal gezeigt. Schreiben Sie ihn zuerst auf und setzen Sie das Häkchen. Wenn Sie dieses Fenster noch einmal schließen, ist er verloren; Sie können dann einen neuen erstellen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodePanel</name>
     <message>
         <source>Your recovery code</source>
         <translation>Ihr Wiederherstellungscode</translation>
-    </message>
-    <message>
-        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can restore the first administrator&apos;s access. Keep it as safe as your keys.</source>
-        <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf, und niemand sonst kann Ihnen wieder Zugang geben. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
     <message>
         <source>Recovery code: %1</source>
@@ -11577,6 +12175,10 @@ Keep it as safe as your keys.</source>
 
 Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
+    <message>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy. Without it, only another administrator can help you. Keep it as safe as your keys.</source>
+        <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf. Ohne ihn kann Ihnen nur eine andere Person der Administration helfen. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryPage</name>
@@ -11587,10 +12189,6 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     <message>
         <source>Ask an administrator of this site. Under People, they can give you a new password with &quot;Reset password&quot;. Your sessions and scores are kept.</source>
         <translation>Wenden Sie sich an die Administration dieses Standorts: Sie kann Ihnen unter „Personen“ mit „Passwort zurücksetzen“ ein neues Passwort geben. Ihre Sitzungen und Wertungen bleiben erhalten.</translation>
-    </message>
-    <message>
-        <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
-        <translation>Wer den Standort eingerichtet hat, kann den Wiederherstellungscode verwenden, der dabei gezeigt wurde.</translation>
     </message>
     <message>
         <source>Login name</source>
@@ -11611,6 +12209,10 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     <message>
         <source>Checking …</source>
         <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Administrators can use their recovery code. It was shown when the site was set up, or when they made one under My account.</source>
+        <translation>Die Administration kann ihren Wiederherstellungscode verwenden. Er wurde beim Einrichten des Standorts gezeigt oder als er unter „Mein Konto“ erstellt wurde.</translation>
     </message>
 </context>
 <context>
@@ -11703,6 +12305,14 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The backup has a different administrator or password. Enter those of the backup, too.</source>
+        <translation>Die Sicherung hat eine andere Administration oder ein anderes Passwort. Geben Sie auch die der Sicherung ein.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password. Enter those, too.</source>
+        <translation>Die beschädigte Datei hat eine andere Administration oder ein anderes Passwort. Geben Sie auch diese ein.</translation>
     </message>
 </context>
 <context>
@@ -12408,18 +13018,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Durchführen</translation>
     </message>
     <message>
-        <source>Takes a participant through a study.
-
-Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too.
-
-An interrupted run resumes at the trial where it stopped.</source>
-        <translation>Führt eine Person durch eine Studie.
-
-Wählen Sie die Studie und den Code der Person. Die Bedingungen erscheinen in der Reihenfolge dieser Person; ist die Versuchsleitung verblindet, stehen sie unter versiegelten Codes. Auch die Fragebögen davor und danach werden hier beantwortet.
-
-Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</translation>
-    </message>
-    <message>
         <source>Reading the studies …</source>
         <translation>Studien werden gelesen …</translation>
     </message>
@@ -12472,10 +13070,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>not started yet</source>
-        <translation>noch nicht begonnen</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
     </message>
@@ -12500,18 +13094,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>%1 beginnen</translation>
     </message>
     <message>
-        <source>interrupted at trial %1 of at most %2</source>
-        <translation>unterbrochen bei Durchgang %1 von höchstens %2</translation>
-    </message>
-    <message>
-        <source>interrupted at trial %1</source>
-        <translation>unterbrochen bei Durchgang %1</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Resume here</source>
         <translation>Hier fortsetzen</translation>
     </message>
@@ -12524,8 +13106,24 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Weitere unterbrochene Läufe</translation>
     </message>
     <message>
-        <source>interrupted, %1</source>
-        <translation>unterbrochen, %1</translation>
+        <source>Takes a participant through a study.
+
+Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too, and those about a condition once it is done.
+
+An interrupted run resumes at the trial where it stopped.</source>
+        <translation>Führt eine Person durch eine Studie.
+
+Wählen Sie die Studie und den Code der Person. Die Bedingungen erscheinen in der Reihenfolge dieser Person; ist die Versuchsleitung verblindet, stehen sie unter versiegelten Codes. Auch die Fragebögen davor und danach werden hier beantwortet, und die zu einer Bedingung, sobald sie abgeschlossen ist.
+
+Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</translation>
+    </message>
+    <message>
+        <source>This study plays a masking sound, and this machine has no sound output: participants would hear the device. Connect headphones or loudspeakers and open this page again. You can also go on: each trial is then recorded as not masked.</source>
+        <translation>Diese Studie spielt ein Maskierungsgeräusch, und dieser Rechner hat keine Tonausgabe: Die Teilnehmenden würden das Gerät hören. Schließen Sie Kopfhörer oder Lautsprecher an und öffnen Sie diese Seite erneut. Sie können auch weitermachen: Jeder Durchgang wird dann als nicht maskiert festgehalten.</translation>
+    </message>
+    <message>
+        <source>%1, about condition %2</source>
+        <translation>%1, zu Bedingung %2</translation>
     </message>
 </context>
 <context>
@@ -13879,20 +14477,24 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
         <translation>verblindet: Bedingungen unter versiegelten Codes</translation>
     </message>
     <message>
+        <source>Groups include runs with force shown, not felt</source>
+        <translation>Gruppen enthalten auch Läufe mit gezeigter, nicht gefühlter Kraft</translation>
+    </message>
+    <message>
         <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires.
+Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is missing where they cannot be compared.
 
 You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
         <translation>Die Ergebnisse einer Studie.
 
-„Gruppe“ zeigt den Weber-Bruch jeder Person mit seinem Intervall für jede Bedingung sowie Warnungen. „Person“ zeigt die Kurve eines Laufs mit ihren Daten. „Durchgänge“ führt jede Darbietung mit ihrer Wiedergabetreue auf und sagt, warum eine nicht zählt. „Fragen“ fasst die Fragebögen zusammen.
+„Gruppe“ zeigt den Weber-Bruch jeder Person mit seinem Intervall für jede Bedingung sowie Warnungen. „Person“ zeigt die Kurve eines Laufs mit ihren Daten. „Durchgänge“ führt jede Darbietung mit ihrer Wiedergabetreue auf und sagt, warum eine nicht zählt. „Fragen“ fasst die Fragebögen zusammen. „Vergleich“ stellt die Bedingungen nebeneinander und sagt, wer oder was fehlt, wo sie nicht verglichen werden können.
 
 Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in jedem steht der SHA-256 des Entwurfs. Solange die Versuchsleitung verblindet ist, stehen die Bedingungen unter versiegelten Codes, und von ihren Läufen sehen Sie nur, wie gut die Durchgänge jeder Person liefen. Das Entblinden verlangt einen Grund, wird festgehalten und lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
-        <source>Groups include runs with force shown, not felt</source>
-        <translation>Gruppen enthalten auch Läufe mit gezeigter, nicht gefühlter Kraft</translation>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
     </message>
 </context>
 <context>
@@ -14343,6 +14945,25 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>All measurements, or those a trainee needs</source>
         <translation>Alle Messwerte oder die zum Üben nötigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
+        <translation>
+                <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+                <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
+        <translation>Die Übungszeit ist vorbei. Die Eingewöhnung beginnt, wenn Sie „Weiter“ drücken; auch sie zählt nicht.</translation>
+    </message>
+    <message>
+        <source>The practice is over and does not count. The trials that count begin when you press Continue.</source>
+        <translation>Die Übungszeit ist vorbei und zählt nicht. Die Durchgänge, die zählen, beginnen, wenn Sie „Weiter“ drücken.</translation>
+    </message>
+    <message>
+        <source>Practice ends in %1 s</source>
+        <translation>Die Übungszeit endet in %1 s</translation>
     </message>
 </context>
 <context>
@@ -14836,12 +15457,31 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Die freie Minute ist vorbei</translation>
     </message>
     <message>
-        <source>The trials begin when you continue.</source>
-        <translation>Die Durchgänge beginnen, wenn Sie fortfahren.</translation>
-    </message>
-    <message>
         <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
         <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig berührt. Lassen Sie sich von der Versuchsleitung zeigen, wie ein Objekt berührt und losgelassen wird.</translation>
+    </message>
+    <message>
+        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the sitting, connect headphones or loudspeakers, and resume the run.</source>
+        <translation>Das Maskierungsgeräusch ist nicht zu hören: Dieser Rechner hat keine Tonausgabe. Jeder Durchgang wird als nicht maskiert festgehalten. Um zu maskieren, beenden Sie die Sitzung, schließen Sie Kopfhörer oder Lautsprecher an und setzen Sie den Lauf fort.</translation>
+    </message>
+    <message>
+        <source>%1 The participant is now answering the questions about it.</source>
+        <translation>%1 Die Person beantwortet jetzt die Fragen dazu.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
+        <translation>
+                <numerusform>Die freie Minute endet in %n Sekunde. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
+                <numerusform>Die freie Minute endet in %n Sekunden. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.</source>
+        <translation>Was Sie ausprobiert haben, zählt nicht. Als Nächstes kommen Übungsdurchgänge, auch sie zählen nicht; danach zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
+        <translation>Was Sie ausprobiert haben, zählt nicht. Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,10 @@
             <numerusform>Νέα προσπάθεια σε %n δευτερόλεπτα</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Wrong password. Passwords are case-sensitive.</source>
+        <translation>Λάθος κωδικός πρόσβασης. Τα κεφαλαία διαφέρουν από τα πεζά.</translation>
+    </message>
 </context>
 <context>
     <name>AnswerNote</name>
@@ -102,10 +106,6 @@
     <message>
         <source>Trial completed</source>
         <translation>Η δοκιμή ολοκληρώθηκε</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
     <message>
         <source>Right: there was no lump</source>
@@ -779,6 +779,14 @@ Details: %2</source>
             <numerusform>%n δοκιμές πριν από κάθε συνθήκη.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Texts</source>
+        <translation>Κείμενα</translation>
+    </message>
+    <message>
+        <source>Nothing in the aim, the instructions or the titles contradicts the settings.</source>
+        <translation>Τίποτα στον σκοπό, στις οδηγίες και στους τίτλους δεν αντιφάσκει με τις ρυθμίσεις.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -805,6 +813,37 @@ Details: %2</source>
     <message>
         <source>%1: none</source>
         <translation>%1: κανένα</translation>
+    </message>
+</context>
+<context>
+    <name>GraspNote</name>
+    <message>
+        <source>Nothing was grasped</source>
+        <translation>Δεν πιάστηκε τίποτα</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the fold still lies over the tube. Retract it first.</source>
+        <translation>Δεν πιάστηκε τίποτα: η πτυχή σκεπάζει ακόμη τον σωλήνα. Τραβήξτε την πρώτα πίσω.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped. Open the jaws and try again.</source>
+        <translation>Δεν πιάστηκε τίποτα. Ανοίξτε τις σιαγόνες και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the edge of the fold was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Δεν πιάστηκε τίποτα: η άκρη της πτυχής ήταν %1 mm μακριά. Ανοίξτε τις σιαγόνες και πλησιάστε την.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the object was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Δεν πιάστηκε τίποτα: το αντικείμενο ήταν %1 mm μακριά. Ανοίξτε τις σιαγόνες και πλησιάστε το.</translation>
+    </message>
+    <message>
+        <source>Nothing was grasped: the place to grip the tube was %1 mm away. Open the jaws and move closer to it.</source>
+        <translation>Δεν πιάστηκε τίποτα: το σημείο όπου πιάνεται ο σωλήνας ήταν %1 mm μακριά. Ανοίξτε τις σιαγόνες και πλησιάστε το.</translation>
+    </message>
+    <message>
+        <source>Nothing is grasped: the jaws are closed. Open them wide, then close them here.</source>
+        <translation>Δεν πιάνεται τίποτα: οι σιαγόνες είναι κλειστές. Ανοίξτε τις καλά και μετά κλείστε τις εδώ.</translation>
     </message>
 </context>
 <context>
@@ -1445,24 +1484,12 @@ Details: %2</source>
         <translation>Ευθυγράμμιση, τετραγωνικός μέσος</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more.</source>
-        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο.</translation>
-    </message>
-    <message>
         <source>Alignment at the bend</source>
         <translation>Ευθυγράμμιση στην καμπή</translation>
     </message>
     <message>
-        <source>The same angle on the way in, within 10 mm of the bend, where the endoscope has to be turned.</source>
-        <translation>Η ίδια γωνία κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί.</translation>
-    </message>
-    <message>
         <source>Alignment round the bend</source>
         <translation>Ευθυγράμμιση μέσα στην καμπή</translation>
-    </message>
-    <message>
-        <source>The same angle on the way in, from the bend to 30 mm past it, where the urethra is curved most.</source>
-        <translation>Η ίδια γωνία κατά την εισαγωγή, από την καμπή ως 30 mm μετά από αυτήν, όπου η ουρήθρα είναι πιο καμπύλη.</translation>
     </message>
     <message>
         <source>Trauma events</source>
@@ -1992,6 +2019,18 @@ Details: %2</source>
         <source>the true position of the apex is not known</source>
         <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow for them.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται. Ο δακτύλιος δείχνει πού οδηγεί η ουρήθρα πιο μπροστά, γι’ αυτό σε μια καμπή μένουν λίγες μοίρες ενώ αυτός είναι στο κέντρο· τα όρια επιτυχίας το λαμβάνουν υπόψη.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, από την καμπή ως 30 mm μετά, όπου η ουρήθρα καμπυλώνει περισσότερο. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
+    </message>
 </context>
 <context>
     <name>PaletteSearch</name>
@@ -2283,6 +2322,85 @@ Details: %2</source>
         <source>Questions</source>
         <translation>Ερωτήσεις</translation>
     </message>
+    <message>
+        <source>%1 before, %2 after each condition, %3 after</source>
+        <translation>%1 πριν, %2 μετά από κάθε συνθήκη, %3 μετά</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantProgress</name>
+    <message>
+        <source>interrupted, %1</source>
+        <translation>διακόπηκε, %1</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1 of at most %2</source>
+        <translation>διακόπηκε στη δοκιμή %1 (το πολύ %2)</translation>
+    </message>
+    <message>
+        <source>interrupted at trial %1</source>
+        <translation>διακόπηκε στη δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>διακόπηκε</translation>
+    </message>
+    <message>
+        <source>broken off when the participant withdrew</source>
+        <translation>σταμάτησε όταν αποσύρθηκε ο συμμετέχων</translation>
+    </message>
+    <message>
+        <source>not begun, and the study is closed</source>
+        <translation>δεν ξεκίνησε και η μελέτη έχει κλείσει</translation>
+    </message>
+    <message>
+        <source>not begun yet</source>
+        <translation>δεν έχει ξεκινήσει ακόμη</translation>
+    </message>
+    <message>
+        <source>This participant is simulated: its runs are made on the command line.</source>
+        <translation>Αυτός ο συμμετέχων είναι προσομοιωμένος: οι εκτελέσεις του γίνονται στη γραμμή εντολών.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to do: this participant has withdrawn. If another is to take their place, enrol somebody.</source>
+        <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων έχει αποσυρθεί. Αν θα πάρει κάποιος άλλος τη θέση του, εγγράψτε κάποιον.</translation>
+    </message>
+    <message>
+        <source>Bring the study back from the archive before this participant goes on.</source>
+        <translation>Επαναφέρετε τη μελέτη από το αρχείο πριν συνεχίσει αυτός ο συμμετέχων.</translation>
+    </message>
+    <message>
+        <source>Record the consent. Then the first condition can be begun.</source>
+        <translation>Καταγράψτε τη συγκατάθεση. Έπειτα μπορεί να ξεκινήσει η πρώτη συνθήκη.</translation>
+    </message>
+    <message>
+        <source>Press Run and resume “%1” at the trial where it stopped. If this participant does not come back, withdraw them: what they did is kept.</source>
+        <translation>Πατήστε «Διεξαγωγή» και συνεχίστε τη συνθήκη «%1» από τη δοκιμή όπου σταμάτησε. Αν ο συμμετέχων δεν επιστρέψει, αποσύρετέ τον: όσα έκανε διατηρούνται.</translation>
+    </message>
+    <message>
+        <source>“%1” can no longer be begun, because the study is closed. The conditions that are done count.</source>
+        <translation>Η συνθήκη «%1» δεν μπορεί πια να ξεκινήσει, επειδή η μελέτη έχει κλείσει. Οι συνθήκες που ολοκληρώθηκαν μετρούν.</translation>
+    </message>
+    <message>
+        <source>Press Run and begin “%1”.</source>
+        <translation>Πατήστε «Διεξαγωγή» και ξεκινήστε τη συνθήκη «%1».</translation>
+    </message>
+    <message>
+        <source>Every condition is done. The questionnaire “%1” is not answered yet.</source>
+        <translation>Όλες οι συνθήκες ολοκληρώθηκαν. Το ερωτηματολόγιο «%1» δεν έχει απαντηθεί ακόμη.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to do: this participant has done everything.</source>
+        <translation>Δεν απομένει τίποτα: αυτός ο συμμετέχων τα έκανε όλα.</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantSentences</name>
@@ -2459,6 +2577,20 @@ Details: %2</source>
     <message>
         <source>During the trials you hear a steady noise.</source>
         <translation>Κατά τις δοκιμές ακούτε έναν σταθερό θόρυβο.</translation>
+    </message>
+    <message numerus="yes">
+        <source>After each part you answer %n question(s) about it.</source>
+        <translation>
+                <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερώτηση για αυτό.</numerusform>
+                <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερωτήσεις για αυτό.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s) about them.</source>
+        <translation>
+                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση για αυτές.</numerusform>
+                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις για αυτές.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -3536,6 +3668,36 @@ Do you want to replace it?</source>
             <numerusform>%n άτομα δεν θα ήταν πλέον διαχειριστές.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Line %1: the login name %2 belongs to %3 today; it used to be that of %4. Check who is meant.</source>
+        <translation>Γραμμή %1: το όνομα χρήστη %2 ανήκει σήμερα σε: %3· παλιότερα το είχε: %4. Ελέγξτε ποιος εννοείται.</translation>
+    </message>
+    <message>
+        <source>Line %1: several people had the login name %2 before and nobody has it today, so nobody is changed. Write today&apos;s login name in the list.</source>
+        <translation>Γραμμή %1: το όνομα χρήστη %2 το είχαν παλιότερα περισσότερα άτομα και σήμερα κανείς, γι&apos; αυτό δεν αλλάζει κανείς. Γράψτε στη λίστα το σημερινό όνομα χρήστη.</translation>
+    </message>
+    <message>
+        <source>Line %1: this is the same person as in line %2, under another login name. Only line %2 counts.</source>
+        <translation>Γραμμή %1: είναι το ίδιο άτομο με τη γραμμή %2, με άλλο όνομα χρήστη. Μετρά μόνο η γραμμή %2.</translation>
+    </message>
+    <message>
+        <source>%1, known as %2 today</source>
+        <translation>%1, σήμερα γνωστός/-ή ως %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are listed under an earlier login name and are recognised by it.</source>
+        <translation>
+                <numerusform>%n άτομο είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζεται από αυτό.</numerusform>
+                <numerusform>%n άτομα είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζονται από αυτό.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
+        <translation>
+                <numerusform>Σε %n ακόμη γραμμή δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
+                <numerusform>Σε %n ακόμη γραμμές δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>
@@ -3832,6 +3994,25 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>SiteMaker</name>
+    <message>
+        <source>A study with simulated participants</source>
+        <translation>Μια μελέτη με προσομοιωμένους συμμετέχοντες</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by a scripted operator</source>
+        <translation>%1, επίπεδο %2, από προσομοιωμένο χειριστή</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by %3</source>
+        <translation>%1, επίπεδο %2, από %3</translation>
+    </message>
+    <message>
+        <source>%1, level %2, by %3, attempt %4 of %5</source>
+        <translation>%1, επίπεδο %2, από %3, προσπάθεια %4 από %5</translation>
+    </message>
+</context>
+<context>
     <name>SoundLoader</name>
     <message>
         <source>Sound is switched off on this station. Everything that can be heard is also shown.</source>
@@ -4081,6 +4262,10 @@ Do you want to replace it?</source>
     <message>
         <source>Failed. %1</source>
         <translation>Αποτυχία. %1</translation>
+    </message>
+    <message>
+        <source>not told by the device</source>
+        <translation>δεν δηλώνεται από τη συσκευή</translation>
     </message>
 </context>
 <context>
@@ -4598,10 +4783,6 @@ Details: %2</source>
     <message>
         <source>95 % prediction interval</source>
         <translation>Διάστημα πρόβλεψης 95 %</translation>
-    </message>
-    <message>
-        <source>Participants included, excluded</source>
-        <translation>Συμμετέχοντες: περιλήφθηκαν, εξαιρέθηκαν</translation>
     </message>
     <message>
         <source>JND at the reference</source>
@@ -5387,6 +5568,177 @@ Details: %2</source>
         <source>Taken back</source>
         <translation>Αναιρέθηκε</translation>
     </message>
+    <message>
+        <source>The group value stays sealed until the study is unblinded.</source>
+        <translation>Η τιμή της ομάδας μένει σφραγισμένη μέχρι να αρθεί η τυφλότητα της μελέτης.</translation>
+    </message>
+    <message>
+        <source>There is no group value: nobody takes part.</source>
+        <translation>Δεν υπάρχει τιμή ομάδας: δεν συμμετέχει κανείς.</translation>
+    </message>
+    <message>
+        <source>There is no group value yet: nobody has given a usable one.</source>
+        <translation>Δεν υπάρχει ακόμη τιμή ομάδας: κανείς δεν έχει δώσει αξιοποιήσιμη τιμή.</translation>
+    </message>
+    <message>
+        <source>The group value includes everybody who takes part.</source>
+        <translation>Η τιμή της ομάδας περιλαμβάνει όλους όσοι συμμετέχουν.</translation>
+    </message>
+    <message>
+        <source>The group value includes %1 of %2 participants.</source>
+        <translation>Η τιμή της ομάδας περιλαμβάνει %1 από %2 συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>%1: this condition was not begun, and no run can be begun any more because the study is closed.</source>
+        <translation>%1: αυτή η συνθήκη δεν ξεκίνησε και δεν μπορεί πια να ξεκινήσει εκτέλεση, επειδή η μελέτη έχει κλείσει.</translation>
+    </message>
+    <message>
+        <source>%1: this condition has not been begun. Begin it under Run.</source>
+        <translation>%1: αυτή η συνθήκη δεν έχει ξεκινήσει. Ξεκινήστε την στη «Διεξαγωγή».</translation>
+    </message>
+    <message>
+        <source>%1: no answer counts yet. Resume the run under Run.</source>
+        <translation>%1: καμία απάντηση δεν μετρά ακόμη. Συνεχίστε την εκτέλεση στη «Διεξαγωγή».</translation>
+    </message>
+    <message>
+        <source>%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study and plan smaller differences.</source>
+        <translation>%1: όλες οι απαντήσεις ήταν σωστές, άρα το κατώφλι είναι κάτω από τη μικρότερη διαφορά που παρουσιάστηκε. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε μικρότερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan larger differences.</source>
+        <translation>%1: οι απαντήσεις είναι ελάχιστα καλύτερες από την τύχη, άρα το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο· για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και σχεδιάστε μεγαλύτερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
+        <translation>%1: οι απαντήσεις δεν περιορίζουν το κατώφλι, άρα η τιμή δίπλα στην εκτέλεση προέρχεται από προγενέστερες παραδοχές. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε περισσότερες δοκιμές ή μικρότερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>%1: the answers give no value. The warnings of the run say why.</source>
+        <translation>%1: οι απαντήσεις δεν δίνουν τιμή. Οι προειδοποιήσεις της εκτέλεσης λένε γιατί.</translation>
+    </message>
+    <message>
+        <source>%1: objects were shown, not felt. Such runs are left out unless they are included on purpose.</source>
+        <translation>%1: τα αντικείμενα φάνηκαν, δεν έγιναν αισθητά. Τέτοιες εκτελέσεις μένουν εκτός, αν δεν συμπεριληφθούν σκόπιμα.</translation>
+    </message>
+    <message>
+        <source>%1: simulated, and therefore left out of a group of people.</source>
+        <translation>%1: προσομοίωση και γι&apos; αυτό εκτός μιας ομάδας ανθρώπων.</translation>
+    </message>
+    <message>
+        <source>%1: withdrawn, and therefore left out.</source>
+        <translation>%1: αποσύρθηκε και γι&apos; αυτό μένει εκτός.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: “%3” has no group value.</source>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: η «%3» δεν έχει τιμή ομάδας.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.</source>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: κανείς δεν έχει αξιοποιήσιμη τιμή και στις δύο, και χρειάζονται τουλάχιστον δύο συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.</source>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: μόνο ο κωδικός %3 έχει αξιοποιήσιμη τιμή και στις δύο, και χρειάζονται τουλάχιστον δύο συμμετέχοντες.</translation>
+    </message>
+    <message>
+        <source>in the group value</source>
+        <translation>στην τιμή της ομάδας</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>σφραγισμένο</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>δεν ξεκίνησε</translation>
+    </message>
+    <message>
+        <source>no answer counts yet</source>
+        <translation>καμία απάντηση δεν μετρά ακόμη</translation>
+    </message>
+    <message>
+        <source>every answer was right</source>
+        <translation>όλες οι απαντήσεις ήταν σωστές</translation>
+    </message>
+    <message>
+        <source>hardly better than guessing</source>
+        <translation>ελάχιστα καλύτερα από την τύχη</translation>
+    </message>
+    <message>
+        <source>the value comes from prior assumptions</source>
+        <translation>η τιμή προέρχεται από προγενέστερες παραδοχές</translation>
+    </message>
+    <message>
+        <source>the answers give no value</source>
+        <translation>οι απαντήσεις δεν δίνουν τιμή</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>φάνηκε, δεν έγινε αισθητό</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>προσομοίωση</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>αποσύρθηκε</translation>
+    </message>
+    <message>
+        <source>%1 is not in this comparison (“%2”: %3; “%4”: %5).</source>
+        <translation>%1: δεν περιλαμβάνεται σε αυτή τη σύγκριση («%2»: %3· «%4»: %5).</translation>
+    </message>
+    <message>
+        <source>So far %1 of %2 planned participants are enrolled. Enrol the others on the study&apos;s page.</source>
+        <translation>Μέχρι τώρα έχουν εγγραφεί %1 από τους %2 συμμετέχοντες που σχεδιάστηκαν. Εγγράψτε τους υπόλοιπους στη σελίδα της μελέτης.</translation>
+    </message>
+    <message>
+        <source>%1: in the group value with a run that is not finished, so the value may still change. Resume the run under Run.</source>
+        <translation>%1: στην τιμή της ομάδας με εκτέλεση που δεν τελείωσε, άρα η τιμή μπορεί να αλλάξει. Συνεχίστε την εκτέλεση στη «Διεξαγωγή».</translation>
+    </message>
+    <message>
+        <source>no: %1</source>
+        <translation>όχι: %1</translation>
+    </message>
+    <message>
+        <source>“!” before a value: the run has warnings. Read them before you use the value.</source>
+        <translation>«!» πριν από μια τιμή: η εκτέλεση έχει προειδοποιήσεις. Διαβάστε τις πριν χρησιμοποιήσετε την τιμή.</translation>
+    </message>
+    <message>
+        <source>! with warnings</source>
+        <translation>! με προειδοποιήσεις</translation>
+    </message>
+    <message>
+        <source>! not in the group value</source>
+        <translation>! εκτός της τιμής της ομάδας</translation>
+    </message>
+    <message>
+        <source>Answers about single conditions are shown once the study is unblinded.</source>
+        <translation>Οι απαντήσεις για μεμονωμένες συνθήκες εμφανίζονται μόλις αρθεί η τυφλότητα της μελέτης.</translation>
+    </message>
+    <message>
+        <source>About the condition %1</source>
+        <translation>Για τη συνθήκη %1</translation>
+    </message>
+    <message>
+        <source>In the group value: %1.</source>
+        <translation>Στην τιμή της ομάδας: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 repeated)</source>
+        <translation>%1 (%2 επαναλήφθηκαν)</translation>
+    </message>
+    <message>
+        <source>In the group, and warnings</source>
+        <translation>Στην ομάδα και προειδοποιήσεις</translation>
+    </message>
+</context>
+<context>
+    <name>StudyTitles</name>
+    <message>
+        <source>copy</source>
+        <translation>αντίγραφο</translation>
+    </message>
 </context>
 <context>
     <name>StudyWords</name>
@@ -5788,6 +6140,57 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>TextClaims</name>
+    <message>
+        <source>the reference is %1</source>
+        <translation>η τιμή αναφοράς είναι %1</translation>
+    </message>
+    <message>
+        <source>the criterion is not 75 %</source>
+        <translation>το κριτήριο δεν είναι 75 %</translation>
+    </message>
+    <message>
+        <source>the objects are shown</source>
+        <translation>τα αντικείμενα φαίνονται</translation>
+    </message>
+    <message>
+        <source>the objects are not shown</source>
+        <translation>τα αντικείμενα δεν φαίνονται</translation>
+    </message>
+    <message>
+        <source>the time to explore is limited</source>
+        <translation>ο χρόνος εξερεύνησης είναι περιορισμένος</translation>
+    </message>
+    <message>
+        <source>the task has another number of objects</source>
+        <translation>το έργο έχει άλλον αριθμό αντικειμένων</translation>
+    </message>
+    <message>
+        <source>another number of trials is set</source>
+        <translation>έχει οριστεί άλλος αριθμός δοκιμών</translation>
+    </message>
+    <message>
+        <source>another time is set</source>
+        <translation>έχει οριστεί άλλος χρόνος</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>γερμανικά</translation>
+    </message>
+    <message>
+        <source>Greek</source>
+        <translation>ελληνικά</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>αγγλικά</translation>
+    </message>
+    <message>
+        <source>The text says “%1” (%2), but %3. Change one of them.</source>
+        <translation>Το κείμενο λέει «%1» (%2), αλλά %3. Αλλάξτε ένα από τα δύο.</translation>
+    </message>
+</context>
+<context>
     <name>TrainingWords</name>
     <message>
         <source>Expert</source>
@@ -6050,6 +6453,13 @@ Recording and scores are kept but do not count.</source>
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::AccountScreen</name>
     <message>
         <source>Reading your account …</source>
@@ -6058,22 +6468,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>My account</source>
         <translation>Ο λογαριασμός μου</translation>
-    </message>
-    <message>
-        <source>Your own name, language and password.
-
-The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
-
-The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
-
-To change your password, first enter the one that you have now.</source>
-        <translation>Το όνομά σας, η γλώσσα και ο κωδικός πρόσβασής σας.
-
-Το πλήρες όνομα το βλέπουν οι άλλοι σε λίστες και αναφορές· τα προηγούμενα ονόματά σας μένουν στο ιστορικό του κέντρου. Το όνομα χρήστη μπορεί να το αλλάξει ένας διαχειριστής.
-
-Η γλώσσα ισχύει αμέσως. Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.
-
-Για να αλλάξετε τον κωδικό πρόσβασης, γράψτε πρώτα τον τωρινό.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -6170,6 +6564,52 @@ To change your password, first enter the one that you have now.</source>
     <message>
         <source>Login name: %1. You can change it under People.</source>
         <translation>Όνομα χρήστη: %1. Μπορείτε να το αλλάξετε στην οθόνη «Άτομα».</translation>
+    </message>
+    <message>
+        <source>Your own name, language and password.
+
+The full name is what others see in lists and reports; your earlier names stay in the site&apos;s history. The login name can be changed by an administrator.
+
+The language takes effect at once. It comes back whenever you log in on this station and changes nothing for others.
+
+To change your password, first enter the one that you have now.
+
+Administrators can make a recovery code for themselves here; with it they can set a new password if they forget theirs.</source>
+        <translation>Το όνομά σας, η γλώσσα και ο κωδικός πρόσβασής σας.
+
+Το πλήρες όνομα το βλέπουν οι άλλοι σε λίστες και αναφορές· τα προηγούμενα ονόματά σας μένουν στο ιστορικό του κέντρου. Το όνομα χρήστη μπορεί να το αλλάξει ένας διαχειριστής.
+
+Η γλώσσα ισχύει αμέσως. Επανέρχεται κάθε φορά που συνδέεστε σε αυτόν τον σταθμό και δεν αλλάζει τίποτα για τους άλλους.
+
+Για να αλλάξετε τον κωδικό πρόσβασης, γράψτε πρώτα τον τωρινό.
+
+Οι διαχειριστές μπορούν να δημιουργήσουν εδώ τον δικό τους κωδικό ανάκτησης· με αυτόν ορίζουν νέο κωδικό πρόσβασης αν ξεχάσουν τον δικό τους.</translation>
+    </message>
+    <message>
+        <source>Recovery code</source>
+        <translation>Κωδικός ανάκτησης</translation>
+    </message>
+    <message>
+        <source>With a recovery code you can set a new password yourself if you forget yours: at the login, choose &quot;Forgot your password?&quot;.</source>
+        <translation>Με έναν κωδικό ανάκτησης ορίζετε μόνοι σας νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας: στη σύνδεση επιλέξτε «Ξεχάσατε τον κωδικό;».</translation>
+    </message>
+    <message>
+        <source>Make a recovery code …</source>
+        <translation>Δημιουργία κωδικού ανάκτησης …</translation>
+    </message>
+    <message>
+        <source>It could not be read whether you have one.
+%1</source>
+        <translation>Δεν ήταν δυνατό να διαβαστεί αν έχετε κωδικό ανάκτησης.
+%1</translation>
+    </message>
+    <message>
+        <source>You have one. If it is lost or somebody else may have seen it, make a new one; it replaces the present one.</source>
+        <translation>Έχετε κωδικό ανάκτησης. Αν χάθηκε ή αν ίσως τον είδε κάποιος άλλος, δημιουργήστε νέο· αντικαθιστά τον τωρινό.</translation>
+    </message>
+    <message>
+        <source>You have none yet. Without it, only another administrator can help you if you forget your password.</source>
+        <translation>Δεν έχετε ακόμη κωδικό ανάκτησης. Χωρίς αυτόν, αν ξεχάσετε τον κωδικό πρόσβασης, μπορεί να σας βοηθήσει μόνο άλλος διαχειριστής.</translation>
     </message>
 </context>
 <context>
@@ -6684,6 +7124,38 @@ To change your password, first enter the one that you have now.</source>
     <message>
         <source>(erased)</source>
         <translation>(διαγράφηκε)</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ComparisonPage</name>
+    <message>
+        <source>Conditions compared</source>
+        <translation>Σύγκριση συνθηκών</translation>
+    </message>
+    <message>
+        <source>This study has only one condition, so there is nothing to compare it with.</source>
+        <translation>Αυτή η μελέτη έχει μόνο μία συνθήκη, οπότε δεν υπάρχει κάτι με το οποίο να συγκριθεί.</translation>
+    </message>
+    <message>
+        <source>Weber fractions are compared. The search for an apex has none: its groups tell errors in millimetres.</source>
+        <translation>Συγκρίνονται κλάσματα Weber. Η αναζήτηση μιας κορυφής δεν έχει: οι ομάδες της δείχνουν σφάλματα σε χιλιοστά.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ConditionQuestions</name>
+    <message>
+        <source>Please answer about the part that you have just finished, and about nothing else.</source>
+        <translation>Απαντήστε για το μέρος που μόλις ολοκληρώσατε και για τίποτε άλλο.</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>Υποβολή</translation>
+    </message>
+    <message>
+        <source>The answers were not stored. They are still on this page.
+%1</source>
+        <translation>Οι απαντήσεις δεν αποθηκεύτηκαν. Βρίσκονται ακόμη σε αυτή τη σελίδα.
+%1</translation>
     </message>
 </context>
 <context>
@@ -7336,6 +7808,18 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>Record the consent now</source>
         <translation>Καταγραφή της συγκατάθεσης τώρα</translation>
     </message>
+    <message>
+        <source>Login name, if the participant has an account here (optional)</source>
+        <translation>Όνομα χρήστη, αν ο συμμετέχων έχει λογαριασμό εδώ (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>With it, an export or an erasure of this person&apos;s data also reaches what they do in this study. It is kept only in the key table; no list and no export of the study shows it.</source>
+        <translation>Με αυτό, μια εξαγωγή ή διαγραφή των δεδομένων αυτού του ατόμου περιλαμβάνει και όσα κάνει σε αυτή τη μελέτη. Φυλάσσεται μόνο στον πίνακα κλειδιών· δεν το δείχνει καμία λίστα και καμία εξαγωγή της μελέτης.</translation>
+    </message>
+    <message>
+        <source>Nobody has an account with the login name “%1”. Nobody was enrolled. Correct the name, or leave the field empty.</source>
+        <translation>Κανείς δεν έχει λογαριασμό με το όνομα χρήστη «%1». Κανείς δεν εγγράφηκε. Διορθώστε το όνομα ή αφήστε το πεδίο κενό.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseDialog</name>
@@ -7436,12 +7920,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Οριστική διαγραφή</translation>
     </message>
     <message>
-        <source>Wrong password. Nobody was erased.
-%1</source>
-        <translation>Λάθος κωδικός πρόσβασης. Δεν έγινε διαγραφή.
-%1</translation>
-    </message>
-    <message>
         <source>The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where it stopped.
 %2</source>
         <translation>Η διαγραφή δεν ολοκληρώθηκε (%1): το αρχείο ίσως περιέχει ακόμη παλιά αντίγραφα. Πατήστε ξανά το κουμπί για να συνεχιστεί από εκεί που σταμάτησε.
@@ -7452,6 +7930,16 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 %2</source>
         <translation>Δεν διαγράφηκε: %1.
 %2</translation>
+    </message>
+    <message>
+        <source>Nobody was erased.</source>
+        <translation>Δεν έγινε διαγραφή.</translation>
+    </message>
+    <message>
+        <source>Nobody was erased.
+%1</source>
+        <translation>Δεν έγινε διαγραφή.
+%1</translation>
     </message>
 </context>
 <context>
@@ -7773,8 +8261,8 @@ Each level says whether you have passed it. Choose one to see what is measured a
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>%1 to %2, usually %3.</source>
-        <translation>%1 έως %2, συνήθως %3.</translation>
+        <source>%1 to %2, usually %3; a template may begin with another.</source>
+        <translation>%1 έως %2, συνήθως %3· ένα πρότυπο μπορεί να ξεκινά με άλλη τιμή.</translation>
     </message>
 </context>
 <context>
@@ -8154,13 +8642,6 @@ Press again to end the trial without it.</source>
         <source>Group</source>
         <translation>Ομάδα</translation>
     </message>
-    <message numerus="yes">
-        <source>Weber fraction of %n participant(s) (random effects)</source>
-        <translation>
-            <numerusform>Κλάσμα Weber %n συμμετέχοντα (τυχαίες επιδράσεις)</numerusform>
-            <numerusform>Κλάσμα Weber %n συμμετεχόντων (τυχαίες επιδράσεις)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>95 %: %1</source>
         <translation>95 %: %1</translation>
@@ -8242,16 +8723,24 @@ Press again to end the trial without it.</source>
         <translation>Πλήρως σωστές κατατάξεις: %1 από %2 (%3· επίπεδο τύχης έως 16,7 %)</translation>
     </message>
     <message>
-        <source>estimate with its 95 % interval</source>
-        <translation>εκτίμηση με διάστημα 95 %</translation>
-    </message>
-    <message>
-        <source>Conditions compared</source>
-        <translation>Σύγκριση συνθηκών</translation>
-    </message>
-    <message>
         <source>Prior influence</source>
         <translation>Μερίδιο της εκ των προτέρων κατανομής</translation>
+    </message>
+    <message>
+        <source>Compare the conditions</source>
+        <translation>Σύγκριση των συνθηκών</translation>
+    </message>
+    <message>
+        <source>Weber fraction (random effects)</source>
+        <translation>Κλάσμα Weber (τυχαίες επιδράσεις)</translation>
+    </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Εκθέτης του νόμου δύναμης</translation>
+    </message>
+    <message>
+        <source>In the group</source>
+        <translation>Στην ομάδα</translation>
     </message>
 </context>
 <context>
@@ -8534,6 +9023,14 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>%1. %2. Opens the results.</source>
         <translation>%1. %2. Ανοίγει τα αποτελέσματα.</translation>
     </message>
+    <message>
+        <source>You are an administrator and have no recovery code yet. With one, you can set a new password yourself if you forget yours.</source>
+        <translation>Είστε διαχειριστής/-τρια και δεν έχετε ακόμη κωδικό ανάκτησης. Με αυτόν ορίζετε μόνοι σας νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας.</translation>
+    </message>
+    <message>
+        <source>Make one …</source>
+        <translation>Δημιουργία …</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -8749,6 +9246,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>Simulated participants have no key.</source>
         <translation>Οι προσομοιωμένοι συμμετέχοντες δεν έχουν κλειδί.</translation>
     </message>
+    <message>
+        <source>Login name</source>
+        <translation>Όνομα χρήστη</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::LatenessChart</name>
@@ -8963,18 +9464,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <translation>Σύνδεση</translation>
     </message>
     <message>
-        <source>Type a few letters of your name, or choose it in the list, then enter your password.
-
-After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
-
-Forgot your password? An administrator can give you a new one. The first administrator has a recovery code.</source>
-        <translation>Πληκτρολογήστε μερικά γράμματα του ονόματός σας ή επιλέξτε το στη λίστα και δώστε τον κωδικό πρόσβασης.
-
-Μετά από τρεις λανθασμένους κωδικούς ο λογαριασμός κλειδώνει για λίγο· το κουμπί μετρά αντίστροφα τα δευτερόλεπτα. Δεν χάνονται δεδομένα.
-
-Ξεχάσατε τον κωδικό; Ένας διαχειριστής μπορεί να σας δώσει νέο. Ο πρώτος διαχειριστής έχει κωδικό ανάκτησης.</translation>
-    </message>
-    <message>
         <source>The site could not be opened.</source>
         <translation>Δεν ήταν δυνατό το άνοιγμα του κέντρου.</translation>
     </message>
@@ -8999,6 +9488,18 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Checking the site&apos;s file …</source>
         <translation>Έλεγχος του αρχείου του κέντρου …</translation>
+    </message>
+    <message>
+        <source>Type a few letters of your name, or choose it in the list, then enter your password.
+
+After three wrong passwords the account is locked for a short time; the button counts down the seconds. No data are lost.
+
+Forgot your password? An administrator can give you a new one. Administrators can use their recovery code.</source>
+        <translation>Πληκτρολογήστε μερικά γράμματα του ονόματός σας ή επιλέξτε το στη λίστα και δώστε τον κωδικό πρόσβασης.
+
+Μετά από τρεις λανθασμένους κωδικούς ο λογαριασμός κλειδώνει για λίγο· το κουμπί μετρά αντίστροφα τα δευτερόλεπτα. Δεν χάνονται δεδομένα.
+
+Ξεχάσατε τον κωδικό; Ένας διαχειριστής μπορεί να σας δώσει νέο. Οι διαχειριστές μπορούν να χρησιμοποιήσουν τον κωδικό ανάκτησής τους.</translation>
     </message>
 </context>
 <context>
@@ -9040,6 +9541,14 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Close this message</source>
         <translation>Κλείσιμο του μηνύματος</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Όλο το μήνυμα</translation>
+    </message>
+    <message>
+        <source>The whole message</source>
+        <translation>Ολόκληρο το μήνυμα</translation>
     </message>
 </context>
 <context>
@@ -9174,10 +9683,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
 %1</translation>
     </message>
     <message>
-        <source>Each is a complete design. Everything in it can be changed until the study is frozen.</source>
-        <translation>Κάθε πρότυπο είναι ένα πλήρες σχέδιο. Όλα αλλάζουν μέχρι να οριστικοποιηθεί η μελέτη.</translation>
-    </message>
-    <message>
         <source>Copy to a new study</source>
         <translation>Αντιγραφή σε νέα μελέτη</translation>
     </message>
@@ -9202,10 +9707,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>Δώστε στη μελέτη τίτλο.</translation>
     </message>
     <message>
-        <source>Another study has this title. They would look alike in lists; a different one is easier to find.</source>
-        <translation>Μια άλλη μελέτη έχει αυτόν τον τίτλο. Στις λίστες θα έμοιαζαν· με διαφορετικό τίτλο βρίσκεται ευκολότερα.</translation>
-    </message>
-    <message>
         <source>Give the study a key.</source>
         <translation>Δώστε στη μελέτη κλειδί.</translation>
     </message>
@@ -9216,6 +9717,26 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Another study has this key. Choose another.</source>
         <translation>Μια άλλη μελέτη έχει αυτό το κλειδί. Επιλέξτε άλλο.</translation>
+    </message>
+    <message>
+        <source>Each template is a complete design. Everything in it can be changed until the study is frozen.</source>
+        <translation>Κάθε πρότυπο είναι ένα πλήρες σχέδιο. Όλα αλλάζουν μέχρι να οριστικοποιηθεί η μελέτη.</translation>
+    </message>
+    <message>
+        <source>Find a template</source>
+        <translation>Αναζήτηση προτύπου</translation>
+    </message>
+    <message>
+        <source>Attribute, task, procedure or author</source>
+        <translation>Ιδιότητα, έργο, διαδικασία ή συγγραφέας</translation>
+    </message>
+    <message>
+        <source>No template matches “%1”. Try fewer or other words.</source>
+        <translation>Κανένα πρότυπο δεν ταιριάζει με «%1». Δοκιμάστε λιγότερες ή άλλες λέξεις.</translation>
+    </message>
+    <message>
+        <source>Another study has this title, and the two could not be told apart in lists. Choose another title.</source>
+        <translation>Μια άλλη μελέτη έχει αυτόν τον τίτλο και στις λίστες οι δύο δεν θα ξεχώριζαν. Επιλέξτε άλλον τίτλο.</translation>
     </message>
 </context>
 <context>
@@ -9411,10 +9932,6 @@ Forgot your password? An administrator can give you a new one. The first adminis
         <translation>%1 από %2 έτοιμες</translation>
     </message>
     <message>
-        <source>%1, one open</source>
-        <translation>%1, μία ανοικτή</translation>
-    </message>
-    <message>
         <source>%1 (simulated)</source>
         <translation>%1 (προσομοιωμένος)</translation>
     </message>
@@ -9449,6 +9966,18 @@ Forgot your password? An administrator can give you a new one. The first adminis
     <message>
         <source>Nobody is enrolled yet.</source>
         <translation>Δεν έχει εγγραφεί ακόμη κανείς.</translation>
+    </message>
+    <message>
+        <source>%1, one interrupted</source>
+        <translation>%1, μία διακόπηκε</translation>
+    </message>
+    <message>
+        <source>%1, one broken off</source>
+        <translation>%1, μία σταμάτησε</translation>
+    </message>
+    <message>
+        <source>%1. %2: %3.</source>
+        <translation>%1. %2: %3.</translation>
     </message>
 </context>
 <context>
@@ -9808,6 +10337,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Equality threshold (σ)</source>
         <translation>Κατώφλι ισότητας (σ)</translation>
     </message>
+    <message>
+        <source>Exponent of the power law</source>
+        <translation>Εκθέτης του νόμου δύναμης</translation>
+    </message>
+    <message>
+        <source>In the group value: %1.</source>
+        <translation>Στην τιμή της ομάδας: %1.</translation>
+    </message>
+    <message>
+        <source>The masking sound was not heard in %1 of %2 trials: the machine had no sound output.</source>
+        <translation>Ο ήχος κάλυψης δεν ακούστηκε σε %1 από %2 δοκιμές: ο υπολογιστής δεν είχε έξοδο ήχου.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PilotDialog</name>
@@ -9890,6 +10431,10 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Failed.</source>
         <translation>Αποτυχία.</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>Αριθμός σειράς: %1</translation>
     </message>
 </context>
 <context>
@@ -11031,14 +11576,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Ερωτηματολόγιο</translation>
     </message>
     <message>
-        <source>Each participant answers these questions once.
-
-Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
-        <translation>Κάθε συμμετέχων απαντά σε αυτές τις ερωτήσεις μία φορά.
-
-Με το Tab πηγαίνετε από ερώτηση σε ερώτηση, με τα βέλη κινείστε στην κλίμακα, με το Διάστημα επιλέγετε. Οι υποχρεωτικές ερωτήσεις σημειώνονται όταν μένουν αναπάντητες. Οι απαντήσεις αποθηκεύονται με τον κωδικό του συμμετέχοντα μόλις υποβληθούν.</translation>
-    </message>
-    <message>
         <source>Reading the questions …</source>
         <translation>Ανάγνωση των ερωτήσεων …</translation>
     </message>
@@ -11095,6 +11632,18 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Leave</source>
         <translation>Έξοδος</translation>
+    </message>
+    <message>
+        <source>Each participant answers these questions once, or once about each condition.
+
+Press Tab to move from question to question, the arrow keys to move along a scale, Space to choose. Required questions are marked if they are left unanswered. The answers are stored under the participant&apos;s code as soon as they are submitted.</source>
+        <translation>Κάθε συμμετέχων απαντά σε αυτές τις ερωτήσεις μία φορά, ή μία φορά για κάθε συνθήκη.
+
+Με το Tab πηγαίνετε από ερώτηση σε ερώτηση, με τα βέλη κινείστε στην κλίμακα, με το Διάστημα επιλέγετε. Οι υποχρεωτικές ερωτήσεις σημειώνονται όταν μένουν αναπάντητες. Οι απαντήσεις αποθηκεύονται με τον κωδικό του συμμετέχοντα μόλις υποβληθούν.</translation>
+    </message>
+    <message>
+        <source>Each participant answers it once about each condition.</source>
+        <translation>Κάθε συμμετέχων απαντά σε αυτό μία φορά για κάθε συνθήκη.</translation>
     </message>
 </context>
 <context>
@@ -11157,6 +11706,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <source>Laterality quotient (−100 left, 100 right)</source>
         <translation>Πηλίκο πλευρίωσης (−100 αριστερά, 100 δεξιά)</translation>
     </message>
+    <message>
+        <source>Answers about single conditions are shown once the study is unblinded.</source>
+        <translation>Οι απαντήσεις για μεμονωμένες συνθήκες εμφανίζονται μόλις αρθεί η τυφλότητα της μελέτης.</translation>
+    </message>
+    <message>
+        <source>About the condition %1</source>
+        <translation>Για τη συνθήκη %1</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::QuestionnairesPage</name>
@@ -11175,10 +11732,6 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Free text</source>
         <translation>Ελεύθερο κείμενο</translation>
-    </message>
-    <message>
-        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs. The answers are stored with the data.</source>
-        <translation>Δεν υπάρχουν ερωτηματολόγια. Κάθε συμμετέχων απαντά σε ένα ερωτηματολόγιο μία φορά, πριν ή μετά τις εκτελέσεις. Οι απαντήσεις φυλάσσονται μαζί με τα δεδομένα.</translation>
     </message>
     <message>
         <source>Add a questionnaire</source>
@@ -11287,6 +11840,14 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>when a participant is enrolled</source>
         <translation>κατά την εγγραφή ενός συμμετέχοντος</translation>
+    </message>
+    <message>
+        <source>No questionnaires. Each participant answers a questionnaire once, before or after the runs, or after each condition. The answers are stored with the data.</source>
+        <translation>Δεν υπάρχουν ερωτηματολόγια. Κάθε συμμετέχων απαντά σε ένα ερωτηματολόγιο μία φορά, πριν ή μετά τις εκτελέσεις, ή μετά από κάθε συνθήκη. Οι απαντήσεις φυλάσσονται μαζί με τα δεδομένα.</translation>
+    </message>
+    <message>
+        <source>after each condition, about that condition</source>
+        <translation>μετά από κάθε συνθήκη, για τη συνθήκη αυτή</translation>
     </message>
 </context>
 <context>
@@ -11530,16 +12091,53 @@ Press Tab to move from question to question, the arrow keys to move along a scal
         <translation>Στη σκηνή:
 •  %1</translation>
     </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Συνέχεια (Enter)</translation>
+    </message>
+    <message>
+        <source>Practise for another minute</source>
+        <translation>Ακόμη ένα λεπτό εξάσκησης</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::RecoveryCodeDialog</name>
+    <message>
+        <source>Make a recovery code</source>
+        <translation>Δημιουργία κωδικού ανάκτησης</translation>
+    </message>
+    <message>
+        <source>With a recovery code you can set a new password yourself if you forget yours. It is shown once, to be written down.</source>
+        <translation>Με έναν κωδικό ανάκτησης ορίζετε μόνοι σας νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μία φορά, για να τον σημειώσετε.</translation>
+    </message>
+    <message>
+        <source>The recovery code that you have now will no longer be accepted.</source>
+        <translation>Ο κωδικός ανάκτησης που έχετε τώρα δεν θα γίνεται πλέον δεκτός.</translation>
+    </message>
+    <message>
+        <source>Your own password</source>
+        <translation>Ο δικός σας κωδικός πρόσβασης</translation>
+    </message>
+    <message>
+        <source>Make the code</source>
+        <translation>Δημιουργία</translation>
+    </message>
+    <message>
+        <source>No recovery code was made.
+%1</source>
+        <translation>Δεν δημιουργήθηκε κωδικός ανάκτησης.
+%1</translation>
+    </message>
+    <message>
+        <source>The recovery code is not shown again. Write it down and tick the box first. If you close this window again, it is gone; you can then make a new one.</source>
+        <translation>Ο κωδικός ανάκτησης δεν εμφανίζεται ξανά. Πρώτα σημειώστε τον και επιλέξτε το πλαίσιο. Αν κλείσετε ξανά αυτό το παράθυρο, χάνεται· τότε μπορείτε να δημιουργήσετε νέο.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryCodePanel</name>
     <message>
         <source>Your recovery code</source>
         <translation>Ο κωδικός ανάκτησής σας</translation>
-    </message>
-    <message>
-        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy, and nobody else can restore the first administrator&apos;s access. Keep it as safe as your keys.</source>
-        <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο και κανείς άλλος δεν μπορεί να ξαναδώσει πρόσβαση στον πρώτο διαχειριστή. Φυλάξτε τον όπως τα κλειδιά σας.</translation>
     </message>
     <message>
         <source>Recovery code: %1</source>
@@ -11577,6 +12175,10 @@ Keep it as safe as your keys.</source>
 
 Φυλάξτε τον όπως τα κλειδιά σας.</translation>
     </message>
+    <message>
+        <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy. Without it, only another administrator can help you. Keep it as safe as your keys.</source>
+        <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο. Χωρίς αυτόν μπορεί να σας βοηθήσει μόνο άλλος διαχειριστής. Φυλάξτε τον όπως τα κλειδιά σας.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryPage</name>
@@ -11587,10 +12189,6 @@ Keep it as safe as your keys.</source>
     <message>
         <source>Ask an administrator of this site. Under People, they can give you a new password with &quot;Reset password&quot;. Your sessions and scores are kept.</source>
         <translation>Απευθυνθείτε σε διαχειριστή του κέντρου: στα «Άτομα», με την «Επαναφορά κωδικού», μπορεί να σας δώσει νέο κωδικό πρόσβασης. Οι συνεδρίες και οι βαθμολογίες σας διατηρούνται.</translation>
-    </message>
-    <message>
-        <source>The first administrator can use the recovery code that was shown when the site was set up.</source>
-        <translation>Ο πρώτος διαχειριστής μπορεί να χρησιμοποιήσει τον κωδικό ανάκτησης που εμφανίστηκε κατά τη δημιουργία του κέντρου.</translation>
     </message>
     <message>
         <source>Login name</source>
@@ -11611,6 +12209,10 @@ Keep it as safe as your keys.</source>
     <message>
         <source>Checking …</source>
         <translation>Έλεγχος …</translation>
+    </message>
+    <message>
+        <source>Administrators can use their recovery code. It was shown when the site was set up, or when they made one under My account.</source>
+        <translation>Οι διαχειριστές μπορούν να χρησιμοποιήσουν τον κωδικό ανάκτησής τους. Εμφανίστηκε όταν στήθηκε το κέντρο ή όταν τον δημιούργησαν στο «Ο λογαριασμός μου».</translation>
     </message>
 </context>
 <context>
@@ -11703,6 +12305,14 @@ Keep it as safe as your keys.</source>
     <message>
         <source>Cancel</source>
         <translation>Άκυρο</translation>
+    </message>
+    <message>
+        <source>The backup has a different administrator or password. Enter those of the backup, too.</source>
+        <translation>Το αντίγραφο ασφαλείας έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και του αντιγράφου.</translation>
+    </message>
+    <message>
+        <source>The damaged file has a different administrator or password. Enter those, too.</source>
+        <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και αυτά.</translation>
     </message>
 </context>
 <context>
@@ -12408,18 +13018,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Διεξαγωγή</translation>
     </message>
     <message>
-        <source>Takes a participant through a study.
-
-Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too.
-
-An interrupted run resumes at the trial where it stopped.</source>
-        <translation>Οδηγεί έναν συμμετέχοντα σε μια μελέτη.
-
-Επιλέξτε τη μελέτη και τον κωδικό του συμμετέχοντα. Οι συνθήκες εμφανίζονται με τη δική του σειρά· αν ο πειραματιστής είναι τυφλός, φέρουν σφραγισμένους κωδικούς. Εδώ απαντώνται και τα ερωτηματολόγια πριν και μετά τις εκτελέσεις.
-
-Μια εκτέλεση που διακόπηκε συνεχίζεται από τη δοκιμή όπου σταμάτησε.</translation>
-    </message>
-    <message>
         <source>Reading the studies …</source>
         <translation>Ανάγνωση των μελετών …</translation>
     </message>
@@ -12472,10 +13070,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>not started yet</source>
-        <translation>δεν άρχισε ακόμη</translation>
-    </message>
-    <message>
         <source>Begin</source>
         <translation>Αρχή</translation>
     </message>
@@ -12500,18 +13094,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Έναρξη: %1</translation>
     </message>
     <message>
-        <source>interrupted at trial %1 of at most %2</source>
-        <translation>διακόπηκε στη δοκιμή %1 (το πολύ %2)</translation>
-    </message>
-    <message>
-        <source>interrupted at trial %1</source>
-        <translation>διακόπηκε στη δοκιμή %1</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Resume here</source>
         <translation>Συνέχεια από εδώ</translation>
     </message>
@@ -12524,8 +13106,24 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Άλλες εκτελέσεις που διακόπηκαν</translation>
     </message>
     <message>
-        <source>interrupted, %1</source>
-        <translation>διακόπηκε, %1</translation>
+        <source>Takes a participant through a study.
+
+Choose the study and the participant&apos;s code. The conditions appear in the participant&apos;s own order; if the experimenter is blinded, they appear under sealed codes. The questionnaires before and after the runs are answered here, too, and those about a condition once it is done.
+
+An interrupted run resumes at the trial where it stopped.</source>
+        <translation>Οδηγεί έναν συμμετέχοντα σε μια μελέτη.
+
+Επιλέξτε τη μελέτη και τον κωδικό του συμμετέχοντα. Οι συνθήκες εμφανίζονται με τη δική του σειρά· αν ο πειραματιστής είναι τυφλός, φέρουν σφραγισμένους κωδικούς. Εδώ απαντώνται και τα ερωτηματολόγια πριν και μετά τις εκτελέσεις, και όσα αφορούν μια συνθήκη μόλις αυτή ολοκληρωθεί.
+
+Μια εκτέλεση που διακόπηκε συνεχίζεται από τη δοκιμή όπου σταμάτησε.</translation>
+    </message>
+    <message>
+        <source>This study plays a masking sound, and this machine has no sound output: participants would hear the device. Connect headphones or loudspeakers and open this page again. You can also go on: each trial is then recorded as not masked.</source>
+        <translation>Αυτή η μελέτη παίζει ήχο κάλυψης και αυτός ο υπολογιστής δεν έχει έξοδο ήχου: οι συμμετέχοντες θα άκουγαν τη συσκευή. Συνδέστε ακουστικά ή ηχεία και ανοίξτε ξανά αυτή τη σελίδα. Μπορείτε και να συνεχίσετε: τότε κάθε δοκιμή καταγράφεται ως χωρίς κάλυψη.</translation>
+    </message>
+    <message>
+        <source>%1, about condition %2</source>
+        <translation>%1, για τη συνθήκη %2</translation>
     </message>
 </context>
 <context>
@@ -13879,20 +14477,24 @@ With real-time priority the loop stays on time whatever else the computer does. 
         <translation>τυφλή: συνθήκες με σφραγισμένους κωδικούς</translation>
     </message>
     <message>
+        <source>Groups include runs with force shown, not felt</source>
+        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις με δύναμη μόνο σε προβολή</translation>
+    </message>
+    <message>
         <source>The results of a study.
 
-Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires.
+Group shows each participant&apos;s Weber fraction with its interval for every condition, and any warnings. Person shows the curve of a run with its data. Trials lists every presentation with its fidelity and says why one did not count. Questions summarises the questionnaires. Comparison sets the conditions beside each other, and says who or what is missing where they cannot be compared.
 
 You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&apos;s SHA-256. While the experimenter is blind, conditions are shown by sealed codes, and of their runs you see only how well each participant&apos;s trials went. Unblinding asks for a reason, is recorded and cannot be undone.</source>
         <translation>Τα αποτελέσματα μιας μελέτης.
 
-Η «Ομάδα» δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του για κάθε συνθήκη, και τυχόν προειδοποιήσεις. Το «Άτομο» δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι «Δοκιμές» αναγράφουν κάθε παρουσίαση με την πιστότητά της και εξηγούν γιατί κάποια δεν μέτρησε. Οι «Ερωτήσεις» συνοψίζουν τα ερωτηματολόγια.
+Η «Ομάδα» δείχνει το κλάσμα Weber κάθε συμμετέχοντα με το διάστημά του για κάθε συνθήκη, και τυχόν προειδοποιήσεις. Το «Άτομο» δείχνει την καμπύλη μίας εκτέλεσης με τα δεδομένα της. Οι «Δοκιμές» αναγράφουν κάθε παρουσίαση με την πιστότητά της και εξηγούν γιατί κάποια δεν μέτρησε. Οι «Ερωτήσεις» συνοψίζουν τα ερωτηματολόγια. Η «Σύγκριση» βάζει τις συνθήκες δίπλα δίπλα και λέει ποιος ή τι λείπει όπου δεν μπορούν να συγκριθούν.
 
 Μπορείτε να εξαγάγετε πίνακες (CSV), σύνολο BIDS ή PDF· όλα περιέχουν το SHA-256 του σχεδίου. Όσο ο πειραματιστής είναι τυφλός, οι συνθήκες φαίνονται με σφραγισμένους κωδικούς και από τις εκτελέσεις τους βλέπετε μόνο πόσο καλά πήγαν οι δοκιμές κάθε συμμετέχοντα. Η άρση της τυφλότητας απαιτεί αιτιολογία, καταγράφεται και δεν αναιρείται.</translation>
     </message>
     <message>
-        <source>Groups include runs with force shown, not felt</source>
-        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις με δύναμη μόνο σε προβολή</translation>
+        <source>Comparison</source>
+        <translation>Σύγκριση</translation>
     </message>
 </context>
 <context>
@@ -14343,6 +14945,25 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>All measurements, or those a trainee needs</source>
         <translation>Όλες οι μετρήσεις ή όσες χρειάζονται στην εξάσκηση</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
+        <translation>
+                <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+                <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
+        <translation>Η εξάσκηση τελείωσε. Η εξοικείωση αρχίζει όταν πατήσετε «Συνέχεια»· ούτε αυτή μετράει.</translation>
+    </message>
+    <message>
+        <source>The practice is over and does not count. The trials that count begin when you press Continue.</source>
+        <translation>Η εξάσκηση τελείωσε και δεν μετράει. Οι δοκιμές που μετρούν αρχίζουν όταν πατήσετε «Συνέχεια».</translation>
+    </message>
+    <message>
+        <source>Practice ends in %1 s</source>
+        <translation>Η εξάσκηση τελειώνει σε %1 s</translation>
     </message>
 </context>
 <context>
@@ -14836,12 +15457,31 @@ F2 is for the experimenter.</source>
         <translation>Το ελεύθερο λεπτό τελείωσε</translation>
     </message>
     <message>
-        <source>The trials begin when you continue.</source>
-        <translation>Οι δοκιμές αρχίζουν όταν συνεχίσετε.</translation>
-    </message>
-    <message>
         <source>Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.</source>
         <translation>Αρκετές φορές στη σειρά δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα. Ζητήστε από τον πειραματιστή να σας δείξει πώς αγγίζετε και πώς αφήνετε ένα αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the sitting, connect headphones or loudspeakers, and resume the run.</source>
+        <translation>Ο ήχος κάλυψης δεν ακούγεται: αυτός ο υπολογιστής δεν έχει έξοδο ήχου. Κάθε δοκιμή καταγράφεται ως χωρίς κάλυψη. Για κάλυψη σταματήστε τη συνεδρία, συνδέστε ακουστικά ή ηχεία και συνεχίστε την εκτέλεση.</translation>
+    </message>
+    <message>
+        <source>%1 The participant is now answering the questions about it.</source>
+        <translation>%1 Ο συμμετέχων απαντά τώρα στις ερωτήσεις για αυτήν.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
+        <translation>
+                <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτο. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
+                <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτα. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.</source>
+        <translation>Ό,τι δοκιμάσατε δεν μετράει. Ακολουθούν δοκιμές εξάσκησης, που ούτε αυτές μετρούν· μετά από αυτές μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
+        <translation>Ό,τι δοκιμάσατε δεν μετράει. Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
     </message>
 </context>
 <context>

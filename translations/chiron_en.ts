@@ -127,6 +127,20 @@
             <numerusform>It begins with %n practice trials, which do not count.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>After each part you answer %n question(s) about it.</source>
+        <translation>
+                <numerusform>After each part you answer %n question about it.</numerusform>
+                <numerusform>After each part you answer %n questions about it.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>After the trials you answer %n question(s) about them.</source>
+        <translation>
+                <numerusform>After the trials you answer %n question about them.</numerusform>
+                <numerusform>After the trials you answer %n questions about them.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>RosterWords</name>
@@ -161,8 +175,22 @@
     <message numerus="yes">
         <source>%n people would no longer be administrators.</source>
         <translation>
-                <numerusform>%n person would no longer be an administrator.</numerusform>
-                <numerusform>%n people would no longer be administrators.</numerusform>
+            <numerusform>%n person would no longer be an administrator.</numerusform>
+            <numerusform>%n people would no longer be administrators.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are listed under an earlier login name and are recognised by it.</source>
+        <translation>
+                <numerusform>%n person is listed under an earlier login name and is recognised by it.</numerusform>
+                <numerusform>%n people are listed under an earlier login name and are recognised by it.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
+        <translation>
+                <numerusform>It is not certain who is meant in %n more line. Point at the login name in the table to read why.</numerusform>
+                <numerusform>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</numerusform>
             </translation>
     </message>
 </context>
@@ -483,16 +511,6 @@
     </message>
 </context>
 <context>
-    <name>chiron::desktop::GroupPage</name>
-    <message numerus="yes">
-        <source>Weber fraction of %n participant(s) (random effects)</source>
-        <translation>
-            <numerusform>Weber fraction of %n participant (random effects)</numerusform>
-            <numerusform>Weber fraction of %n participants (random effects)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>chiron::desktop::HomeScreen</name>
     <message numerus="yes">
         <source>%n session(s) in the last 7 days</source>
@@ -749,6 +767,13 @@
             <numerusform>%n trials. The clock starts when you press Go or move the tool with a key.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
+        <translation>
+                <numerusform>%n trial. The clock starts when you press Continue or move the tool with a key.</numerusform>
+                <numerusform>%n trials. The clock starts when you press Continue or move the tool with a key.</numerusform>
+            </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::TrialsScreen</name>
@@ -765,6 +790,13 @@
             <numerusform>Free minute: try the controls. Nothing counts yet. %n second left.</numerusform>
             <numerusform>Free minute: try the controls. Nothing counts yet. %n seconds left.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
+        <translation>
+                <numerusform>The free minute ends in %n second. Then you say when the trials begin.</numerusform>
+                <numerusform>The free minute ends in %n seconds. Then you say when the trials begin.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
