@@ -66,6 +66,7 @@ inline void addStudyPlaces(std::vector<VisitedPlace>& places, const VisitedStudi
     add("data_person", "study_data", of(studies.data, 1));
     add("data_trials", "study_data", of(studies.data, 2));
     add("data_questions", "study_data", of(studies.data, 3));
+    add("data_comparison", "study_data", of(studies.data, 4));
     add("data_blind", "study_data", of(studies.blind, 0));
     add("questionnaire", "questionnaire", {{"study", qlonglong(studies.data)}, {"participant", studies.waiting}, {"questionnaire", "validity"}});
 }
