@@ -2581,16 +2581,16 @@ Einzelheiten: %2</translation>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
-                <numerusform>Nach jedem Teil beantworten Sie %n Frage dazu.</numerusform>
-                <numerusform>Nach jedem Teil beantworten Sie %n Fragen dazu.</numerusform>
-            </translation>
+            <numerusform>Nach jedem Teil beantworten Sie %n Frage dazu.</numerusform>
+            <numerusform>Nach jedem Teil beantworten Sie %n Fragen dazu.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s) about them.</source>
         <translation>
-                <numerusform>Nach den Durchgängen beantworten Sie %n Frage dazu.</numerusform>
-                <numerusform>Nach den Durchgängen beantworten Sie %n Fragen dazu.</numerusform>
-            </translation>
+            <numerusform>Nach den Durchgängen beantworten Sie %n Frage dazu.</numerusform>
+            <numerusform>Nach den Durchgängen beantworten Sie %n Fragen dazu.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3687,16 +3687,16 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n people are listed under an earlier login name and are recognised by it.</source>
         <translation>
-                <numerusform>%n Person steht unter einem früheren Anmeldenamen in der Liste und wird an ihm erkannt.</numerusform>
-                <numerusform>%n Personen stehen unter einem früheren Anmeldenamen in der Liste und werden an ihm erkannt.</numerusform>
-            </translation>
+            <numerusform>%n Person steht unter einem früheren Anmeldenamen in der Liste und wird an ihm erkannt.</numerusform>
+            <numerusform>%n Personen stehen unter einem früheren Anmeldenamen in der Liste und werden an ihm erkannt.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
         <translation>
-                <numerusform>In %n weiteren Zeile ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
-                <numerusform>In %n weiteren Zeilen ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
-            </translation>
+            <numerusform>In %n weiteren Zeile ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
+            <numerusform>In %n weiteren Zeilen ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14949,9 +14949,9 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
         <translation>
-                <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
-                <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
-            </translation>
+            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -15471,9 +15471,9 @@ F2 ist für die Versuchsleitung.</translation>
     <message numerus="yes">
         <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
         <translation>
-                <numerusform>Die freie Minute endet in %n Sekunde. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
-                <numerusform>Die freie Minute endet in %n Sekunden. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
-            </translation>
+            <numerusform>Die freie Minute endet in %n Sekunde. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
+            <numerusform>Die freie Minute endet in %n Sekunden. Dann sagen Sie, wann die Durchgänge beginnen.</numerusform>
+        </translation>
     </message>
     <message>
         <source>What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.</source>

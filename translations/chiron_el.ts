@@ -2581,16 +2581,16 @@ Details: %2</source>
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
-                <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερώτηση για αυτό.</numerusform>
-                <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερωτήσεις για αυτό.</numerusform>
-            </translation>
+            <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερώτηση για αυτό.</numerusform>
+            <numerusform>Μετά από κάθε μέρος απαντάτε σε %n ερωτήσεις για αυτό.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s) about them.</source>
         <translation>
-                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση για αυτές.</numerusform>
-                <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις για αυτές.</numerusform>
-            </translation>
+            <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση για αυτές.</numerusform>
+            <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις για αυτές.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3687,16 +3687,16 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>%n people are listed under an earlier login name and are recognised by it.</source>
         <translation>
-                <numerusform>%n άτομο είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζεται από αυτό.</numerusform>
-                <numerusform>%n άτομα είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζονται από αυτό.</numerusform>
-            </translation>
+            <numerusform>%n άτομο είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζεται από αυτό.</numerusform>
+            <numerusform>%n άτομα είναι στη λίστα με παλιότερο όνομα χρήστη και αναγνωρίζονται από αυτό.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
         <translation>
-                <numerusform>Σε %n ακόμη γραμμή δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
-                <numerusform>Σε %n ακόμη γραμμές δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
-            </translation>
+            <numerusform>Σε %n ακόμη γραμμή δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
+            <numerusform>Σε %n ακόμη γραμμές δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -14949,9 +14949,9 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
         <translation>
-                <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
-                <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
-            </translation>
+            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
@@ -15471,9 +15471,9 @@ F2 is for the experimenter.</source>
     <message numerus="yes">
         <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
         <translation>
-                <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτο. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
-                <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτα. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
-            </translation>
+            <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτο. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
+            <numerusform>Το ελεύθερο λεπτό τελειώνει σε %n δευτερόλεπτα. Μετά λέτε εσείς πότε αρχίζουν οι δοκιμές.</numerusform>
+        </translation>
     </message>
     <message>
         <source>What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.</source>

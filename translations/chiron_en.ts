@@ -130,16 +130,16 @@
     <message numerus="yes">
         <source>After each part you answer %n question(s) about it.</source>
         <translation>
-                <numerusform>After each part you answer %n question about it.</numerusform>
-                <numerusform>After each part you answer %n questions about it.</numerusform>
-            </translation>
+            <numerusform>After each part you answer %n question about it.</numerusform>
+            <numerusform>After each part you answer %n questions about it.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>After the trials you answer %n question(s) about them.</source>
         <translation>
-                <numerusform>After the trials you answer %n question about them.</numerusform>
-                <numerusform>After the trials you answer %n questions about them.</numerusform>
-            </translation>
+            <numerusform>After the trials you answer %n question about them.</numerusform>
+            <numerusform>After the trials you answer %n questions about them.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -182,16 +182,16 @@
     <message numerus="yes">
         <source>%n people are listed under an earlier login name and are recognised by it.</source>
         <translation>
-                <numerusform>%n person is listed under an earlier login name and is recognised by it.</numerusform>
-                <numerusform>%n people are listed under an earlier login name and are recognised by it.</numerusform>
-            </translation>
+            <numerusform>%n person is listed under an earlier login name and is recognised by it.</numerusform>
+            <numerusform>%n people are listed under an earlier login name and are recognised by it.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</source>
         <translation>
-                <numerusform>It is not certain who is meant in %n more line. Point at the login name in the table to read why.</numerusform>
-                <numerusform>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</numerusform>
-            </translation>
+            <numerusform>It is not certain who is meant in %n more line. Point at the login name in the table to read why.</numerusform>
+            <numerusform>It is not certain who is meant in %n more lines. Point at the login name in the table to read why.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -770,9 +770,9 @@
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
         <translation>
-                <numerusform>%n trial. The clock starts when you press Continue or move the tool with a key.</numerusform>
-                <numerusform>%n trials. The clock starts when you press Continue or move the tool with a key.</numerusform>
-            </translation>
+            <numerusform>%n trial. The clock starts when you press Continue or move the tool with a key.</numerusform>
+            <numerusform>%n trials. The clock starts when you press Continue or move the tool with a key.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -794,9 +794,9 @@
     <message numerus="yes">
         <source>The free minute ends in %n second(s). Then you say when the trials begin.</source>
         <translation>
-                <numerusform>The free minute ends in %n second. Then you say when the trials begin.</numerusform>
-                <numerusform>The free minute ends in %n seconds. Then you say when the trials begin.</numerusform>
-            </translation>
+            <numerusform>The free minute ends in %n second. Then you say when the trials begin.</numerusform>
+            <numerusform>The free minute ends in %n seconds. Then you say when the trials begin.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
