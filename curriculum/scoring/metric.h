@@ -21,7 +21,7 @@ enum class MetricWrench { none, tissue, commanded, measured };
 /// How a session's value comes from its trials. `pooled`: computed once over all trials' samples or answers.
 enum class Aggregate { sum, mean, median, maximum, pooled };
 
-/// Which tools a metric reads; shown with its description.
+/// Which tools a metric reads; `exercise show` says it.
 enum class MetricTools { first, all };
 
 /// A metric's outcome: a value, or none and the reason.
@@ -64,5 +64,6 @@ struct MetricDefinition {
 std::string_view toString(Direction direction);
 std::string_view toString(MetricWrench wrench);
 std::string_view toString(Aggregate aggregate);
+std::string_view toString(MetricTools tools);
 
 } // namespace chiron::scoring

@@ -36,6 +36,7 @@ QJsonArray metricsOf(const catalogue::ExerciseLevel& level) {
             metric[QStringLiteral("unit")] = text(std::string(known->unit));
             metric[QStringLiteral("direction")] = text(std::string(scoring::toString(known->direction)));
             metric[QStringLiteral("wrench")] = text(std::string(scoring::toString(known->wrench)));
+            metric[QStringLiteral("tools")] = text(std::string(scoring::toString(known->tools)));
             metric[QStringLiteral("definition")] = text(std::string(known->definition));
         }
         array.append(metric);

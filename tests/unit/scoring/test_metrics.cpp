@@ -283,6 +283,10 @@ void TestMetrics::everyRowIsWhole() {
         QVERIFY2(!before || (metric.title == before->title && metric.meaning == before->meaning && metric.unit == before->unit && metric.measure != before->measure), id);
         before = &metric;
     }
+    for (const char* force : {"force_max", "force_mean", "force_rms", "force_p95", "force_time_over_limit", "force_impulse_over_limit"}) {
+        QVERIFY2(findMetric(force, 1)->tools == MetricTools::first && findMetric(force, 2)->tools == MetricTools::all, force); // as their definitions say
+        QCOMPARE(toString(findMetric(force)->tools), std::string_view("all"));
+    }
     QVERIFY(last.size() > 60);
 }
 
