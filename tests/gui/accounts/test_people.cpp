@@ -296,8 +296,10 @@ void TestPeople::editNames() {
     desk.set("edit_person.name", QStringLiteral("christina"));
     desk.set("edit_person.full_name", QStringLiteral("Christina Weiß"));
     VERIFY_READABLE(desk.dialog("edit_person"));
+    desk.told.clear();
     desk.click("edit_person.accept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("christina")) >= 0, 10000);
+    QTRY_VERIFY2(desk.told.join(u' ').contains(QStringLiteral("christina")) && desk.told.join(u' ').contains(QStringLiteral("saved")), qPrintable(desk.told.join(u' ')));
     QCOMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Christina Weiß"));
     // Still chosen, with what she was called before.
     auto* earlier = desk.find<QLabel>(QStringLiteral("people.earlier"));

@@ -53,6 +53,8 @@ private slots:
     void timeAndTrialsAreFound();
     void otherTextsStand();
     void freezingSaysSo();
+    void freezingCountsParticipants_data();
+    void freezingCountsParticipants();
 
 private:
     StudyDesign of(const std::string& id) const {
@@ -131,6 +133,32 @@ void TestTextClaims::otherTextsStand() {
     design.objective = {{"en", "Whether 12 people feel 5 % of 0.3."}};
     const auto claims = desktop::falseClaims(design, kEnglish);
     QVERIFY2(claims.empty(), qPrintable(told(claims)));
+}
+
+void TestTextClaims::freezingCountsParticipants_data() {
+    QTest::addColumn<int>("planned");
+    QTest::addColumn<desktop::FreezeCheck::State>("state");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("none") << 0 << desktop::FreezeCheck::State::bad << QStringLiteral("at least one");
+    QTest::newRow("one") << 1 << desktop::FreezeCheck::State::advice << QStringLiteral("One participant says nothing of others");
+    QTest::newRow("two") << 2 << desktop::FreezeCheck::State::good << QStringLiteral("2");
+    QTest::newRow("twelve") << 12 << desktop::FreezeCheck::State::good << QStringLiteral("12");
+}
+
+void TestTextClaims::freezingCountsParticipants() {
+    QFETCH(int, planned);
+    QFETCH(desktop::FreezeCheck::State, state);
+    QFETCH(QString, words);
+    StudyDesign design = of("stiffness_elastic_tube");
+    design.conditions.resize(1); // one condition: every number of people is balanced
+    design.participantsPlanned = planned;
+    for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, {}, kEnglish))
+        if (each.name == QStringLiteral("participants")) {
+            QCOMPARE(each.state, state);
+            QVERIFY2(each.words.contains(words), qPrintable(each.words));
+            return;
+        }
+    QFAIL("no such check");
 }
 
 void TestTextClaims::freezingSaysSo() {

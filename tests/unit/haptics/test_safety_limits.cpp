@@ -35,6 +35,7 @@ private slots:
     void torqueIsSlewed();
     void slewNeverExceedsTheTarget();
     void overVelocityIsLatchedAndDampsOnly();
+    void overVelocityDampsOnlyWhatPushes();
     void overVelocityCountsTheHandsSpeed();
     void configureRefusesNonsense();
 };
@@ -304,6 +305,25 @@ void TestSafetyLimits::slewNeverExceedsTheTarget() {
         // Never farther from the target than before: it converges.
         QVERIFY((shown - target).norm() <= (last - target).norm() * (1.0 + 1e-12));
         QCOMPARE(limited, shown != target);
+    }
+}
+
+/// A device that measures and cannot push is too fast like any other, and is commanded nothing for it.
+void TestSafetyLimits::overVelocityDampsOnlyWhatPushes() {
+    auto onlyMeasures = sixAxisDevice(10.0);
+    for (auto& axis : onlyMeasures.axes)
+        axis.continuousRating = 0.0;
+    auto rendersNothing = sixAxisDevice(10.0);
+    rendersNothing.rendersForce = false;
+    for (const auto& device : {onlyMeasures, rendersNothing}) {
+        SafetyRig rig(device);
+        rig.arm();
+        rig.states.tools[0].v_WT = Vec3(0.6, 0, 0.81);
+        rig.ticks(3);
+        QCOMPARE(rig.force(), Vec3(0, 0, 0));
+        rig.states.tools[0].v_WT = Vec3(0.1, 0, 0);
+        rig.ticks(3);
+        QCOMPARE(rig.force(), Vec3(0, 0, 0));
     }
 }
 

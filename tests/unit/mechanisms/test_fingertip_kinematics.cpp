@@ -161,6 +161,13 @@ void TestFingertipKinematics::padGradientAgreesWithDifferences() {
     core::Random random(6);
     constexpr double kStep = 1e-6;
     QVERIFY(std::abs(pad.penetration(k.loop({}))) < 1e-15); // level at zero just touches
+    for (const double surface_m : {-0.0011, 0.0008}) { // a thin and a thick finger: touched where its skin is
+        mechanisms::FingerPadParameters finger;
+        finger.surface_m = surface_m;
+        QVERIFY(std::abs(mechanisms::FingerPad(finger).penetration(k.loop({surface_m, 0.0, 0.0}))) < 1e-15);
+        QVERIFY(std::abs(mechanisms::FingerPad(finger).penetration(k.loop({surface_m + 0.0005, 0.0, 0.0})) - 0.0005) < 1e-12);
+        QVERIFY(std::abs(mechanisms::FingerPad(finger).heightFor(k.loop({}), 0.0) - surface_m) < 1e-12);
+    }
     for (int n = 0; n < 100; ++n) {
         const Vec3 x = anyPose(random, k.geometry()).vector();
         const Vec3 gradient = pad.gradient(k.loop(FingertipPose::of(x)));

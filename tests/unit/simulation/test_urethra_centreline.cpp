@@ -156,6 +156,8 @@ void TestUrethraCentreline::footBeforeTheEntrance() {
     QCOMPARE(kLine.foot(p).en_m, 0.004);
     const Vec3 half(0.0, 0.004, -0.005); // g = ½: s = −5 mm / (1 − 26·0.004·½)
     QVERIFY(std::abs(kLine.foot(half).at.s_m + 0.005 / 0.948) < 1e-15);
+    QCOMPARE(kLine.foot(p).bendOfS_per_m, 0.0); // s is linear there, and its bound says so
+    QVERIFY(kLine.foot(half).bendOfS_per_m > 0.0);
     QCOMPARE(kLine.foot(Vec3(0.0, 0.0, -0.003)).at.s_m, -0.003);
 }
 
