@@ -382,7 +382,8 @@ void TestStudyRuns::answersOfConditionsBelongToRuns() {
     const StudyRunNumber hard = begun(who, "hard");
     REQUIRE(completed(hard));
     REQUIRE(store(hard, 2.0, ""));
-    for (const QuestionnaireAnswer& answer : *StudyReader(*reader(), m_ruth).questionnaireAnswers(*study)) {
+    const auto listed = StudyReader(*reader(), m_ruth).questionnaireAnswers(*study);
+    for (const QuestionnaireAnswer& answer : *listed) {
         QVERIFY(answer.withheld && !answer.number && answer.utc.empty() && answer.condition.empty());
         QCOMPARE(answer.sealedCode, codeOf(*reader(), *study, answer.run == soft ? "soft" : "hard"));
     }
@@ -393,7 +394,8 @@ void TestStudyRuns::answersOfConditionsBelongToRuns() {
     QVERIFY(answers->back().condition == "hard" && answers->back().number == 2.0 && answers->back().language.empty());
     REQUIRE(write(m_ruth, [&](StudyRepository& s) { return s.withdrawParticipant(who, false); }));
     REQUIRE(AccountService(*m->database).eraseParticipant(m_admin, kPassword, who, "wish"));
-    for (const QuestionnaireAnswer& answer : *StudyReader(*reader(), m_ruth).questionnaireAnswers(*study)) {
+    const auto listedLater = StudyReader(*reader(), m_ruth).questionnaireAnswers(*study);
+    for (const QuestionnaireAnswer& answer : *listedLater) {
         QVERIFY(!answer.number && answer.text.empty()); // of every condition
     }
     m->database.reset();
