@@ -33,7 +33,7 @@ std::optional<WorstMoment> largestForce(const PlaybackTrack& track) {
         for (int k = 0; k < track.toolCount; ++k) {
             const double force_N = track.tool(i, k).tissue_N.norm();
             if (force_N > (worst ? worst->value : scoring::kContactForce_N))
-                worst = WorstMoment{moment.t_s, moment.trial, force_N, "N", "force_max", false};
+                worst = WorstMoment{moment.t_s, 0.0, moment.trial, force_N, "N", "force_max", false};
         }
     }
     return worst;
@@ -193,10 +193,9 @@ std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::Sco
 
 } // namespace
 
-std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
-                                       std::span<const scoring::Gate> gates) {
-    if (track.trials.empty())
-        return std::nullopt;
+namespace {
+
+std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::ScoreCard& card, std::span<const scoring::Gate> gates) {
     std::vector<const scoring::Gate*> missed;
     for (const scoring::Gate& gate : gates)
         if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric); metric && metric->passed == std::optional<bool>(false))
@@ -215,6 +214,18 @@ std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring
         if (auto worst = spread(track, card, *gate, *metricIn(card.metrics, gate->metric)))
             return ledBy(std::move(*worst), *gate);
     return largestForce(track);
+}
+
+} // namespace
+
+std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,
+                                       std::span<const scoring::Gate> gates) {
+    if (track.trials.empty())
+        return std::nullopt;
+    auto worst = worstOf(track, card, gates);
+    if (const PlaybackTrial* trial = worst ? track.trial(worst->trial) : nullptr)
+        worst->intoTrial_s = std::max(0.0, worst->t_s - trial->start_s);
+    return worst;
 }
 
 } // namespace chiron::session

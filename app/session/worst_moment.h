@@ -12,7 +12,8 @@ namespace chiron::session {
 
 /// The one moment worth looking at first.
 struct WorstMoment {
-    double t_s = 0.0;
+    double t_s = 0.0;         ///< on the track's time
+    double intoTrial_s = 0.0; ///< since the trial began: the recording begins before it
     int trial = 0;
     double value = 0.0;     ///< in `unit`
     std::string unit;       ///< of the metric, "N" for a force

@@ -182,13 +182,14 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
     const QString metric = metricTitle(QString::fromStdString(worst.reason));
-    const QString at = clockText(worst.t_s, locale);
+    const QString into = clockText(worst.intoTrial_s, locale); // as the training screen counted it; playback's clock began before the trial
     const bool counted = worst.unit == "count"; // of the whole session: only one of them happened here
     const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
-    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1 in trial %2, at %3").arg(what, locale.toString(worst.trial + 1), at)
-                                                                 : tr("%1, at %2").arg(what, at);
-    m_worst->setToolTip(where);
-    m_worst->setAccessibleDescription(where);
+    const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1 in trial %2, %3 after it began").arg(what, locale.toString(worst.trial + 1), into)
+                                                                 : tr("%1, %2 after the start").arg(what, into);
+    const QString inRecording = tr("%1 (%2 in the recording)").arg(where, clockText(worst.t_s, locale));
+    m_worst->setToolTip(inRecording);
+    m_worst->setAccessibleDescription(inRecording);
     m_worstText->setText(tr("Worst moment: %1").arg(where));
     m_worst->setEnabled(true);
 }

@@ -121,14 +121,18 @@ QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
 
 QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
     constexpr int kMost = 3; // as many as there are cards
+    enum class Tells { fails, failedBefore, other };
     QStringList changes;
-    for (const bool failed : {true, false})
+    for (const Tells wanted : {Tells::fails, Tells::failedBefore, Tells::other})
         for (const report::MetricRow& row : head.report.metrics) {
             const auto before = head.before.find(row.id.toStdString());
-            const bool isFailed = row.passed == std::optional<bool>(false);
-            if (!row.passed || isFailed != failed || !row.value || before == head.before.end() || changes.size() >= kMost)
+            if (!row.passed || !row.value || before == head.before.end() || changes.size() >= kMost)
                 continue;
-            changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id), report::formatValue(before->second, row.unit, locale), report::formatValue(row.value, row.unit, locale));
+            const bool missedBefore = (row.gateMaximum && before->second > *row.gateMaximum) || (row.gateMinimum && before->second < *row.gateMinimum);
+            const Tells tells = !*row.passed ? Tells::fails : missedBefore ? Tells::failedBefore : Tells::other;
+            const QString was = report::formatValue(before->second, row.unit, locale), is = report::formatValue(row.value, row.unit, locale);
+            if (tells == wanted && (was != is || tells != Tells::other)) // what was well and is the same says nothing
+                changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id), was, is);
         }
     if (changes.isEmpty())
         return {};

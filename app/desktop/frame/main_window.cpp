@@ -84,7 +84,7 @@ void MainWindow::build() {
     m_stage->setContentsMargins(0, 0, 0, 0);
     m_column->addLayout(m_stage, 1);
     m_messages = nullptr;
-    m_messageRoom = new QWidget;
+    m_messageRoom = statusLine();
     m_messageRoom->setFixedHeight(MessageBar::roomHeight(m_context.theme()));
     m_messageRoom->hide();
     m_column->addWidget(m_messageRoom);
@@ -93,6 +93,19 @@ void MainWindow::build() {
         before->setEnabled(false); // work that ends before it is deleted must not move the focus into it
     setCentralWidget(m_frame); // deletes the frame before
     m_frame->show(); // now: nothing in a hidden frame can take the focus
+}
+
+/// The room that messages are shown in; between them it says what helps everywhere.
+QWidget* MainWindow::statusLine() const {
+    const Theme& theme = m_context.theme();
+    auto* line = new QWidget;
+    line->setProperty("kind", QStringLiteral("status"));
+    line->setAttribute(Qt::WA_StyledBackground);
+    auto* row = new QHBoxLayout(line);
+    row->setContentsMargins(theme.px(24), 0, theme.px(16), 0);
+    if (m_context.loggedIn())
+        row->addWidget(kit::label(theme, tr("F1: help with this screen · Ctrl+K: find a screen, command, person, session or study"), TextStyle::small, "muted"));
+    return line;
 }
 
 QWidget* MainWindow::banner() const {

@@ -42,6 +42,7 @@ private:
     void renewShortcuts();
     void showCommandPalette();
     QWidget* banner() const;
+    QWidget* statusLine() const;
     void tell(const Message& message);
     void showMessageRoom(const Place& place);
 

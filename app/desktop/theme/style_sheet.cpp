@@ -29,6 +29,7 @@ QWidget[kind="sidebar"] QScrollBar:vertical { background: @sidebar; }
 QWidget[kind="sidebar"] QPushButton:hover { background: @sidebarActive; }
 QWidget[kind="sidebar"] QPushButton:checked { background: @sidebarActive; font-weight: 600; border-left: #4# solid @accent; }
 QWidget[kind="sidebar"] QPushButton:focus { border: 2px solid @focus; }
+QWidget[kind="status"] { background: @surface; border-top: 1px solid @border; }
 QWidget[kind="banner"] { background: @warningSoft; border-bottom: 1px solid @warning; }
 QWidget[kind="banner"] QLabel { color: @warning; }
 QLabel { color: @text; background: transparent; }

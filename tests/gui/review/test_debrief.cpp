@@ -160,10 +160,10 @@ void TestDebrief::afterADemonstrationItIsOnesOwnTurn() {
 void TestDebrief::worstMomentIsOneClickAway() {
     open(m_bad);
     const QString where = text("debrief.worst_text");
-    QVERIFY2(where.startsWith(QStringLiteral("Worst moment: ")) && where.contains(QStringLiteral("in trial")), qPrintable(where));
+    QVERIFY2(where.startsWith(QStringLiteral("Worst moment: ")) && where.contains(QStringLiteral("in trial")) && where.endsWith(QStringLiteral(" after it began")), qPrintable(where));
     auto* worst = m_site->find<QPushButton>(QStringLiteral("debrief.worst"));
     QVERIFY(worst->isEnabled());
-    QVERIFY(!worst->toolTip().isEmpty());
+    QVERIFY2(worst->toolTip().contains(QStringLiteral("in the recording")), qPrintable(worst->toolTip()));
     worst->click();
     const desktop::Place place = m_site->context.navigator().current();
     QCOMPARE(place.screen, QStringLiteral("playback"));
