@@ -19,7 +19,7 @@ core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& rec
                                               const std::string& language);
 
 /// Adds the published benchmark of a metric where there is one; of sessions whose force was felt. Pure.
-void addPublishedBand(report::MetricRow& row);
+void addPublishedBand(report::MetricRow& row, int version);
 
 /// Trials that came to an end: marked, done, timed out or failed; not those that the session's end broke off. Pure.
 int trialsDoneOf(const std::vector<database::TrialRecord>& trials);

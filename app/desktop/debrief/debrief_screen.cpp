@@ -226,7 +226,7 @@ void DebriefScreen::openWorst() {
 }
 
 void DebriefScreen::openComment(double at_s, const QString& words) {
-    openPlayback({{QStringLiteral("at_s"), at_s}, {QStringLiteral("caption"), words}, {QStringLiteral("caption_s"), at_s}, {QStringLiteral("tab"), QStringLiteral("comments")}});
+    openPlayback({{QStringLiteral("at_s"), std::max(0.0, at_s - kLeadIn_s)}, {QStringLiteral("caption"), words}, {QStringLiteral("caption_s"), at_s}, {QStringLiteral("tab"), QStringLiteral("comments")}});
 }
 
 void DebriefScreen::openSetup(int level) {

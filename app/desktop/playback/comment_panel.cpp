@@ -48,11 +48,16 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
     m_add = kit::button(m_theme, {}, "", QStringLiteral("edit-comment"));
     m_add->setObjectName(QStringLiteral("playback.comment_add"));
     m_add->setEnabled(false);
+    m_reviewed = kit::button(m_theme, tr("Reviewed, nothing to add"), "quiet", QStringLiteral("dialog-ok-apply"));
+    m_reviewed->setObjectName(QStringLiteral("playback.reviewed"));
+    m_reviewed->hide();
     inner->addWidget(m_text);
     inner->addWidget(m_add);
+    inner->addWidget(m_reviewed);
     column.addWidget(m_draft);
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_add->setEnabled(!draft().isEmpty()); });
     connect(m_add, &QPushButton::clicked, this, [this] { emit addAsked(draft()); });
+    connect(m_reviewed, &QPushButton::clicked, this, [this] { emit addAsked(tr("Reviewed. Nothing to add.")); });
     setMoment(0.0);
 }
 
@@ -72,6 +77,8 @@ void CommentPanel::clearDraft() {
 void CommentPanel::setMoment(double t_s) {
     m_add->setText(tr("Comment at %1").arg(clockText(t_s, m_locale)));
 }
+
+void CommentPanel::setMayReview(bool may) { m_reviewed->setVisible(may); }
 
 void CommentPanel::setMayAdd(bool may) {
     m_draft->setVisible(may);

@@ -159,6 +159,7 @@ QWidget* PlaybackScreen::sideColumn() {
     const bool mine = m_data->record.summary.person == context().actor().personId();
     m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
                           context().has(database::Role::admin));
+    m_comments->setMayReview(!mine && context().has(database::Role::trainer) && !m_data->record.summary.reviewed);
     m_tabs->addTab(m_comments, tr("Comments (C)"));
     if (place().parameters.value(QStringLiteral("tab")).toString() == QLatin1String("comments"))
         m_tabs->setCurrentWidget(m_comments);

@@ -122,6 +122,12 @@ void PlaybackScreen::makeScene() {
     m_scene->widget()->setAccessibleName(tr("The scene at this moment"));
     m_scene->inputSource()->installEventFilter(this);
     showMoment(m_clock.position_s());
+    // Who was led to a moment sees how it came about, and the picture stops there.
+    const double moment_s = place().parameters.value(QStringLiteral("caption_s"), -1.0).toDouble();
+    if (moment_s > m_clock.position_s()) {
+        m_stopAt_s = moment_s;
+        m_clock.play();
+    }
 }
 
 void PlaybackScreen::showMoment(double t_s) {
@@ -139,6 +145,10 @@ void PlaybackScreen::showMoment(double t_s) {
     }
     const session::PlaybackView view = m_data->track.at(t_s);
     m_readout->setText(readoutText(view));
+    if (m_stopAt_s && t_s >= *m_stopAt_s) {
+        m_stopAt_s.reset();
+        m_clock.pause(); // at the moment that was to be seen
+    }
     if (!m_clock.playing())
         notePlace();
 }
@@ -146,7 +156,10 @@ void PlaybackScreen::showMoment(double t_s) {
 // What led here is said where it happened, and for as long as it takes to read it.
 scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
     constexpr double kSaid_s = 2.0;
-    const QString caption = place().parameters.value(QStringLiteral("caption")).toString();
+    constexpr int kLongest = 90; // one line in the scene; the whole text stands beside it
+    QString caption = place().parameters.value(QStringLiteral("caption")).toString().simplified();
+    if (caption.size() > kLongest)
+        caption = caption.left(kLongest - 1).trimmed() + QStringLiteral("…");
     const double from_s = place().parameters.value(QStringLiteral("caption_s")).toDouble();
     if (caption.isEmpty() || t_s < from_s - 0.5 * PlaybackClock::kStep_s || t_s > from_s + kSaid_s)
         return {};
@@ -301,7 +314,10 @@ void PlaybackScreen::addComment(const QString& text) {
             loadComments();
             const database::SessionSummary& session = m_data->record.summary;
             if (session.person != context().actor().personId() && session.person != database::Actor::kSimulatedPerson)
-                context().messages().done(tr("The comment is saved. %1 is told of it on Home.").arg(QString::fromStdString(session.personName)));
+                context().messages().done((context().has(database::Role::trainer) ? tr("The comment is saved, and the session counts as reviewed. %1 is told of it on Home.")
+                                                                                  : tr("The comment is saved. %1 is told of it on Home."))
+                                              .arg(QString::fromStdString(session.personName)));
+            m_comments->setMayReview(false);
         });
 }
 

@@ -86,6 +86,7 @@ private:
     PlaybackClock m_clock;
     StatePanel* m_panel = nullptr;
     std::optional<PlaybackData> m_data;
+    std::optional<double> m_stopAt_s; ///< playing pauses here, once
     PalpationLook m_palpationLook;
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;

@@ -252,7 +252,9 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
         row.gateMinimum = gate.minimum;
         row.gateMaximum = gate.maximum;
     }
-    session_report::addPublishedBand(row);
+    for (const catalogue::MetricChoice& metric : level ? level->metrics : std::vector<catalogue::MetricChoice>{})
+        if (row.id == QLatin1String(metric.id.c_str()))
+            session_report::addPublishedBand(row, metric.version);
     return row;
 }
 

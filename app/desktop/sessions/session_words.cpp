@@ -103,7 +103,10 @@ QString SessionWords::gates(const database::SessionSummary& session, const QLoca
 
 QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
     const QString what = session.exercise == kComparison ? exercise : tr("%1, level %2").arg(exercise, locale.toString(session.level));
-    return QStringList{what, started(session, locale), cameTo(session)}.join(QStringLiteral(" · "));
+    // With seconds: several attempts may have begun in the same minute.
+    const QDateTime begun = timeOf(session.startedUtc).toLocalTime();
+    const QString when = begun.isValid() ? tr("%1, %2").arg(locale.toString(begun.date(), QLocale::ShortFormat), begun.time().toString(QStringLiteral("HH:mm:ss"))) : started(session, locale);
+    return QStringList{what, when, cameTo(session)}.join(QStringLiteral(" · "));
 }
 
 QString SessionWords::review(const database::SessionSummary& session) { return session.reviewed ? tr("Reviewed") : QStringLiteral("–"); }
