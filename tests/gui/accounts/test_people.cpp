@@ -32,6 +32,7 @@ private slots:
     void erase();
     void eraseAParticipant();
     void editNames();
+    void renamingSaysWhatBecomesOfTheSlip();
     void renamingOneselfIsSeenAtOnce();
     void importRoster();
     void germanExcelIsImportedAndSlipsArePrinted();
@@ -310,6 +311,35 @@ void TestPeople::editNames() {
     const auto past = database::SessionReader(**reader, desk.actor("ada")).session(session);
     QVERIFY(past && past->summary.personName == "christina"); // her past session says who it was
     QVERIFY(database::AccountService(desk.database()).login("christina", kTestPassword).has_value());
+}
+
+/// Whoever has a slip with the old login name would stand at the login without knowing why.
+void TestPeople::renamingSaysWhatBecomesOfTheSlip() {
+    PeopleDesk desk;
+    database::AccountService accounts(desk.database());
+    const database::Actor ada = desk.actor("ada");
+    QVERIFY(accounts.createPerson(ada, {"uma", "Uma", {database::Role::trainee}, kTestPassword, true}));
+    desk.go(QStringLiteral("home")); // and back: the list is read anew
+    settle();
+    desk.go(QStringLiteral("people"));
+    settle();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("uma")) >= 0, 10000);
+    for (const auto& [name, hasSlip] : {std::pair{"uma", true}, std::pair{"tina", false}}) {
+        desk.choose(QString::fromLatin1(name));
+        desk.click("people.edit");
+        QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+        const auto* renamed = desk.find<QLabel>(QStringLiteral("edit_person.renamed"));
+        QVERIFY(renamed && !renamed->isVisible());
+        desk.set("edit_person.full_name", QStringLiteral("Another Name"));
+        desk.set("edit_person.name", QString::fromLatin1(name).toUpper()); // the same to the login
+        QVERIFY(!renamed->isVisible());
+        desk.set("edit_person.name", QStringLiteral("wilma"));
+        QVERIFY2(renamed->isVisible() && renamed->text().contains(QStringLiteral("only wilma can be used")), qPrintable(renamed->text()));
+        QCOMPARE(renamed->text().contains(QStringLiteral("slip")), hasSlip);
+        VERIFY_READABLE(desk.dialog("edit_person"));
+        desk.click("edit_person.cancel");
+        QTRY_VERIFY(!desk.dialog("edit_person"));
+    }
 }
 
 void TestPeople::renamingOneselfIsSeenAtOnce() {
