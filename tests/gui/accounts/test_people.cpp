@@ -38,6 +38,7 @@ private slots:
     void germanExcelIsImportedAndSlipsArePrinted();
     void whoExistsIsUpdatedWhenAsked();
     void anOldListNamesWhoWasRenamed();
+    void anOldFullNameIsNotGivenBack();
     void otherFilesAreNamed();
     void templateCanBeImported_data();
     void templateCanBeImported();
@@ -455,6 +456,32 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     QTRY_COMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."));
     QCOMPARE(desk.rowOf(QStringLiteral("tina")), -1);
     QCOMPARE(accounts.listPeople(ada)->size(), std::size_t{6});
+}
+
+/// The summary names who would be called otherwise, and says whose name of today stays.
+void TestPeople::anOldFullNameIsNotGivenBack() {
+    PeopleDesk desk;
+    database::AccountService accounts(desk.database());
+    const database::Actor ada = desk.actor("ada");
+    QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "tina")->id, "tina", "Tina Weiß"));
+    const QString file = desk.folder() + QStringLiteral("/roster.csv");
+    write(file, "login name;full name;role\ntina;Tina Trainee;trainer\ntheo;Theodor;trainee\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QVERIFY2(summary.contains(QStringLiteral("Theo Trainee would be called Theodor.")) && summary.contains(QStringLiteral("earlier full name")), qPrintable(summary));
+    QVERIFY2(!summary.contains(QStringLiteral("called Tina")), qPrintable(summary));
+    const auto* shown = desk.find<QTableWidget>(QStringLiteral("roster.people"))->item(0, 3);
+    QCOMPARE(shown->text(), QStringLiteral("Tina Weiß"));
+    QVERIFY(shown->toolTip().contains(QStringLiteral("Tina Trainee")));
+    VERIFY_READABLE(desk.dialog("roster"));
+    desk.click("roster.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000);
+    QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
+    QCOMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Weiß"));
+    QCOMPARE(desk.cell(QStringLiteral("theo"), 1), QStringLiteral("Theodor"));
 }
 
 void TestPeople::otherFilesAreNamed() {
