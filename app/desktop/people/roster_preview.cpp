@@ -156,7 +156,10 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
     }));
     if (lost > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."), lost);
-    if (left > 0)
+    const bool allHere = !plan.steps.empty() && std::none_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.person == 0; });
+    if (added + updated == 0 && allHere)
+        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Nothing to import: everybody on the list is already here."));
+    else if (left > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
     addWhoIsMeant(lines, plan);
     const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));

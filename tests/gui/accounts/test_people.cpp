@@ -7,6 +7,7 @@
 #include "support/made_study.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QFileDialog>
@@ -57,6 +58,8 @@ private:
 void TestPeople::addByKeyboardAndHandThePasswordOver() {
     PeopleDesk desk;
     QCOMPARE(desk.table()->model()->rowCount(), 5);
+    const QString ofPerson = desk.find<QPushButton>(QStringLiteral("people.erase"))->accessibleDescription();
+    QVERIFY(!ofPerson.isEmpty() && ofPerson != desk.find<QPushButton>(QStringLiteral("people.erase_participant"))->accessibleDescription());
     picture(desk.window.get(), QStringLiteral("people"));
     press(Qt::Key_N, Qt::ControlModifier);
     QTRY_VERIFY(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow());
@@ -70,7 +73,11 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("handed.password")), 10000);
     const QString password = desk.find<QLabel>(QStringLiteral("handed.password"))->text();
     picture(desk.dialog("add_person"), QStringLiteral("people_handed"));
-    press(Qt::Key_Return); // Close has the focus
+    QCOMPARE(focusName(), QStringLiteral("handed.copy"));
+    press(Qt::Key_Return); // takes the password along, and does not close
+    QCOMPARE(QGuiApplication::clipboard()->text(), password);
+    QVERIFY(desk.dialog("add_person")->isVisible() && tabTo(QStringLiteral("add_person.cancel")));
+    press(Qt::Key_Return);
     QTRY_VERIFY(!desk.dialog("add_person"));
     QTRY_VERIFY(desk.rowOf(QStringLiteral("uma")) >= 0);
     QCOMPARE(desk.cell(QStringLiteral("uma"), 2), QStringLiteral("Trainee"));
@@ -378,6 +385,7 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     QVERIFY(joerg && joerg->mustChangePassword());
     VERIFY_READABLE(desk.dialog("roster"));
     picture(desk.dialog("roster"), QStringLiteral("people_slips"));
+    QCOMPARE(desk.dialog("roster")->focusWidget()->objectName(), QStringLiteral("slips.print")); // Enter does not close
     // Closing is asked about once while nobody has the passwords on paper.
     desk.click("roster.cancel");
     QVERIFY(desk.dialog("roster")->isVisible() && desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
@@ -386,7 +394,10 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     auto* slips = desk.find<desktop::SlipsPanel>(QString());
     slips->saveTo(desk.folder() + QStringLiteral("/nowhere/slips.pdf"));
     QVERIFY(!slips->isTaken() && desk.notice("slips.notice").contains(QStringLiteral("not saved")));
+    desk.dialog("roster")->resize(desk.dialog("roster")->width(), 300); // what is said comes into sight by itself
     slips->saveTo(pdf);
+    const auto* said = desk.find<desktop::NoticeArea>(QStringLiteral("slips.notice"));
+    QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
     QVERIFY(slips->isTaken() && QFileInfo(pdf).size() > 1000);
     QVERIFY((QFileInfo(pdf).permissions() & (QFile::ReadGroup | QFile::ReadOther)) == QFile::Permissions());
     desk.click("slips.save"); // asks for a file
@@ -413,8 +424,14 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
     QTRY_VERIFY(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible());
     QVERIFY(!desk.isEnabled("roster.accept")); // both are left as they are: nothing to do
+    const auto* accept = desk.find<QPushButton>(QStringLiteral("roster.accept"));
+    const auto* leave = desk.find<QPushButton>(QStringLiteral("roster.cancel"));
+    QVERIFY(!accept->isVisible() && leave->text() == QLatin1String("Close"));
+    const QString nothing = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QCOMPARE(nothing, QStringLiteral("Nothing to import: everybody on the list is already here."));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    QVERIFY(accept->isVisible() && leave->text() == QLatin1String("Cancel"));
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Updated"));
     QCOMPARE(table->item(0, 3)->text(), QStringLiteral("Tina Trainee → Christina"));
