@@ -29,10 +29,11 @@ struct EarlierName {
     PersonId changedBy = 0;
 };
 
-/// A login name that somebody had until a change of name.
+/// A login name and a full name that somebody had until a change of either.
 struct EarlierLogin {
     PersonId person = 0;
     std::string name;
+    std::string displayName{}; ///< may be empty
 };
 
 /// Whom the login screen offers: no e-mail, no roles, no code.

@@ -11,13 +11,15 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace chiron::database {
 namespace {
 
 using Kind = RosterStep::Kind;
 
-RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing) {
+/// `hadBefore`: the full name of the list is one that this person had until a change of name.
+RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting existing, bool hadBefore) {
     RosterStep step{row.line, Kind::add, row.name, row.displayName, row.roles, row.password.empty(), 0, {}, {}};
     if (present == nullptr) {
         return step;
@@ -28,8 +30,10 @@ RosterStep stepOf(const UserCsvRow& row, const Person* present, RosterExisting e
     step.makesPassword = false;
     step.displayNameBefore = present->displayName;
     step.rolesBefore = present->roles;
-    // A full name that the list does not give stays as it is.
-    step.displayName = updates && !row.displayName.empty() ? row.displayName : present->displayName;
+    // A full name that the list does not give stays as it is, and an old list turns no name back.
+    const bool old = updates && hadBefore && row.displayName != present->displayName;
+    step.earlierDisplayName = old ? row.displayName : std::string();
+    step.displayName = updates && !old && !row.displayName.empty() ? row.displayName : present->displayName;
     step.roles = updates ? row.roles : present->roles;
     const bool same = step.displayName == present->displayName && step.roles == present->roles;
     step.kind = !updates ? Kind::skip : same ? Kind::same : Kind::update;
@@ -70,10 +74,8 @@ public:
             byId.emplace(person.id, &person);
         }
         for (const EarlierLogin& login : known.earlier) {
-            const auto person = byId.find(login.person);
-            std::vector<const Person*>& had = m_before[nameKey(login.name)];
-            if (person != byId.end() && std::find(had.begin(), had.end(), person->second) == had.end()) {
-                had.push_back(person->second);
+            if (const auto person = byId.find(login.person); person != byId.end()) {
+                addBefore(login, person->second);
             }
         }
     }
@@ -91,9 +93,26 @@ public:
         return before->second.size() > 1 ? Meant{nullptr, false, nullptr, true} : Meant{before->second.front(), true, nullptr, false};
     }
 
+    /// Whether somebody's full name was this until a change of name.
+    bool hadFullName(const Person* person, const std::string& displayName) const {
+        return person != nullptr && !displayName.empty() && m_fullNames.contains({person->id, displayName});
+    }
+
 private:
+    void addBefore(const EarlierLogin& earlier, const Person* person) {
+        m_fullNames.emplace(person->id, earlier.displayName);
+        if (nameKey(earlier.name) == nameKey(person->name)) {
+            return; // only the full name was changed
+        }
+        std::vector<const Person*>& had = m_before[nameKey(earlier.name)];
+        if (std::find(had.begin(), had.end(), person) == had.end()) {
+            had.push_back(person);
+        }
+    }
+
     std::map<std::string, const Person*> m_today;
     std::map<std::string, std::vector<const Person*>> m_before;
+    std::set<std::pair<PersonId, std::string>> m_fullNames; ///< until a change of name
 };
 
 /// A line whose person is not to be touched by it.
@@ -101,6 +120,7 @@ void leave(RosterStep& step, RosterStep::Doubt doubt) {
     step.kind = Kind::skip;
     step.doubt = doubt;
     step.makesPassword = false;
+    step.earlierDisplayName.clear();
     if (step.person != 0) {
         step.displayName = step.displayNameBefore;
         step.roles = step.rolesBefore;
@@ -152,7 +172,7 @@ std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& know
     std::vector<RosterStep> steps;
     for (const UserCsvRow& row : roster.rows) {
         const Meant meant = names.meant(row.name);
-        RosterStep& step = steps.emplace_back(stepOf(row, meant.person, existing));
+        RosterStep& step = steps.emplace_back(stepOf(row, meant.person, existing, names.hadFullName(meant.person, row.displayName)));
         if (meant.byEarlierName) {
             step.earlierName = row.name;
         } else if (meant.several) {
@@ -215,7 +235,7 @@ core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const 
     }
     prepared.outcome.ignoredColumns = roster.ignoredColumns;
     std::copy_if(steps.begin(), steps.end(), std::back_inserter(prepared.outcome.told),
-                 [](const RosterStep& each) { return !each.earlierName.empty() || each.doubt != RosterStep::Doubt::none; });
+                 [](const RosterStep& each) { return !each.earlierName.empty() || !each.earlierDisplayName.empty() || each.doubt != RosterStep::Doubt::none; });
     prepared.outcome.updated = static_cast<int>(prepared.changes.size());
     prepared.outcome.skipped = static_cast<int>(steps.size() - prepared.people.size() - prepared.changes.size());
     return std::move(prepared.outcome);

@@ -13,7 +13,7 @@ namespace chiron::database {
 /// What an import does with people of the list who have an account already. Their login name and password stay in either case.
 enum class RosterExisting : std::uint8_t {
     skip,
-    update ///< full name and roles become those of the list, where it gives them
+    update ///< full name and roles become those of the list, where it gives them; a full name that somebody had before is not given back
 };
 
 /// What becomes of one line of the list.
@@ -34,6 +34,7 @@ struct RosterStep {
     std::string displayNameBefore; ///< of them
     RoleSet rolesBefore;
     std::string earlierName{}; ///< as the list has it, where `name` is what this person is called today
+    std::string earlierDisplayName{}; ///< as the list has it, where an update leaves the one of today
     enum class Doubt : std::uint8_t {
         none,
         nameOfAnother, ///< `other` had this login name before; whoever has it today is meant
@@ -65,7 +66,7 @@ struct RosterOutcome {
     int updated = 0;
     int skipped = 0; ///< with those that were so already
     std::vector<std::string> ignoredColumns;
-    std::vector<RosterStep> told; ///< the lines that name somebody by an earlier login name, or leave a doubt about who is meant
+    std::vector<RosterStep> told; ///< the lines that have an earlier login name or full name, or leave a doubt about who is meant
 };
 
 /// Who is there, and what they were called before.

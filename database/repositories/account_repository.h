@@ -48,7 +48,8 @@ public:
     core::Result<void> changeNames(PersonId id, const std::string& name, const std::string& displayName);
     core::Result<void> changeDisplayName(PersonId id, const std::string& displayName);
     core::Result<std::vector<EarlierName>> earlierNames(PersonId id); ///< latest first
-    /// Login names that people had before and do not have today, latest first: whom an old list means.
+    /// What people were called before, latest first: whom an old list means, and which of its full names are old. One of the two names
+    /// may be that of today.
     core::Result<std::vector<EarlierLogin>> listEarlierLogins();
     core::Result<void> changePassword(PersonId id, const std::string& newHash);
     core::Result<void> resetPassword(PersonId id, const std::string& newHash);

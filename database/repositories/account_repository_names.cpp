@@ -123,7 +123,7 @@ core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
     if (const auto scope = authorise(m_connection, m_actor, Action::listEarlierLogins); !scope) {
         return tl::unexpected(scope.error());
     }
-    auto query = Query::run(m_connection, "SELECT n.person_id, n.names_json, p.name_key FROM person_name n JOIN person p ON p.id = n.person_id "
+    auto query = Query::run(m_connection, "SELECT n.person_id, n.names_json FROM person_name n JOIN person p ON p.id = n.person_id "
                                           "WHERE n.names_json <> '' AND p.kind = 'person' ORDER BY n.id DESC");
     if (!query) {
         return tl::unexpected(query.error());
@@ -132,10 +132,7 @@ core::Result<std::vector<EarlierLogin>> AccountRepository::listEarlierLogins() {
     auto row = query->next();
     for (; row && *row; row = query->next()) {
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(query->text(1))).object();
-        const std::string name = json["name"].toString().toStdString();
-        if (nameKey(name) != query->text(2)) { // else only the full name was changed
-            logins.push_back({query->integer(0), name});
-        }
+        logins.push_back({query->integer(0), json["name"].toString().toStdString(), json["display_name"].toString().toStdString()});
     }
     return row ? core::Result<std::vector<EarlierLogin>>(std::move(logins)) : tl::unexpected(row.error());
 }

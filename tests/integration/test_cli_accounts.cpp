@@ -235,10 +235,12 @@ void TestCliAccounts::anOldRosterKnowsWhoWasRenamed() {
     const QJsonObject updated = object(as("alice", kAlice, {"user", "import-csv", old, "--existing", "update"}));
     QCOMPARE(updated["updated"].toInt(), 1);
     QCOMPARE(updated["imported"].toInt(), 0);
+    QCOMPARE(updated["names"].toArray().at(0)["earlier_full_name"].toString(), QStringLiteral("Fritz Fred")); // which is not given back
     const QJsonArray people = QJsonDocument::fromJson(as("alice", kAlice, {"user", "list"}).out).array();
     QStringList names;
     for (const QJsonValue& person : people)
-        names << person["name"].toString();
+        names << person["name"].toString() << person["display_name"].toString();
+    QVERIFY(names.contains(QStringLiteral("Frédéric")));
     QVERIFY2(names.contains(QStringLiteral("frederic")) && !names.contains(QStringLiteral("Fred"), Qt::CaseInsensitive), qPrintable(names.join(QLatin1Char(' '))));
 }
 

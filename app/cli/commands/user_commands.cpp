@@ -157,12 +157,14 @@ core::Result<database::RosterExisting> existingPeople(const Arguments& arguments
 }
 
 // Who was recognised by an earlier login name, and where it is not certain who is meant.
-QString toldText(const database::RosterStep& step) {
+QString whoIsMeantText(const database::RosterStep& step) {
     using Doubt = database::RosterStep::Doubt;
     const QString name = quoted(QString::fromStdString(step.name));
     const QString line = QStringLiteral("Line %1: ").arg(step.line);
     switch (step.doubt) {
     case Doubt::none:
+        if (step.earlierName.empty())
+            return {};
         return line + QStringLiteral("%1 is known as %2 today.\n").arg(quoted(QString::fromStdString(step.earlierName)), name);
     case Doubt::nameOfAnother:
         return line + QStringLiteral("%1 used to be the login name of %2; whoever has it today was meant.\n").arg(name, quoted(QString::fromStdString(step.other)));
@@ -172,6 +174,15 @@ QString toldText(const database::RosterStep& step) {
         return line + QStringLiteral("the same person as in line %1, under another login name; only that line counts.\n").arg(step.otherLine);
     }
     return {};
+}
+
+QString toldText(const database::RosterStep& step) {
+    QString text = whoIsMeantText(step);
+    if (!step.earlierDisplayName.empty())
+        text += QStringLiteral("Line %1: the full name %2 is an earlier one of %3, whose full name was left as it is.\n")
+                    .arg(step.line)
+                    .arg(quoted(QString::fromStdString(step.earlierDisplayName)), quoted(QString::fromStdString(step.name)));
+    return text;
 }
 
 QJsonObject toldJson(const database::RosterStep& step) {
@@ -186,6 +197,8 @@ QJsonObject toldJson(const database::RosterStep& step) {
         json[QStringLiteral("earlier_name_of_several")] = true;
     if (step.doubt == Doubt::sameAsLine)
         json[QStringLiteral("same_person_as_line")] = step.otherLine;
+    if (!step.earlierDisplayName.empty())
+        json[QStringLiteral("earlier_full_name")] = QString::fromStdString(step.earlierDisplayName);
     return json;
 }
 

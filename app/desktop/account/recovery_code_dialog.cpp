@@ -15,7 +15,7 @@
 namespace chiron::desktop {
 
 RecoveryCodeDialog::RecoveryCodeDialog(AppContext& context, bool hasOne, QWidget* parent)
-    : FormDialog(context, QStringLiteral("recovery_code"), tr("Make a recovery code"), parent), m_wait(new WaitCountdown(this)) {
+    : FormDialog(context, QStringLiteral("recovery_code"), tr("Make a recovery code"), parent), m_hasOne(hasOne), m_wait(new WaitCountdown(this)) {
     column()->addWidget(kit::label(theme(), tr("With a recovery code you can set a new password yourself if you forget yours. It is shown once, to be written down.")));
     if (hasOne)
         column()->addWidget(kit::notice(theme(), "warning", tr("The recovery code that you have now will no longer be accepted.")));
@@ -51,9 +51,11 @@ void RecoveryCodeDialog::made(const tl::expected<std::string, database::Refusal>
     setWorking(false);
     if (code) {
         emit changed();
-        m_shown = new RecoveryCodePanel(theme(), QString::fromStdString(context().loginName()), QString::fromStdString(*code));
+        m_shown = new RecoveryCodePanel(theme(), QString::fromStdString(context().loginName()), QString::fromStdString(*code),
+                                        m_hasOne ? RecoveryCodePanel::Backups::haveEarlierCode : RecoveryCodePanel::Backups::haveNoCode);
         connect(m_shown, &RecoveryCodePanel::finished, this, &QDialog::accept);
-        showResult(m_shown);
+        showSecret(m_shown, m_shown->findChild<QPushButton*>(QStringLiteral("recovery.copy")));
+        hideCancel(); // its own button needs the tick
         return;
     }
     if (code.error().kind == database::Refusal::Kind::wrong)

@@ -29,6 +29,7 @@ private:
     void submit() override;
     void made(const tl::expected<std::string, database::Refusal>& code);
 
+    const bool m_hasOne;
     QLineEdit* m_password = nullptr;
     FieldNote* m_note = nullptr;
     WaitCountdown* m_wait = nullptr;

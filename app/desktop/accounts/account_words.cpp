@@ -49,6 +49,11 @@ QString refusalWords(const database::Refusal& refusal) {
                                                                         "Lock.")));
 }
 
+QString loginRefusalWords(const database::Refusal& refusal) {
+    return commonWords(refusal, words(QT_TRANSLATE_NOOP("AccountWords", "Wrong name or password; check Caps Lock. Ask an administrator; your login "
+                                                                        "name may have changed.")));
+}
+
 QString wrongPasswordWords() {
     return words(QT_TRANSLATE_NOOP("AccountWords", "Wrong password. Passwords are case-sensitive."));
 }

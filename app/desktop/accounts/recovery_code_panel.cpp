@@ -12,7 +12,7 @@
 
 namespace chiron::desktop {
 
-RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, QWidget* parent)
+RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_name(loginName), m_code(code) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -32,6 +32,13 @@ RecoveryCodePanel::RecoveryCodePanel(const Theme& theme, const QString& loginNam
     words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     box.layout->addWidget(words);
     column->addWidget(box.frame);
+    if (backups != Backups::none) {
+        auto* told = kit::label(theme, backups == Backups::haveEarlierCode ? tr("Backups made before now still have the earlier code.")
+                                                                           : tr("Backups made before now have no recovery code of yours."),
+                                TextStyle::small, "muted");
+        told->setObjectName(QStringLiteral("recovery.backups"));
+        column->addWidget(told);
+    }
     auto* row = new QHBoxLayout;
     row->setSpacing(theme.px(8));
     auto* copy = kit::button(theme, tr("Copy"), "", QStringLiteral("edit-copy"));

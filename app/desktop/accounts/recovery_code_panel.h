@@ -14,7 +14,9 @@ namespace chiron::desktop {
 class RecoveryCodePanel : public QWidget {
     Q_OBJECT
 public:
-    RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, QWidget* parent = nullptr);
+    /// What the backups made so far have of this person; said, because a restore brings it back.
+    enum class Backups { none, haveNoCode, haveEarlierCode };
+    RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups, QWidget* parent = nullptr);
     bool isConfirmed() const;
 
 signals:

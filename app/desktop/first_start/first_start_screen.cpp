@@ -187,7 +187,7 @@ void FirstStartScreen::showRecoveryCode(const QString& name, const QString& code
     const kit::Box box = kit::box(theme);
     const int padding = theme.px(28);
     box.layout->setContentsMargins(padding, padding, padding, padding);
-    m_code = new RecoveryCodePanel(theme, name, code);
+    m_code = new RecoveryCodePanel(theme, name, code, RecoveryCodePanel::Backups::none);
     box.layout->addWidget(m_code);
     context().navigator().note({{kCode, code}, {kName, name}}); // in memory only, and gone with the place
     connect(m_code, &RecoveryCodePanel::finished, this, [this] {

@@ -37,7 +37,7 @@ LoginForm::LoginForm(const Theme& theme, QWidget* parent) : QWidget(parent) {
         m_password->setFocus();
     });
     connect(m_names, &NameList::chosen, this, [this] { m_password->setFocus(); });
-    connect(m_names, &NameList::nameChanged, this, &LoginForm::renew);
+    connect(m_names, &NameList::nameChanged, this, &LoginForm::nameChanged);
     connect(m_password, &QLineEdit::textChanged, this, &LoginForm::renew);
     connect(m_password, &QLineEdit::returnPressed, this, &LoginForm::submit);
     connect(m_enter, &QPushButton::clicked, this, &LoginForm::submit);
@@ -62,6 +62,14 @@ void LoginForm::renew() {
         m_enter->setText(m_working ? tr("Checking …") : tr("Log in"));
 }
 
+/// What was said about another name would stand beside what the list says about this one.
+void LoginForm::nameChanged() {
+    if (m_saysOfName)
+        m_notice->clear();
+    m_saysOfName = false;
+    renew();
+}
+
 void LoginForm::submit() {
     if (m_enter->isEnabled())
         emit submitted(m_names->name(), m_password->text());
@@ -77,7 +85,9 @@ void LoginForm::setWorking(bool working) {
 void LoginForm::showRefusal(const database::Refusal& refusal) {
     m_working = false;
     m_password->clear();
-    m_notice->say(refusal.kind == database::Refusal::Kind::failed ? "bad" : "warning", refusalWords(refusal));
+    m_notice->say(refusal.kind == database::Refusal::Kind::failed ? "bad" : "warning", loginRefusalWords(refusal));
+    m_saysOfName = refusal.kind != database::Refusal::Kind::failed;
+    m_names->hideExplanation();
     m_wait->start(refusal.wait_ns);
     renew();
     if (m_password->isEnabled())

@@ -37,6 +37,7 @@ signals:
 
 private:
     void renew();
+    void nameChanged();
     void submit();
 
     NameList* m_names;
@@ -47,6 +48,7 @@ private:
     QPushButton* m_forgotten;
     WaitCountdown* m_wait;
     bool m_working = false;
+    bool m_saysOfName = false; ///< the notice is about the name that was sent
 };
 
 } // namespace chiron::desktop

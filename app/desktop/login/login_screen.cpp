@@ -257,7 +257,7 @@ void LoginScreen::recover(RecoveryPage* page, const QString& name, const QString
 }
 
 void LoginScreen::showNewCode(const database::Actor& actor, const QString& name, const QString& code) {
-    auto* panel = new RecoveryCodePanel(context().theme(), name, code);
+    auto* panel = new RecoveryCodePanel(context().theme(), name, code, RecoveryCodePanel::Backups::haveEarlierCode);
     connect(panel, &RecoveryCodePanel::finished, this, [this, actor] {
         if (actor.kind() == database::ActorKind::person)
             context().logIn(actor);

@@ -29,7 +29,8 @@ NameList::NameList(const Theme& theme, QWidget* parent) : QWidget(parent) {
     m_list->setUniformItemSizes(true);
     m_list->setMinimumHeight(theme.px(36) * kMostRows_shown);
     column->addWidget(m_list);
-    m_none = kit::label(theme, tr("Nobody of this name can log in here. Ask an administrator to add you."), TextStyle::small, "muted");
+    m_none = kit::label(theme, tr("Nobody of this name can log in here. Ask an administrator; your login name may have changed."), TextStyle::small, "muted");
+    m_none->setObjectName(QStringLiteral("login.nobody"));
     m_none->hide();
     column->addWidget(m_none);
     connect(m_field, &QLineEdit::textEdited, this, &NameList::filter);
@@ -70,6 +71,10 @@ void NameList::setName(const QString& name) {
 
 void NameList::focusField() {
     m_field->setFocus();
+}
+
+void NameList::hideExplanation() {
+    m_none->hide();
 }
 
 void NameList::filter() {

@@ -23,6 +23,7 @@ public:
     QString name() const; ///< login name as typed or chosen
     void setName(const QString& name);
     void focusField();
+    void hideExplanation(); ///< why the list is empty, until another name is typed: something else is said about it
 
 signals:
     void chosen(const QString& name); ///< by click, Return or Enter: the password is next

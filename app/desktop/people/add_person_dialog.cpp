@@ -61,7 +61,8 @@ void AddPersonDialog::added(const core::Result<database::PersonId>& id, const QS
     }
     emit changed();
     if (m_password->isGenerated()) {
-        showResult(handedPassword(theme(), tr("%1 was added.").arg(name), name, QString::fromStdString(password)));
+        auto* handed = handedPassword(theme(), tr("%1 was added.").arg(name), name, QString::fromStdString(password));
+        showSecret(handed, handed->findChild<QPushButton*>(QStringLiteral("handed.copy")));
         return;
     }
     context().messages().done(tr("%1 was added.").arg(name));

@@ -8,6 +8,7 @@
 #include "desktop/people/login_name_field.h"
 #include "desktop/widgets/kit.h"
 
+#include <QLabel>
 #include <QLineEdit>
 
 namespace chiron::desktop {
@@ -21,8 +22,11 @@ EditPersonDialog::EditPersonDialog(AppContext& context, database::Person person,
     m_name = new LoginNameField(theme(), QStringLiteral("edit_person"));
     m_name->setName(QString::fromStdString(m_person.name));
     column()->addWidget(m_name);
+    m_renamed = kit::label(theme(), {}, TextStyle::body, "warning");
+    m_renamed->setObjectName(QStringLiteral("edit_person.renamed"));
+    column()->addWidget(m_renamed);
     column()->addWidget(kit::label(theme(), tr("Sessions recorded so far stay with this person and show the new name. The earlier names stay in the "
-                                               "site's history. The password remains valid; from the next login only the new login name is."),
+                                               "site's history. The password remains valid."),
                                    TextStyle::small, "muted"));
     setAccept(tr("Save"));
     connect(m_fullName, &QLineEdit::textChanged, this, &EditPersonDialog::renew);
@@ -34,6 +38,19 @@ EditPersonDialog::EditPersonDialog(AppContext& context, database::Person person,
 void EditPersonDialog::renew() {
     const bool changed = m_name->name().toStdString() != m_person.name || m_fullName->text().trimmed().toStdString() != m_person.displayName;
     setAcceptable(changed && m_name->isGood());
+    sayWhatRenamingDoes();
+}
+
+/// Capital letters alone make no other login name.
+void EditPersonDialog::sayWhatRenamingDoes() {
+    const bool renames = m_name->isGood() && database::nameKey(m_name->name().toStdString()) != database::nameKey(m_person.name);
+    QStringList words;
+    if (renames)
+        words << tr("From now on, only %1 can be used to log in.").arg(m_name->name());
+    if (renames && m_person.mustChangePassword)
+        words << tr("A password slip that was handed out still shows the old login name.");
+    m_renamed->setText(words.join(QLatin1Char(' ')));
+    m_renamed->setVisible(renames);
 }
 
 void EditPersonDialog::submit() {

@@ -5,6 +5,7 @@
 #include "database/accounts/person.h"
 #include "desktop/people/form_dialog.h"
 
+class QLabel;
 class QLineEdit;
 
 namespace chiron::desktop {
@@ -22,11 +23,13 @@ protected:
 
 private:
     void renew();
+    void sayWhatRenamingDoes();
     void saved(const core::Result<void>& done);
 
     database::Person m_person;
     QLineEdit* m_fullName;
     LoginNameField* m_name;
+    QLabel* m_renamed;
 };
 
 } // namespace chiron::desktop

@@ -114,6 +114,22 @@ void FormDialog::showResult(QWidget* result) {
     m_cancel->setFocus();
 }
 
+void FormDialog::showSecret(QWidget* result, QPushButton* first) {
+    showResult(result);
+    first->setDefault(true);
+    first->setFocus();
+}
+
+void FormDialog::hideCancel() {
+    m_cancel->hide();
+}
+
+void FormDialog::leaveOnly(bool only) {
+    m_accept->setVisible(!only);
+    m_cancel->setText(only ? tr("Close") : tr("Cancel"));
+    (only ? m_cancel : m_accept)->setDefault(true);
+}
+
 void FormDialog::renew() {
     m_accept->setEnabled(m_acceptable && !m_working);
     m_cancel->setEnabled(!m_working);

@@ -45,6 +45,12 @@ protected:
     void say(const char* kind, const QString& text);
     /// The work is done: the form goes, this comes, and only "Close" is left.
     void showResult(QWidget* result);
+    /// The same for what is shown this once: `first`, which takes it along, has the focus, so that Enter does not close.
+    void showSecret(QWidget* result, QPushButton* first);
+    /// Only the way out that the form has itself is left; Escape and the window's own button still ask reject().
+    void hideCancel();
+    /// There is nothing to do: only "Close" is left. False: both buttons again.
+    void leaveOnly(bool only);
     virtual void submit() = 0;
 
 private:

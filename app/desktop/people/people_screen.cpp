@@ -23,6 +23,13 @@ namespace chiron::desktop {
 namespace {
 constexpr double kListHeight = 320;
 constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
+
+/// For those who point at it and those who hear it: two buttons begin with the same word.
+void tellApart(QPushButton& button, const QString& words) {
+    button.setToolTip(words);
+    button.setAccessibleDescription(words);
+}
+
 } // namespace
 
 PeopleScreen::PeopleScreen(AppContext& context, const Place& place) : Screen(context, place), m_chosen(place.parameters.value(QStringLiteral("person")).toLongLong()) {
@@ -63,7 +70,7 @@ QWidget* PeopleScreen::headRow() {
     auto* add = kit::button(theme, tr("Add a person"), "primary", QStringLiteral("list-add-user"));
     add->setObjectName(QStringLiteral("people.add"));
     connect(add, &QPushButton::clicked, this, &PeopleScreen::addPerson);
-    auto* roster = kit::button(theme, tr("Import roster"), "", QStringLiteral("document-import"));
+    auto* roster = kit::button(theme, tr("Import roster …"), "", QStringLiteral("document-import"));
     roster->setObjectName(QStringLiteral("people.import"));
     connect(roster, &QPushButton::clicked, this, &PeopleScreen::askRoster);
     row->addWidget(add);
@@ -75,6 +82,7 @@ QWidget* PeopleScreen::headRow() {
     auto* participant = kit::button(theme, tr("Erase a participant …"), "", QStringLiteral("edit-delete"));
     participant->setObjectName(QStringLiteral("people.erase_participant"));
     connect(participant, &QPushButton::clicked, this, &PeopleScreen::eraseParticipant);
+    tellApart(*participant, tr("Permanently removes the identity of somebody who took part in a study and need not have an account here."));
     row->addWidget(participant);
     column->addWidget(buttons);
     m_search = new QLineEdit;
@@ -154,6 +162,7 @@ QWidget* PeopleScreen::actionPart() {
     m_enable = add(tr("Disable"), QStringLiteral("dialog-cancel"), "people.enable", &PeopleScreen::toggleEnabled);
     m_export = add(tr("Export all data"), QStringLiteral("document-export"), "people.export", &PeopleScreen::askExport);
     m_erase = add(tr("Erase"), QStringLiteral("edit-delete"), "people.erase", &PeopleScreen::erase, "danger");
+    tellApart(*m_erase, tr("Permanently removes the identity of the person who is chosen in the list."));
     box.layout->addWidget(buttons);
     return box.frame;
 }

@@ -39,7 +39,8 @@ void ResetPasswordDialog::submit() {
             emit changed();
             const QString words = tr("%1 has a new password.").arg(name);
             if (m_password->isGenerated()) {
-                showResult(handedPassword(theme(), words, name, QString::fromStdString(password)));
+                auto* handed = handedPassword(theme(), words, name, QString::fromStdString(password));
+                showSecret(handed, handed->findChild<QPushButton*>(QStringLiteral("handed.copy")));
                 return;
             }
             context().messages().done(words);

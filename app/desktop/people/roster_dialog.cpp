@@ -104,6 +104,7 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     m_panel->showContent();
     setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes) : tr("Import"));
     setAcceptable(roster.problems.empty() && m_changes > 0);
+    leaveOnly(roster.problems.empty() && m_changes == 0);
 }
 
 QWidget* RosterDialog::problemList(const database::Roster& roster) const {
@@ -160,7 +161,10 @@ void RosterDialog::showDone(database::RosterOutcome outcome) {
         return;
     }
     m_slips = new SlipsPanel(context(), words.join(QLatin1Char(' ')), std::move(outcome.added));
-    showResult(m_slips);
+    connect(m_slips, &SlipsPanel::told, this, [this](QWidget* notice) {
+        QMetaObject::invokeMethod(this, [this, notice] { reveal(*notice); }, Qt::QueuedConnection); // once it has its size
+    });
+    showSecret(m_slips, m_slips->findChild<QPushButton*>(QStringLiteral("slips.print")));
 }
 
 void RosterDialog::reject() {

@@ -17,7 +17,9 @@ using Kind = database::RosterStep::Kind;
 
 constexpr double kTableHeight = 240;
 constexpr int kLoginNameColumn = 2;
+constexpr int kFullNameColumn = 3;
 constexpr int kMostDoubts = 5; // lines of the summary
+constexpr int kMostNames = 5;  // likewise
 constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
 
 QString words(const char* text) {
@@ -107,6 +109,27 @@ void addWhoIsMeant(QStringList& lines, const database::RosterPlan& plan) {
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "It is not certain who is meant in %n more lines. Point at the login name in the table to read why."), more);
 }
 
+QString keepsFullNameWords(const database::RosterStep& step) {
+    return words(QT_TRANSLATE_NOOP("RosterWords", "The list has the earlier full name %1; the one of today stays.")).arg(QString::fromStdString(step.earlierDisplayName));
+}
+
+/// Whose full name would change, and whose would not although the list has another one.
+void addFullNames(QStringList& lines, const database::RosterPlan& plan) {
+    int renamed = 0;
+    for (const database::RosterStep& step : plan.steps) {
+        if (step.kind != Kind::update || step.displayName == step.displayNameBefore)
+            continue;
+        if (++renamed <= kMostNames)
+            lines << words(QT_TRANSLATE_NOOP("RosterWords", "%1 would be called %2."))
+                         .arg(QString::fromStdString(step.displayNameBefore.empty() ? step.name : step.displayNameBefore), QString::fromStdString(step.displayName));
+    }
+    if (renamed > kMostNames)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n more people would get another full name; the table shows them."), renamed - kMostNames);
+    const auto kept = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return !step.earlierDisplayName.empty(); }));
+    if (kept > 0)
+        lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person."), kept);
+}
+
 } // namespace
 
 bool rosterLeavesDoubts(const database::RosterPlan& plan) {
@@ -127,12 +150,16 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be added. Each must choose a password of their own at the first login."), added);
     if (updated > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would be updated; their passwords remain valid."), updated);
+    addFullNames(lines, plan);
     const auto lost = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) {
         return step.kind == Kind::update && step.rolesBefore.contains(database::Role::admin) && !step.roles.contains(database::Role::admin);
     }));
     if (lost > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people would no longer be administrators."), lost);
-    if (left > 0)
+    const bool allHere = !plan.steps.empty() && std::none_of(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.person == 0; });
+    if (added + updated == 0 && allHere)
+        lines << words(QT_TRANSLATE_NOOP("RosterWords", "Nothing to import: everybody on the list is already here."));
+    else if (left > 0)
         lines << counted(QT_TRANSLATE_N_NOOP("RosterWords", "%n people have an account already and would be left as they are."), left);
     addWhoIsMeant(lines, plan);
     const auto made = static_cast<int>(std::count_if(plan.steps.begin(), plan.steps.end(), [](const database::RosterStep& step) { return step.makesPassword; }));
@@ -168,7 +195,9 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
         for (int column = 0; column < static_cast<int>(std::size(cells)); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             const QString doubt = whoIsMeant(step);
-            item->setToolTip(column == kLoginNameColumn && !doubt.isEmpty() ? doubt : cells[column]); // where the window is small
+            item->setToolTip(column == kLoginNameColumn && !doubt.isEmpty()                        ? doubt
+                             : column == kFullNameColumn && !step.earlierDisplayName.empty() ? keepsFullNameWords(step)
+                                                                                             : cells[column]); // where the window is small
             table->setItem(row, column, item);
         }
         ++row;

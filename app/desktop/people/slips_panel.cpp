@@ -75,6 +75,11 @@ QWidget* SlipsPanel::peopleTable() const {
     return table;
 }
 
+void SlipsPanel::say(const char* kind, const QString& text) {
+    m_notice->say(kind, text);
+    emit told(m_notice);
+}
+
 LoginSlips SlipsPanel::slips() {
     const QString site = m_site->text().trimmed();
     m_context.settings().setOfPerson(m_context.actor().personId(), kSite, site);
@@ -93,9 +98,9 @@ void SlipsPanel::print() {
         const bool printed = paintLoginSlips(*printer, slips(), report::lightTheme(m_context.locale()));
         m_taken = m_taken || printed;
         if (printed)
-            m_notice->say("good", tr("The slips were sent to the printer. Check the paper before you close this window."));
+            say("good", tr("The slips were sent to the printer. Check the paper before you close this window."));
         else
-            m_notice->say("bad", tr("The slips could not be printed. Choose another printer, or save them as PDF."));
+            say("bad", tr("The slips could not be printed. Choose another printer, or save them as PDF."));
     });
     dialog->open();
 }
@@ -114,9 +119,9 @@ void SlipsPanel::saveTo(const QString& file) {
     const auto done = writeLoginSlips(file, slips(), report::lightTheme(m_context.locale()));
     m_taken = m_taken || done.has_value();
     if (done)
-        m_notice->say("good", tr("The slips were saved to %1, which only you can read. Delete the file once they are printed.").arg(QDir::toNativeSeparators(file)));
+        say("good", tr("The slips were saved to %1, which only you can read. Delete the file once they are printed.").arg(QDir::toNativeSeparators(file)));
     else
-        m_notice->say("bad", tr("The slips were not saved.\n%1").arg(inWords(done.error())));
+        say("bad", tr("The slips were not saved.\n%1").arg(inWords(done.error())));
 }
 
 } // namespace chiron::desktop

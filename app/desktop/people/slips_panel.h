@@ -21,8 +21,12 @@ public:
     bool isTaken() const { return m_taken; } ///< printed or saved at least once
     void saveTo(const QString& file);
 
+signals:
+    void told(QWidget* notice); ///< something is said in it, which may be out of sight
+
 private:
     QWidget* peopleTable() const;
+    void say(const char* kind, const QString& text);
     LoginSlips slips();
     void print();
     void askFile();

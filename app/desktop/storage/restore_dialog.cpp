@@ -12,6 +12,7 @@
 #include "session/backup_list.h"
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 
 namespace chiron::desktop {
@@ -33,6 +34,15 @@ QString whatHappens(RestoreDialog::Replaces replaces) {
                                  "administrator of the backup has to agree.");
     }
     return {};
+}
+
+QString accountsOfTheBackup() {
+    return RestoreDialog::tr("A backup keeps the login names and passwords of the day it was made. If yours have been changed since, enter the earlier ones.");
+}
+
+QString accountsOfTheDamagedFile() {
+    return RestoreDialog::tr("The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, "
+                             "so that nobody puts an old backup in its place unasked.");
 }
 
 /// At a site that is open a wrong password counts as at the login.
@@ -59,8 +69,10 @@ RestoreDialog::RestoreDialog(AppContext& context, const session::BackupEntry& ba
     const QString when = SessionWords::ago(SessionWords::timeOf(backup.createdUtc), QDateTime::currentDateTimeUtc(), context.locale());
     column()->addWidget(kit::label(theme(), tr("Go back to the backup made %1?").arg(when), TextStyle::title));
     column()->addWidget(kit::label(theme(), whatHappens(replaces)));
-    m_first = addPair(*column(), QStringLiteral("restore."), working ? tr("Administrator") : tr("Administrator in the backup"),
-                      working ? tr("Password") : tr("Password in the backup"));
+    m_first = addPair(*column(), QStringLiteral("restore."), working ? tr("Administrator") : tr("Your login name when this backup was made"),
+                      working ? tr("Password") : tr("Your password when this backup was made"));
+    if (!working)
+        column()->addWidget(explanation(QStringLiteral("restore.explanation"), accountsOfTheBackup()));
     m_first.name->setText(m_administrator);
     addOther(*column());
     setAccept(acceptText(), "danger");
@@ -91,16 +103,26 @@ void RestoreDialog::addOther(QVBoxLayout& column) {
     m_other->setObjectName(QStringLiteral("restore.other"));
     m_other->setVisible(m_replaces != Replaces::missing);
     column.addWidget(m_other);
+    if (m_replaces == Replaces::damaged)
+        column.addWidget(explanation(QStringLiteral("restore.why_other"), accountsOfTheDamagedFile()));
     m_otherBox = new QWidget;
     auto* inner = new QVBoxLayout(m_otherBox);
     inner->setContentsMargins(theme().px(26), 0, 0, 0);
     inner->setSpacing(theme().px(12));
-    m_second = addPair(*inner, QStringLiteral("restore.other_"), working ? tr("Administrator in the backup") : tr("Administrator in the damaged file"),
-                       working ? tr("Password in the backup") : tr("Password in the damaged file"));
+    m_second = addPair(*inner, QStringLiteral("restore.other_"), working ? tr("Your login name when this backup was made") : tr("Administrator in the damaged file"),
+                       working ? tr("Your password when this backup was made") : tr("Password in the damaged file"));
+    if (working)
+        inner->addWidget(explanation(QStringLiteral("restore.other_explanation"), accountsOfTheBackup()));
     m_otherBox->hide();
     column.addWidget(m_otherBox);
     connect(m_other, &QCheckBox::toggled, m_otherBox, &QWidget::setVisible);
     connect(m_other, &QCheckBox::toggled, this, &RestoreDialog::check);
+}
+
+QLabel* RestoreDialog::explanation(const QString& objectName, const QString& words) const {
+    auto* label = kit::label(theme(), words, TextStyle::small, "muted");
+    label->setObjectName(objectName);
+    return label;
 }
 
 QString RestoreDialog::acceptText() const {

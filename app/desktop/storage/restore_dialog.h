@@ -8,6 +8,7 @@
 #include <optional>
 
 class QCheckBox;
+class QLabel;
 class QLineEdit;
 
 namespace chiron::session {
@@ -48,6 +49,7 @@ private:
     };
     Pair addPair(QVBoxLayout& column, const QString& names, const QString& name, const QString& password);
     void addOther(QVBoxLayout& column);
+    QLabel* explanation(const QString& objectName, const QString& words) const;
     void check();
     void submit() override;
     void answered(const std::optional<database::RestoreRefusal>& refusal);

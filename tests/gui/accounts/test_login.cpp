@@ -7,6 +7,7 @@
 #include "desktop/login/name_list.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QLabel>
 #include <QListWidget>
 
 using namespace chiron;
@@ -20,6 +21,7 @@ private slots:
     void namesAreFoundByTyping();
     void wrongPasswordsMakeItWait();
     void unknownNamesAreToldTheSame();
+    void oneExplanationAtATime();
     void disabledAccountsAreToldSo();
     void resetForcesAPasswordOfOnesOwn();
     void othersAreToldWhomToAsk();
@@ -104,6 +106,24 @@ void TestLogin::unknownNamesAreToldTheSame() {
     QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), 10000);
     QCOMPARE(notice(desktop), known);
     QVERIFY(!desktop.context.loggedIn());
+}
+
+/// A name that nobody has (any more): what the list says of it makes room for the answer, and the answer for the next name.
+void TestLogin::oneExplanationAtATime() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    type(QStringLiteral("xaver"));
+    auto* nobody = desktop.find<QLabel>(QStringLiteral("login.nobody"));
+    QVERIFY(nobody && nobody->isVisible() && nobody->text().contains(QStringLiteral("your login name may have changed")));
+    desktop.find<QLineEdit>(QStringLiteral("login.password"))->setText(QStringLiteral("wrong word 1"));
+    desktop.find<QPushButton>(QStringLiteral("login.enter"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("your login name may have changed")), 10000);
+    QVERIFY(!nobody->isVisible());
+    VERIFY_READABLE(desktop.window->screen());
+    desktop.find<QLineEdit>(QStringLiteral("login.name"))->setFocus();
+    press(Qt::Key_End);
+    type(QStringLiteral("q"));
+    QVERIFY(nobody->isVisible() && notice(desktop).isEmpty());
 }
 
 void TestLogin::disabledAccountsAreToldSo() {

@@ -7,6 +7,7 @@
 #include "support/made_study.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QFileDialog>
@@ -32,11 +33,13 @@ private slots:
     void erase();
     void eraseAParticipant();
     void editNames();
+    void renamingSaysWhatBecomesOfTheSlip();
     void renamingOneselfIsSeenAtOnce();
     void importRoster();
     void germanExcelIsImportedAndSlipsArePrinted();
     void whoExistsIsUpdatedWhenAsked();
     void anOldListNamesWhoWasRenamed();
+    void anOldFullNameIsNotGivenBack();
     void otherFilesAreNamed();
     void templateCanBeImported_data();
     void templateCanBeImported();
@@ -55,6 +58,8 @@ private:
 void TestPeople::addByKeyboardAndHandThePasswordOver() {
     PeopleDesk desk;
     QCOMPARE(desk.table()->model()->rowCount(), 5);
+    const QString ofPerson = desk.find<QPushButton>(QStringLiteral("people.erase"))->accessibleDescription();
+    QVERIFY(!ofPerson.isEmpty() && ofPerson != desk.find<QPushButton>(QStringLiteral("people.erase_participant"))->accessibleDescription());
     picture(desk.window.get(), QStringLiteral("people"));
     press(Qt::Key_N, Qt::ControlModifier);
     QTRY_VERIFY(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow());
@@ -68,7 +73,11 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("handed.password")), 10000);
     const QString password = desk.find<QLabel>(QStringLiteral("handed.password"))->text();
     picture(desk.dialog("add_person"), QStringLiteral("people_handed"));
-    press(Qt::Key_Return); // Close has the focus
+    QCOMPARE(focusName(), QStringLiteral("handed.copy"));
+    press(Qt::Key_Return); // takes the password along, and does not close
+    QCOMPARE(QGuiApplication::clipboard()->text(), password);
+    QVERIFY(desk.dialog("add_person")->isVisible() && tabTo(QStringLiteral("add_person.cancel")));
+    press(Qt::Key_Return);
     QTRY_VERIFY(!desk.dialog("add_person"));
     QTRY_VERIFY(desk.rowOf(QStringLiteral("uma")) >= 0);
     QCOMPARE(desk.cell(QStringLiteral("uma"), 2), QStringLiteral("Trainee"));
@@ -312,6 +321,35 @@ void TestPeople::editNames() {
     QVERIFY(database::AccountService(desk.database()).login("christina", kTestPassword).has_value());
 }
 
+/// Whoever has a slip with the old login name would stand at the login without knowing why.
+void TestPeople::renamingSaysWhatBecomesOfTheSlip() {
+    PeopleDesk desk;
+    database::AccountService accounts(desk.database());
+    const database::Actor ada = desk.actor("ada");
+    QVERIFY(accounts.createPerson(ada, {"uma", "Uma", {database::Role::trainee}, kTestPassword, true}));
+    desk.go(QStringLiteral("home")); // and back: the list is read anew
+    settle();
+    desk.go(QStringLiteral("people"));
+    settle();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("uma")) >= 0, 10000);
+    for (const auto& [name, hasSlip] : {std::pair{"uma", true}, std::pair{"tina", false}}) {
+        desk.choose(QString::fromLatin1(name));
+        desk.click("people.edit");
+        QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+        const auto* renamed = desk.find<QLabel>(QStringLiteral("edit_person.renamed"));
+        QVERIFY(renamed && !renamed->isVisible());
+        desk.set("edit_person.full_name", QStringLiteral("Another Name"));
+        desk.set("edit_person.name", QString::fromLatin1(name).toUpper()); // the same to the login
+        QVERIFY(!renamed->isVisible());
+        desk.set("edit_person.name", QStringLiteral("wilma"));
+        QVERIFY2(renamed->isVisible() && renamed->text().contains(QStringLiteral("only wilma can be used")), qPrintable(renamed->text()));
+        QCOMPARE(renamed->text().contains(QStringLiteral("slip")), hasSlip);
+        VERIFY_READABLE(desk.dialog("edit_person"));
+        desk.click("edit_person.cancel");
+        QTRY_VERIFY(!desk.dialog("edit_person"));
+    }
+}
+
 void TestPeople::renamingOneselfIsSeenAtOnce() {
     PeopleDesk desk;
     desk.choose(QStringLiteral("ada"));
@@ -347,6 +385,7 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     QVERIFY(joerg && joerg->mustChangePassword());
     VERIFY_READABLE(desk.dialog("roster"));
     picture(desk.dialog("roster"), QStringLiteral("people_slips"));
+    QCOMPARE(desk.dialog("roster")->focusWidget()->objectName(), QStringLiteral("slips.print")); // Enter does not close
     // Closing is asked about once while nobody has the passwords on paper.
     desk.click("roster.cancel");
     QVERIFY(desk.dialog("roster")->isVisible() && desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
@@ -355,7 +394,10 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     auto* slips = desk.find<desktop::SlipsPanel>(QString());
     slips->saveTo(desk.folder() + QStringLiteral("/nowhere/slips.pdf"));
     QVERIFY(!slips->isTaken() && desk.notice("slips.notice").contains(QStringLiteral("not saved")));
+    desk.dialog("roster")->resize(desk.dialog("roster")->width(), 300); // what is said comes into sight by itself
     slips->saveTo(pdf);
+    const auto* said = desk.find<desktop::NoticeArea>(QStringLiteral("slips.notice"));
+    QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
     QVERIFY(slips->isTaken() && QFileInfo(pdf).size() > 1000);
     QVERIFY((QFileInfo(pdf).permissions() & (QFile::ReadGroup | QFile::ReadOther)) == QFile::Permissions());
     desk.click("slips.save"); // asks for a file
@@ -382,8 +424,14 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
     QTRY_VERIFY(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible());
     QVERIFY(!desk.isEnabled("roster.accept")); // both are left as they are: nothing to do
+    const auto* accept = desk.find<QPushButton>(QStringLiteral("roster.accept"));
+    const auto* leave = desk.find<QPushButton>(QStringLiteral("roster.cancel"));
+    QVERIFY(!accept->isVisible() && leave->text() == QLatin1String("Close"));
+    const QString nothing = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QCOMPARE(nothing, QStringLiteral("Nothing to import: everybody on the list is already here."));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    QVERIFY(accept->isVisible() && leave->text() == QLatin1String("Cancel"));
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Updated"));
     QCOMPARE(table->item(0, 3)->text(), QStringLiteral("Tina Trainee → Christina"));
@@ -425,6 +473,32 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     QTRY_COMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."));
     QCOMPARE(desk.rowOf(QStringLiteral("tina")), -1);
     QCOMPARE(accounts.listPeople(ada)->size(), std::size_t{6});
+}
+
+/// The summary names who would be called otherwise, and says whose name of today stays.
+void TestPeople::anOldFullNameIsNotGivenBack() {
+    PeopleDesk desk;
+    database::AccountService accounts(desk.database());
+    const database::Actor ada = desk.actor("ada");
+    QVERIFY(accounts.changeNames(ada, accounts.personByName(ada, "tina")->id, "tina", "Tina Weiß"));
+    const QString file = desk.folder() + QStringLiteral("/roster.csv");
+    write(file, "login name;full name;role\ntina;Tina Trainee;trainer\ntheo;Theodor;trainee\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
+    QVERIFY2(summary.contains(QStringLiteral("Theo Trainee would be called Theodor.")) && summary.contains(QStringLiteral("earlier full name")), qPrintable(summary));
+    QVERIFY2(!summary.contains(QStringLiteral("called Tina")), qPrintable(summary));
+    const auto* shown = desk.find<QTableWidget>(QStringLiteral("roster.people"))->item(0, 3);
+    QCOMPARE(shown->text(), QStringLiteral("Tina Weiß"));
+    QVERIFY(shown->toolTip().contains(QStringLiteral("Tina Trainee")));
+    VERIFY_READABLE(desk.dialog("roster"));
+    desk.click("roster.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000);
+    QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
+    QCOMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Weiß"));
+    QCOMPARE(desk.cell(QStringLiteral("theo"), 1), QStringLiteral("Theodor"));
 }
 
 void TestPeople::otherFilesAreNamed() {

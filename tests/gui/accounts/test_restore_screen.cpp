@@ -197,6 +197,8 @@ void TestRestoreScreen::aWrongPasswordChangesNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(lost.find<QLabel>("restore.password.note") && lost.find<QLabel>("restore.password.note")->isVisible(), kPatience_ms);
     QVERIFY(lost.find<QLabel>("restore.password.note")->text().contains(QStringLiteral("Passwords are case-sensitive")));
     QVERIFY(lost.find<QDialog>("restore")->isVisible());
+    QVERIFY(lost.find<QLabel>("restore.explanation")->text().contains(QStringLiteral("the day it was made"))); // which password is meant
+    QVERIFY(lost.find<QLabel>("restore.why_other")->text().contains(QStringLiteral("has to agree")));
     QCOMPARE(lost.find<QLineEdit>("restore.name")->text(), QStringLiteral("ada"));
     QTRY_COMPARE(focusName(), QStringLiteral("restore.password"));
     QVERIFY(contentOf(lost.file()) == damaged);

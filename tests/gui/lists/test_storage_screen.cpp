@@ -195,6 +195,8 @@ private slots:
         desktop.find<QPushButton>(QStringLiteral("restore.accept"))->click();
         QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QCheckBox>(QStringLiteral("restore.other"))->isChecked(), kPatience_ms);
         QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("restore.password"))->text(), QStringLiteral("quite another word"));
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("restore.other_explanation"))->isVisible() &&
+                desktop.find<QLabel>(QStringLiteral("restore.other_explanation"))->text().contains(QStringLiteral("the day it was made")));
         QVERIFY(desktop.find<QLineEdit>(QStringLiteral("restore.other_password"))->isVisible() && !desktop.find<QPushButton>(QStringLiteral("restore.accept"))->isEnabled());
         desktop.find<QLineEdit>(QStringLiteral("restore.other_name"))->setText(QStringLiteral("ada"));
         desktop.find<QLineEdit>(QStringLiteral("restore.other_password"))->setText(QStringLiteral("not this word"));

@@ -64,6 +64,7 @@ private slots:
     void whoExistsIsSkippedOrUpdated();
     void anUpdateLeavesWhatTheListDoesNotSay();
     void whoWasRenamedIsKnownByTheOldName();
+    void anOldListTurnsNoFullNameBack();
     void aNameOfTodayComesBeforeAnOldOne();
     void nothingIsHalfDone();
     void madePasswordsAreNowhereElse();
@@ -391,6 +392,36 @@ void TestRoster::whoWasRenamedIsKnownByTheOldName() {
     // Whoever is erased is no longer known by any name.
     REQUIRE(accounts().erasePerson(m_admin, kPassword, bob->personId(), "wish", false));
     QVERIFY(accounts().previewCsv(m_admin, file)->steps[0].kind == add);
+}
+
+void TestRoster::anOldListTurnsNoFullNameBack() {
+    const auto bob = m->person(m_admin, "bob", {Role::trainee});
+    const auto eve = m->person(m_admin, "eve", {Role::trainee});
+    REQUIRE(bob);
+    REQUIRE(eve);
+    REQUIRE(accounts().changeNames(m_admin, bob->personId(), "rob", "Robert"));
+    REQUIRE(accounts().changeNames(m_admin, eve->personId(), "eve", "Eve E.")); // the full name alone
+    using enum RosterStep::Kind;
+    const std::string old = "login name;full name;role\nbob;bob display;trainer\neve;eve display;trainee\n";
+    const auto plan = accounts().previewCsv(m_admin, old, RosterExisting::update);
+    REQUIRE(plan);
+    QVERIFY(plan->steps[0].kind == update && plan->steps[1].kind == same);
+    QCOMPARE(plan->steps[0].displayName, std::string("Robert"));
+    QCOMPARE(plan->steps[0].earlierDisplayName, std::string("bob display"));
+    QCOMPARE(plan->steps[1].earlierDisplayName, std::string("eve display"));
+    const auto done = accounts().importCsv(m_admin, old, RosterExisting::update);
+    REQUIRE(done);
+    QVERIFY(done->updated == 1 && done->skipped == 1 && done->told.size() == 2);
+    QCOMPARE(personOf("rob").displayName, std::string("Robert"));
+    QVERIFY(personOf("rob").roles == RoleSet{Role::trainer}); // what else the list says is done
+    QCOMPARE(personOf("eve").displayName, std::string("Eve E."));
+    // Another person's earlier name, and a name that is new, are taken.
+    const std::string fresh = "login name;full name;role\nrob;eve display;trainer\neve;Eve F.;trainee\n";
+    REQUIRE(accounts().importCsv(m_admin, fresh, RosterExisting::update));
+    QCOMPARE(personOf("rob").displayName, std::string("eve display"));
+    QCOMPARE(personOf("eve").displayName, std::string("Eve F."));
+    // Where nobody is updated there is nothing to say about it.
+    QVERIFY(accounts().previewCsv(m_admin, old, RosterExisting::skip)->steps[0].earlierDisplayName.empty());
 }
 
 void TestRoster::aNameOfTodayComesBeforeAnOldOne() {
