@@ -80,6 +80,10 @@
         <source>Wrong password. Passwords are case-sensitive.</source>
         <translation>Falsches Passwort. Groß- und Kleinschreibung wird unterschieden.</translation>
     </message>
+    <message>
+        <source>Wrong name or password; check Caps Lock. Ask an administrator; your login name may have changed.</source>
+        <translation>Name oder Passwort ist falsch; prüfen Sie die Feststelltaste. Fragen Sie die Administration; Ihr Anmeldename wurde vielleicht geändert.</translation>
+    </message>
 </context>
 <context>
     <name>AnswerNote</name>
@@ -3698,6 +3702,32 @@ Möchten Sie die Datei ersetzen?</translation>
             <numerusform>In %n weiteren Zeilen ist nicht sicher, wer gemeint ist. Zeigen Sie in der Tabelle auf den Anmeldenamen, um den Grund zu lesen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The list has the earlier full name %1; the one of today stays.</source>
+        <translation>Die Liste hat den früheren vollständigen Namen %1; der heutige bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 would be called %2.</source>
+        <translation>%1 hieße dann %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more people would get another full name; the table shows them.</source>
+        <translation>
+                <numerusform>%n weitere Person bekäme einen anderen vollständigen Namen; die Tabelle zeigt ihn.</numerusform>
+                <numerusform>%n weitere Personen bekämen einen anderen vollständigen Namen; die Tabelle zeigt sie.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
+        <translation>
+                <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
+                <numerusform>%n Personen stehen unter einem früheren vollständigen Namen in der Liste und behalten den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Nothing to import: everybody on the list is already here.</source>
+        <translation>Nichts zu importieren: Alle auf der Liste sind schon da.</translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>
@@ -3896,6 +3926,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>%1, level %2</source>
         <translation>%1, Stufe %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7159,14 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <source>(erased)</source>
         <translation>(gelöscht)</translation>
     </message>
+    <message>
+        <source>Reviewed, nothing to add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reviewed. Nothing to add.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ComparisonPage</name>
@@ -7576,12 +7618,16 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Kein Moment fällt besonders auf.</translation>
     </message>
     <message>
-        <source>%1 in trial %2, at %3</source>
-        <translation>%1 in Durchgang %2, bei %3</translation>
+        <source>%1 in trial %2, %3 after it began</source>
+        <translation>%1 in Durchgang %2, %3 nach dessen Beginn</translation>
     </message>
     <message>
-        <source>%1, at %2</source>
-        <translation>%1, bei %2</translation>
+        <source>%1, %2 after the start</source>
+        <translation>%1, %2 nach dem Start</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in the recording)</source>
+        <translation>%1 (%2 in der Aufzeichnung)</translation>
     </message>
 </context>
 <context>
@@ -7750,10 +7796,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Vollständiger Name (darf leer bleiben)</translation>
     </message>
     <message>
-        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid; from the next login only the new login name is.</source>
-        <translation>Bisher aufgezeichnete Sitzungen bleiben bei dieser Person und zeigen den neuen Namen. Die früheren Namen bleiben im Verlauf des Standorts. Das Passwort bleibt gültig; ab der nächsten Anmeldung gilt nur noch der neue Anmeldename.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -7766,6 +7808,18 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 %2</source>
         <translation>%1 wurde nicht geändert.
 %2</translation>
+    </message>
+    <message>
+        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid.</source>
+        <translation>Bisher aufgezeichnete Sitzungen bleiben bei dieser Person und zeigen den neuen Namen. Die früheren Namen bleiben im Verlauf des Standorts. Das Passwort bleibt gültig.</translation>
+    </message>
+    <message>
+        <source>From now on, only %1 can be used to log in.</source>
+        <translation>Ab jetzt ist die Anmeldung nur noch mit %1 möglich.</translation>
+    </message>
+    <message>
+        <source>A password slip that was handed out still shows the old login name.</source>
+        <translation>Ein schon ausgegebener Passwortzettel zeigt noch den alten Anmeldenamen.</translation>
     </message>
 </context>
 <context>
@@ -9512,6 +9566,10 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <source>%1 - Chiron</source>
         <translation>%1 - Chiron</translation>
     </message>
+    <message>
+        <source>F1: help with this screen · Ctrl+K: find a screen, command, person, session or study</source>
+        <translation>F1: Hilfe zu dieser Seite · Strg+K: Seite, Befehl, Person, Sitzung oder Studie finden</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::MarkList</name>
@@ -9601,12 +9659,12 @@ Passwort vergessen? Die Administration kann Ihnen ein neues geben. Die Administr
         <translation>Personen, die sich anmelden können</translation>
     </message>
     <message>
-        <source>Nobody of this name can log in here. Ask an administrator to add you.</source>
-        <translation>Unter diesem Namen kann sich hier niemand anmelden. Bitten Sie die Administration, Sie hinzuzufügen.</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nobody of this name can log in here. Ask an administrator; your login name may have changed.</source>
+        <translation>Unter diesem Namen kann sich hier niemand anmelden. Fragen Sie die Administration; Ihr Anmeldename wurde vielleicht geändert.</translation>
     </message>
 </context>
 <context>
@@ -10279,6 +10337,18 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
         <source>Show everybody</source>
         <translation>Alle anzeigen</translation>
     </message>
+    <message>
+        <source>Import roster …</source>
+        <translation>Liste importieren …</translation>
+    </message>
+    <message>
+        <source>Permanently removes the identity of somebody who took part in a study and need not have an account here.</source>
+        <translation>Entfernt endgültig die Identität einer Person, die an einer Studie teilgenommen hat und hier kein Konto haben muss.</translation>
+    </message>
+    <message>
+        <source>Permanently removes the identity of the person who is chosen in the list.</source>
+        <translation>Entfernt endgültig die Identität der Person, die in der Liste gewählt ist.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PersonPage</name>
@@ -10861,6 +10931,10 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The comment is saved. %1 is told of it on Home.</source>
         <translation>Der Kommentar ist gespeichert. %1 wird unter „Start“ darauf hingewiesen.</translation>
+    </message>
+    <message>
+        <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12179,6 +12253,14 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy. Without it, only another administrator can help you. Keep it as safe as your keys.</source>
         <translation>Mit diesem Code können Sie ein neues Passwort festlegen, falls Sie Ihres vergessen. Er wird nur jetzt gezeigt: Das Programm bewahrt keine lesbare Kopie auf. Ohne ihn kann Ihnen nur eine andere Person der Administration helfen. Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     </message>
+    <message>
+        <source>Backups made before now still have the earlier code.</source>
+        <translation>Bisherige Sicherungen enthalten noch den früheren Code.</translation>
+    </message>
+    <message>
+        <source>Backups made before now have no recovery code of yours.</source>
+        <translation>Bisherige Sicherungen enthalten keinen Wiederherstellungscode von Ihnen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryPage</name>
@@ -12267,14 +12349,6 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
         <translation>In der Sicherung gilt ein anderes Administrationskonto oder Passwort</translation>
     </message>
     <message>
-        <source>Administrator in the backup</source>
-        <translation>Administration in der Sicherung</translation>
-    </message>
-    <message>
-        <source>Password in the backup</source>
-        <translation>Passwort in der Sicherung</translation>
-    </message>
-    <message>
         <source>Keep the current database</source>
         <translation>Jetzige Datenbank behalten</translation>
     </message>
@@ -12313,6 +12387,22 @@ Bewahren Sie ihn auf wie einen Schlüssel.</translation>
     <message>
         <source>The damaged file has a different administrator or password. Enter those, too.</source>
         <translation>Die beschädigte Datei hat eine andere Administration oder ein anderes Passwort. Geben Sie auch diese ein.</translation>
+    </message>
+    <message>
+        <source>A backup keeps the login names and passwords of the day it was made. If yours have been changed since, enter the earlier ones.</source>
+        <translation>Eine Sicherung enthält die Anmeldenamen und Passwörter des Tages, an dem sie erstellt wurde. Wurden Ihre seitdem geändert, geben Sie die früheren ein.</translation>
+    </message>
+    <message>
+        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place unasked.</source>
+        <translation>Die beschädigte Datei hat noch die Anmeldenamen und Passwörter ihres letzten Tages. Wo sie lesbar sind, muss jemand aus ihrer Administration zustimmen, damit niemand ungefragt eine alte Sicherung an ihre Stelle setzt.</translation>
+    </message>
+    <message>
+        <source>Your login name when this backup was made</source>
+        <translation>Ihr Anmeldename, als diese Sicherung erstellt wurde</translation>
+    </message>
+    <message>
+        <source>Your password when this backup was made</source>
+        <translation>Ihr Passwort, als diese Sicherung erstellt wurde</translation>
     </message>
 </context>
 <context>

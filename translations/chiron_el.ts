@@ -80,6 +80,10 @@
         <source>Wrong password. Passwords are case-sensitive.</source>
         <translation>Λάθος κωδικός πρόσβασης. Τα κεφαλαία διαφέρουν από τα πεζά.</translation>
     </message>
+    <message>
+        <source>Wrong name or password; check Caps Lock. Ask an administrator; your login name may have changed.</source>
+        <translation>Λάθος όνομα ή κωδικός πρόσβασης· ελέγξτε το Caps Lock. Ρωτήστε έναν διαχειριστή· το όνομα χρήστη σας μπορεί να έχει αλλάξει.</translation>
+    </message>
 </context>
 <context>
     <name>AnswerNote</name>
@@ -3698,6 +3702,32 @@ Do you want to replace it?</source>
             <numerusform>Σε %n ακόμη γραμμές δεν είναι βέβαιο ποιος εννοείται. Δείξτε το όνομα χρήστη στον πίνακα για να διαβάσετε τον λόγο.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The list has the earlier full name %1; the one of today stays.</source>
+        <translation>Η λίστα έχει το παλιότερο ονοματεπώνυμο %1· μένει το σημερινό.</translation>
+    </message>
+    <message>
+        <source>%1 would be called %2.</source>
+        <translation>Το όνομα %1 θα γίνει %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more people would get another full name; the table shows them.</source>
+        <translation>
+                <numerusform>%n ακόμη άτομο θα πάρει άλλο ονοματεπώνυμο· φαίνεται στον πίνακα.</numerusform>
+                <numerusform>%n ακόμη άτομα θα πάρουν άλλο ονοματεπώνυμο· φαίνονται στον πίνακα.</numerusform>
+            </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
+        <translation>
+                <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+                <numerusform>%n άτομα είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατούν το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>Nothing to import: everybody on the list is already here.</source>
+        <translation>Δεν υπάρχει τίποτα για εισαγωγή: όλοι στη λίστα είναι ήδη εδώ.</translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>
@@ -3896,6 +3926,10 @@ Do you want to replace it?</source>
     <message>
         <source>%1, level %2</source>
         <translation>%1, επίπεδο %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7125,6 +7159,14 @@ Administrators can make a recovery code for themselves here; with it they can se
         <source>(erased)</source>
         <translation>(διαγράφηκε)</translation>
     </message>
+    <message>
+        <source>Reviewed, nothing to add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reviewed. Nothing to add.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ComparisonPage</name>
@@ -7576,12 +7618,16 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Καμία στιγμή δεν ξεχωρίζει.</translation>
     </message>
     <message>
-        <source>%1 in trial %2, at %3</source>
-        <translation>%1 στη δοκιμή %2, στο %3</translation>
+        <source>%1 in trial %2, %3 after it began</source>
+        <translation>%1 στη δοκιμή %2, %3 μετά την έναρξή της</translation>
     </message>
     <message>
-        <source>%1, at %2</source>
-        <translation>%1, στο %2</translation>
+        <source>%1, %2 after the start</source>
+        <translation>%1, %2 μετά την έναρξη</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in the recording)</source>
+        <translation>%1 (%2 στην καταγραφή)</translation>
     </message>
 </context>
 <context>
@@ -7750,10 +7796,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Πλήρες όνομα (προαιρετικό)</translation>
     </message>
     <message>
-        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid; from the next login only the new login name is.</source>
-        <translation>Οι συνεδρίες που έχουν καταγραφεί μένουν σε αυτό το άτομο και δείχνουν το νέο όνομα. Τα προηγούμενα ονόματα μένουν στο ιστορικό του κέντρου. Ο κωδικός πρόσβασης ισχύει και μετά· από την επόμενη σύνδεση ισχύει μόνο το νέο όνομα χρήστη.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Αποθήκευση</translation>
     </message>
@@ -7766,6 +7808,18 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 %2</source>
         <translation>Δεν άλλαξε: %1.
 %2</translation>
+    </message>
+    <message>
+        <source>Sessions recorded so far stay with this person and show the new name. The earlier names stay in the site&apos;s history. The password remains valid.</source>
+        <translation>Οι συνεδρίες που έχουν καταγραφεί μένουν σε αυτό το άτομο και δείχνουν το νέο όνομα. Τα προηγούμενα ονόματα μένουν στο ιστορικό του κέντρου. Ο κωδικός πρόσβασης ισχύει και μετά.</translation>
+    </message>
+    <message>
+        <source>From now on, only %1 can be used to log in.</source>
+        <translation>Από εδώ και πέρα η σύνδεση γίνεται μόνο με το όνομα %1.</translation>
+    </message>
+    <message>
+        <source>A password slip that was handed out still shows the old login name.</source>
+        <translation>Ένα σημείωμα κωδικού που έχει ήδη δοθεί δείχνει ακόμη το παλιό όνομα χρήστη.</translation>
     </message>
 </context>
 <context>
@@ -9512,6 +9566,10 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <source>%1 - Chiron</source>
         <translation>%1 - Chiron</translation>
     </message>
+    <message>
+        <source>F1: help with this screen · Ctrl+K: find a screen, command, person, session or study</source>
+        <translation>F1: βοήθεια για αυτή την οθόνη · Ctrl+K: εύρεση οθόνης, εντολής, προσώπου, συνεδρίας ή μελέτης</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::MarkList</name>
@@ -9601,12 +9659,12 @@ Forgot your password? An administrator can give you a new one. Administrators ca
         <translation>Άτομα που μπορούν να συνδεθούν</translation>
     </message>
     <message>
-        <source>Nobody of this name can log in here. Ask an administrator to add you.</source>
-        <translation>Κανείς με αυτό το όνομα δεν μπορεί να συνδεθεί εδώ. Ζητήστε από έναν διαχειριστή να σας προσθέσει.</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nobody of this name can log in here. Ask an administrator; your login name may have changed.</source>
+        <translation>Κανείς με αυτό το όνομα δεν μπορεί να συνδεθεί εδώ. Ρωτήστε έναν διαχειριστή· το όνομα χρήστη σας μπορεί να έχει αλλάξει.</translation>
     </message>
 </context>
 <context>
@@ -10279,6 +10337,18 @@ Choose a person in the list, then an action below it. Changing roles and disabli
         <source>Show everybody</source>
         <translation>Εμφάνιση όλων</translation>
     </message>
+    <message>
+        <source>Import roster …</source>
+        <translation>Εισαγωγή λίστας …</translation>
+    </message>
+    <message>
+        <source>Permanently removes the identity of somebody who took part in a study and need not have an account here.</source>
+        <translation>Αφαιρεί οριστικά την ταυτότητα κάποιου που συμμετείχε σε μελέτη και δεν χρειάζεται να έχει λογαριασμό εδώ.</translation>
+    </message>
+    <message>
+        <source>Permanently removes the identity of the person who is chosen in the list.</source>
+        <translation>Αφαιρεί οριστικά την ταυτότητα του ατόμου που είναι επιλεγμένο στη λίστα.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::PersonPage</name>
@@ -10861,6 +10931,10 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>The comment is saved. %1 is told of it on Home.</source>
         <translation>Το σχόλιο αποθηκεύτηκε. Ο/Η %1 τον βλέπει στην «Αρχική».</translation>
+    </message>
+    <message>
+        <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12179,6 +12253,14 @@ Keep it as safe as your keys.</source>
         <source>With this code you can set a new password if you forget yours. It is shown only now: the program keeps no readable copy. Without it, only another administrator can help you. Keep it as safe as your keys.</source>
         <translation>Με αυτόν ορίζετε νέο κωδικό πρόσβασης αν ξεχάσετε τον δικό σας. Εμφανίζεται μόνο τώρα: το πρόγραμμα δεν κρατά αναγνώσιμο αντίγραφο. Χωρίς αυτόν μπορεί να σας βοηθήσει μόνο άλλος διαχειριστής. Φυλάξτε τον όπως τα κλειδιά σας.</translation>
     </message>
+    <message>
+        <source>Backups made before now still have the earlier code.</source>
+        <translation>Τα αντίγραφα ασφαλείας που έγιναν ως τώρα έχουν ακόμη τον προηγούμενο κωδικό.</translation>
+    </message>
+    <message>
+        <source>Backups made before now have no recovery code of yours.</source>
+        <translation>Τα αντίγραφα ασφαλείας που έγιναν ως τώρα δεν έχουν δικό σας κωδικό ανάκτησης.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::RecoveryPage</name>
@@ -12267,14 +12349,6 @@ Keep it as safe as your keys.</source>
         <translation>Το αντίγραφο έχει άλλον διαχειριστή ή κωδικό πρόσβασης</translation>
     </message>
     <message>
-        <source>Administrator in the backup</source>
-        <translation>Διαχειριστής στο αντίγραφο</translation>
-    </message>
-    <message>
-        <source>Password in the backup</source>
-        <translation>Κωδικός πρόσβασης στο αντίγραφο</translation>
-    </message>
-    <message>
         <source>Keep the current database</source>
         <translation>Διατήρηση της τωρινής βάσης</translation>
     </message>
@@ -12313,6 +12387,22 @@ Keep it as safe as your keys.</source>
     <message>
         <source>The damaged file has a different administrator or password. Enter those, too.</source>
         <translation>Το κατεστραμμένο αρχείο έχει άλλον διαχειριστή ή άλλον κωδικό πρόσβασης. Δώστε και αυτά.</translation>
+    </message>
+    <message>
+        <source>A backup keeps the login names and passwords of the day it was made. If yours have been changed since, enter the earlier ones.</source>
+        <translation>Ένα αντίγραφο ασφαλείας κρατά τα ονόματα χρήστη και τους κωδικούς πρόσβασης της ημέρας που έγινε. Αν τα δικά σας έχουν αλλάξει από τότε, δώστε τα προηγούμενα.</translation>
+    </message>
+    <message>
+        <source>The damaged file still has the login names and passwords of its last day. Where they can be read, one of its administrators has to agree, so that nobody puts an old backup in its place unasked.</source>
+        <translation>Το κατεστραμμένο αρχείο έχει ακόμη τα ονόματα χρήστη και τους κωδικούς πρόσβασης της τελευταίας του ημέρας. Όπου διαβάζονται, πρέπει να συμφωνήσει ένας διαχειριστής του, ώστε κανείς να μη βάλει χωρίς άδεια ένα παλιό αντίγραφο στη θέση του.</translation>
+    </message>
+    <message>
+        <source>Your login name when this backup was made</source>
+        <translation>Το όνομα χρήστη σας όταν έγινε αυτό το αντίγραφο</translation>
+    </message>
+    <message>
+        <source>Your password when this backup was made</source>
+        <translation>Ο κωδικός πρόσβασής σας όταν έγινε αυτό το αντίγραφο</translation>
     </message>
 </context>
 <context>
