@@ -3713,16 +3713,16 @@ Möchten Sie die Datei ersetzen?</translation>
     <message numerus="yes">
         <source>%n more people would get another full name; the table shows them.</source>
         <translation>
-                <numerusform>%n weitere Person bekäme einen anderen vollständigen Namen; die Tabelle zeigt ihn.</numerusform>
-                <numerusform>%n weitere Personen bekämen einen anderen vollständigen Namen; die Tabelle zeigt sie.</numerusform>
-            </translation>
+            <numerusform>%n weitere Person bekäme einen anderen vollständigen Namen; die Tabelle zeigt ihn.</numerusform>
+            <numerusform>%n weitere Personen bekämen einen anderen vollständigen Namen; die Tabelle zeigt sie.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
-                <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
-                <numerusform>%n Personen stehen unter einem früheren vollständigen Namen in der Liste und behalten den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
-            </translation>
+            <numerusform>%n Person steht unter einem früheren vollständigen Namen in der Liste und behält den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
+            <numerusform>%n Personen stehen unter einem früheren vollständigen Namen in der Liste und behalten den heutigen. Um einen früheren zurückzugeben, bearbeiten Sie die Person.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing to import: everybody on the list is already here.</source>
@@ -4108,8 +4108,12 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Einführen: auf dem Weg zum Ziel</translation>
     </message>
     <message>
-        <source>Withdrawal: bring the endoscope back out</source>
-        <translation>Rückzug: das Endoskop wieder herausführen</translation>
+        <source>Withdrawal: bring the endoscope out, %1 mm more</source>
+        <translation>Rückzug: das Endoskop herausführen, noch %1 mm</translation>
+    </message>
+    <message>
+        <source>Withdrawal: bring the endoscope all the way out</source>
+        <translation>Rückzug: das Endoskop ganz herausführen</translation>
     </message>
 </context>
 <context>
@@ -7161,11 +7165,11 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgesehen, nichts hinzuzufügen</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgesehen. Nichts hinzuzufügen.</translation>
     </message>
 </context>
 <context>
@@ -10934,7 +10938,7 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als durchgesehen. %1 wird unter „Start“ darauf hingewiesen.</translation>
     </message>
 </context>
 <context>
@@ -16750,6 +16754,10 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Speed of the tool tips</source>
         <translation>Geschwindigkeit der Instrumentenspitzen</translation>
+    </message>
+    <message>
+        <source>No trial was finished</source>
+        <translation>Kein Durchgang wurde beendet</translation>
     </message>
 </context>
 </TS>

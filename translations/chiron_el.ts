@@ -3713,16 +3713,16 @@ Do you want to replace it?</source>
     <message numerus="yes">
         <source>%n more people would get another full name; the table shows them.</source>
         <translation>
-                <numerusform>%n ακόμη άτομο θα πάρει άλλο ονοματεπώνυμο· φαίνεται στον πίνακα.</numerusform>
-                <numerusform>%n ακόμη άτομα θα πάρουν άλλο ονοματεπώνυμο· φαίνονται στον πίνακα.</numerusform>
-            </translation>
+            <numerusform>%n ακόμη άτομο θα πάρει άλλο ονοματεπώνυμο· φαίνεται στον πίνακα.</numerusform>
+            <numerusform>%n ακόμη άτομα θα πάρουν άλλο ονοματεπώνυμο· φαίνονται στον πίνακα.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
-                <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
-                <numerusform>%n άτομα είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατούν το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
-            </translation>
+            <numerusform>%n άτομο είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατά το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+            <numerusform>%n άτομα είναι στη λίστα με παλιότερο ονοματεπώνυμο και κρατούν το σημερινό. Για να δώσετε πίσω ένα παλιότερο, επεξεργαστείτε το άτομο.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Nothing to import: everybody on the list is already here.</source>
@@ -4108,8 +4108,12 @@ Do you want to replace it?</source>
         <translation>Εισαγωγή: καθ’ οδόν προς τον στόχο</translation>
     </message>
     <message>
-        <source>Withdrawal: bring the endoscope back out</source>
-        <translation>Απόσυρση: βγάλτε το ενδοσκόπιο έξω</translation>
+        <source>Withdrawal: bring the endoscope out, %1 mm more</source>
+        <translation>Απόσυρση: βγάλτε το ενδοσκόπιο, ακόμη %1 mm</translation>
+    </message>
+    <message>
+        <source>Withdrawal: bring the endoscope all the way out</source>
+        <translation>Απόσυρση: βγάλτε εντελώς το ενδοσκόπιο</translation>
     </message>
 </context>
 <context>
@@ -7161,11 +7165,11 @@ Administrators can make a recovery code for themselves here; with it they can se
     </message>
     <message>
         <source>Reviewed, nothing to add</source>
-        <translation type="unfinished"></translation>
+        <translation>Ελέγχθηκε, τίποτα να προστεθεί</translation>
     </message>
     <message>
         <source>Reviewed. Nothing to add.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ελέγχθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
     </message>
 </context>
 <context>
@@ -10934,7 +10938,7 @@ Choose a second session to see it beside this one: each of its trials starts tog
     </message>
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται ελεγμένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
     </message>
 </context>
 <context>
@@ -16750,6 +16754,10 @@ F2 is for the experimenter.</source>
     <message>
         <source>Speed of the tool tips</source>
         <translation>Ταχύτητα των άκρων των εργαλείων</translation>
+    </message>
+    <message>
+        <source>No trial was finished</source>
+        <translation>Καμία δοκιμή δεν ολοκληρώθηκε</translation>
     </message>
 </context>
 </TS>

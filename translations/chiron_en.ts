@@ -196,16 +196,16 @@
     <message numerus="yes">
         <source>%n more people would get another full name; the table shows them.</source>
         <translation>
-                <numerusform>%n more person would get another full name; the table shows it.</numerusform>
-                <numerusform>%n more people would get another full name; the table shows them.</numerusform>
-            </translation>
+            <numerusform>%n more person would get another full name; the table shows it.</numerusform>
+            <numerusform>%n more people would get another full name; the table shows them.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</source>
         <translation>
-                <numerusform>%n person is listed under an earlier full name and keeps the one of today. To give an earlier one back, edit the person.</numerusform>
-                <numerusform>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</numerusform>
-            </translation>
+            <numerusform>%n person is listed under an earlier full name and keeps the one of today. To give an earlier one back, edit the person.</numerusform>
+            <numerusform>%n people are listed under an earlier full name and keep the one of today. To give an earlier one back, edit the person.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -134,7 +134,7 @@ std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const Plot
         view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)), handling.squeezeLimit_N);
     view->setXCategories(names);
     if (bars.empty())
-        view->setNote(Words::tr("No trial was started"));
+        view->setNote(handling.rows.empty() ? Words::tr("No trial was started") : Words::tr("No trial was finished"));
     return view;
 }
 
@@ -154,7 +154,7 @@ std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTh
     if (!left.empty())
         view->addMarkers(Words::tr("not done"), left, PlotStyle::solidA, true);
     if (placed.empty() && left.empty())
-        view->setNote(Words::tr("No trial was started"));
+        view->setNote(handling.rows.empty() ? Words::tr("No trial was started") : Words::tr("No trial was finished"));
     return view;
 }
 

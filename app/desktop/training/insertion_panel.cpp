@@ -33,7 +33,7 @@ core::Vec3 vec(const std::array<float, 3>& v) { return {double(v[0]), double(v[1
 InsertionPanel::InsertionPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
                                const simulation::UrethraInsertionParameters& parameters, QWidget* parent)
     : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_gauge(parameters),
-      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m()}, m_column(new QVBoxLayout(this)) {
+      m_telling{cues.numbers, cues.guidance, m_gauge.goal_m(), parameters.endoscope.beak_m}, m_column(new QVBoxLayout(this)) {
     setProperty("kind", QStringLiteral("card"));
     m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
     m_column->setSpacing(theme.px(6));

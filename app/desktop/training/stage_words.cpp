@@ -2,6 +2,7 @@
 #include "desktop/training/stage_words.h"
 
 #include <QCoreApplication>
+#include <QtMath>
 #include <algorithm>
 #include <bit>
 
@@ -47,7 +48,9 @@ QString stageText(const core::EndoscopeCues& cues, const StageTelling& telling, 
                 .arg(locale.toString(std::max(0, qRound(cues.depth_m * 1e3))), locale.toString(qRound(telling.goal_m * 1e3)));
         return Words::tr("Insertion: on the way to the goal");
     case ProcedureStage::inspection: return inspectionText(cues, telling, locale);
-    case ProcedureStage::withdrawal: return Words::tr("Withdrawal: bring the endoscope back out");
+    case ProcedureStage::withdrawal:
+        return telling.numbers ? Words::tr("Withdrawal: bring the endoscope out, %1 mm more").arg(locale.toString(std::max(0, qCeil((cues.depth_m + telling.clear_m) * 1e3))))
+                               : Words::tr("Withdrawal: bring the endoscope all the way out");
     case ProcedureStage::completed: return Words::tr("Completed");
     }
     return {};
@@ -61,7 +64,7 @@ double stageProgress(const core::EndoscopeCues& cues, const StageTelling& tellin
     case ProcedureStage::inspection:
         return telling.guidance ? std::clamp(cues.dwell, 0.0, 1.0) : kNothing;
     case ProcedureStage::withdrawal:
-        return telling.numbers && telling.goal_m > 0.0 ? std::clamp(1.0 - cues.depth_m / telling.goal_m, 0.0, 1.0) : kNothing;
+        return telling.numbers && telling.goal_m > 0.0 ? std::clamp((telling.goal_m - cues.depth_m) / (telling.goal_m + telling.clear_m), 0.0, 1.0) : kNothing;
     case ProcedureStage::outside:
     case ProcedureStage::completed: break;
     }

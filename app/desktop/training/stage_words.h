@@ -16,6 +16,7 @@ struct StageTelling {
     bool numbers = false;  ///< how far in, of how far
     bool guidance = false; ///< how long a landmark has been held
     double goal_m = 0.0;   ///< depth that ends the insertion
+    double clear_m = 0.0;  ///< how far the tip has to be outside to end the withdrawal: its beak is out as well
 };
 
 /// One sentence about what to do now; "Insertion: 32 of 97 mm" where numbers are shown.

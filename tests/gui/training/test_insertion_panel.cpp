@@ -79,6 +79,15 @@ void TestInsertionPanel::stagesInWords() {
     QVERIFY(stageText(cues, telling, m_locale).contains(QStringLiteral("Hold still")));
     telling.guidance = false;
     QVERIFY(!stageText(cues, telling, m_locale).contains(QStringLiteral("Hold still")));
+    cues.stage = ProcedureStage::withdrawal; // ends where the beak is out, too: said, and the bar is full only there
+    cues.depth_m = -0.006;
+    telling.clear_m = 0.010;
+    QVERIFY(!stageText(cues, telling, m_locale).contains(QRegularExpression(QStringLiteral("\\d"))));
+    telling.numbers = true;
+    QVERIFY(stageText(cues, telling, m_locale).endsWith(QStringLiteral("4 mm more")));
+    QVERIFY(stageProgress(cues, telling) < 1.0 && stageProgress(cues, telling) > 0.9);
+    cues.depth_m = -0.010;
+    QCOMPARE(stageProgress(cues, telling), 1.0);
     std::set<QString> titles;
     for (int stage = 0; stage <= int(ProcedureStage::completed); ++stage)
         titles.insert(stageTitle(static_cast<ProcedureStage>(stage)));
