@@ -210,7 +210,7 @@ private slots:
     }
 
     void codes() {
-        RecoveryCodePanel panel(m_theme, QStringLiteral("ada"), QStringLiteral("AAAAA-BBBBB"));
+        RecoveryCodePanel panel(m_theme, QStringLiteral("ada"), QStringLiteral("AAAAA-BBBBB"), RecoveryCodePanel::Backups::haveEarlierCode);
         begin(panel);
         connect(&panel, &RecoveryCodePanel::finished, &panel, [this] { say(QStringLiteral("finished")); });
         click(panel, "recovery.continue");
