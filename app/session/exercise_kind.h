@@ -48,7 +48,7 @@ struct FingersOfHand {
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
-/// how one kind of exercise is run: its scene, its operators and its truth. A new
+/// How one kind of exercise is run: its scene, its operators and its truth. A new
 /// kind adds a class and one line in exercise_kind.cpp. Stateless.
 class ExerciseKind {
 public:
