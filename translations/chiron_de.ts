@@ -15577,6 +15577,22 @@ F2 ist für die Versuchsleitung.</translation>
         <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Was Sie ausprobiert haben, zählt nicht. Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
     </message>
+    <message>
+        <source>You moved too fast. Move more slowly.</source>
+        <translation>Sie haben sich zu schnell bewegt. Bewegen Sie sich langsamer.</translation>
+    </message>
+    <message>
+        <source>You pulled too hard. Pull more gently.</source>
+        <translation>Sie haben zu stark gezogen. Ziehen Sie sanfter.</translation>
+    </message>
+    <message>
+        <source>You pressed too hard. Press more gently.</source>
+        <translation>Sie haben zu stark gedrückt. Drücken Sie sanfter.</translation>
+    </message>
+    <message>
+        <source>%1 These objects come again. Lift the tool off.</source>
+        <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Werkzeug ab.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>

@@ -15577,6 +15577,22 @@ F2 is for the experimenter.</source>
         <source>What you tried does not count. From now on every answer counts. Press Continue when you are ready.</source>
         <translation>Ό,τι δοκιμάσατε δεν μετράει. Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
     </message>
+    <message>
+        <source>You moved too fast. Move more slowly.</source>
+        <translation>Κινηθήκατε πολύ γρήγορα. Κινηθείτε πιο αργά.</translation>
+    </message>
+    <message>
+        <source>You pulled too hard. Pull more gently.</source>
+        <translation>Τραβήξατε πολύ δυνατά. Τραβήξτε πιο απαλά.</translation>
+    </message>
+    <message>
+        <source>You pressed too hard. Press more gently.</source>
+        <translation>Πιέσατε πολύ δυνατά. Πιέστε πιο απαλά.</translation>
+    </message>
+    <message>
+        <source>%1 These objects come again. Lift the tool off.</source>
+        <translation>%1 Αυτά τα αντικείμενα θα παρουσιαστούν ξανά. Σηκώστε το εργαλείο.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>

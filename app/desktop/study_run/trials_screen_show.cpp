@@ -94,15 +94,26 @@ static QString missingObjects(const session::LiveStudyView& view) {
     return missing.join(QStringLiteral(", "));
 }
 
+/// What the hand has to do otherwise. `pulls`: objects are taken hold of.
+static QString handWords(const std::string& did, bool pulls) {
+    if (did == "speed")
+        return TrialsScreen::tr("You moved too fast. Move more slowly.");
+    return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.") : TrialsScreen::tr("You pressed too hard. Press more gently.");
+}
+
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying:
         return tr("The answers are here. They are taken once the trials begin.");
     case State::coming:
+        if (!view.hand.empty())
+            return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
         return view.again ? tr("Not every object was touched in time, so these come again. Lift the tool off.") : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
         return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
+        if (!view.hand.empty())
+            return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
         if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) && !missingObjects(view).isEmpty())

@@ -59,6 +59,7 @@ struct LiveStudyView {
     int place = -1;       ///< touched now
     std::uint32_t touched = 0;  ///< in this trial, one bit a place
     bool again = false;         ///< the trial before did not count, as its objects were gone before all were touched: it comes again
+    std::string hand; ///< what the hand did in the trial before, for which it does not count: "peak_force" or "speed"; else empty
     bool mayTakeBack = false;   ///< an answer of practice, while its feedback is shown
     double tryLeft_s = 0.0;     ///< of the free minute
     bool canAnswer = false;     ///< an answer is taken now (every place touched, where that is asked)

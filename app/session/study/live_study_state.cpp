@@ -43,6 +43,7 @@ void LiveStudy::State::take(const FidelitySample& sample) {
     if (sample.events & core::event_bits::kTrialStarted) {
         clock.begin(sample.tick);
         view.again = false;
+        view.hand.clear();
     }
     clock.take(sample, sample.place != 0);
     meter.add(sample);
@@ -74,12 +75,16 @@ StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
     return answer;
 }
 
+/// Of the reasons for which a trial does not count those that a participant can mend; the others are the device's or the experimenter's.
+static std::string ofTheHand(const std::string& reason) { return reason == "peak_force" || reason == "speed" ? reason : std::string(); }
+
 void LiveStudy::State::endTrial(const FidelitySample& sample) {
     presented = false;
     StudyAnswer answer = answerOf(sample);
     if (!shown.practice || answer.answer < 0 || !answer.spoiled.empty() || stopping)
         return store(answer);
     const int correct = psychophysics::correctAnswer(condition->task, shown.arrangement);
+    view.hand = ofTheHand(answer.fidelity.outside);
     view.right = correct >= 0 && answer.fidelity.outside.empty() ? std::optional(answer.answer == correct) : std::nullopt;
     feedbackSince = Clock::now();
     enough = false;
@@ -114,6 +119,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
     view.again = trial.spoiled == "untouched";
+    view.hand = ofTheHand(trial.spoiled);
     if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();

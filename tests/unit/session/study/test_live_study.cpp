@@ -132,6 +132,7 @@ private slots:
     void theFreeMinuteEndsByItself();
     void stoppedInTheFreeMinute();
     void practiceIsTakenBackAndRunAgain();
+    void aHandThatPressesTooHardIsTold();
     void whatASittingNotesIsExported();
 };
 
@@ -483,6 +484,25 @@ void TestLiveStudy::stoppedInTheFreeMinute() {
     QVERIFY(storedTrials(site).empty());
     const auto again = site.sit(60.0); // nothing was done yet: the minute is offered again
     QVERIFY(again->view().tryLeft_s > 0.0);
+}
+
+/// What somebody can do otherwise is said to them, instead of objects that come again without a word; until the next ones are there.
+void TestLiveStudy::aHandThatPressesTooHardIsTold() {
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.practiceTrials = 1;
+        design.fidelity.peakForce_N = 0.001; // every touch
+        design.fidelity.lateTicks = 1.0;     // on a busy machine, too
+    });
+    const auto live = site.sit();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->view().hand.empty());
+    QVERIFY(live->answer(0).has_value());
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::feedback), kPatience_ms);
+    QVERIFY(!live->view().right); // neither right nor wrong
+    QCOMPARE(live->view().hand, std::string("peak_force"));
+    live->goOn();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(live->view().hand.empty());
 }
 
 /// Kept as taken back, run again by the log, and asked for as often as it takes.
