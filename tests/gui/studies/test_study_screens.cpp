@@ -437,12 +437,13 @@ void TestStudyScreens::archivedWithUndo() {
     QObject::connect(&m_site->context.messages(), &desktop::Messages::told, this, [&undo](const desktop::Message& message) { undo = message.action; });
     go("studies", study());
     auto* table = m_site->find<QTableWidget>(QStringLiteral("studies.table"));
-    QTRY_COMPARE(table->rowCount(), 5); // one is of the enrolment fields
+    QTRY_VERIFY(table->rowCount() > 0); // those of the tests before
+    const int all = table->rowCount();
     click("studies.archive");
-    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 4, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all - 1, 10000);
     QVERIFY(undo);
     undo();
-    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 5, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all, 10000);
 }
 
 QTEST_MAIN(TestStudyScreens)
