@@ -70,7 +70,15 @@ private slots:
             QTest::qWait(50);
             const ScreenEntry* entry = findScreen(place.place.screen);
             QVERIFY(entry);
-            const auto before = controlsOf(*m_desktop->window, nullptr);
+            auto before = controlsOf(*m_desktop->window, nullptr);
+            for (int i = 0; i < 40; ++i) { // until the page itself has come to rest
+                QTest::qWait(50);
+                const auto now = controlsOf(*m_desktop->window, nullptr);
+                const bool rests = std::equal(before.begin(), before.end(), now.begin(), now.end(), [](const Control& a, const Control& b) { return a.widget == b.widget && a.place == b.place; });
+                before = now;
+                if (rests)
+                    break;
+            }
             const bool told = hasToStay(*entry);
             m_desktop->context.messages().tell({MessageKind::error, QStringLiteral("The session was not changed. What was recorded is kept; try it again in a moment, or ask an administrator."), QStringLiteral("Undo"), {}});
             QTest::qWait(20);

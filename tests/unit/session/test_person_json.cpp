@@ -135,8 +135,8 @@ void TestPersonJson::everythingIsNamed() {
         "runs":[{"run":71,"condition":"hard","started_utc":"run begun","ended_utc":"run ended"},{"run":72,"condition":"Q8M","started_utc":"","ended_utc":""}],
         "trials":[{"run":71,"ordinal":81,"session_id":82,"candidate":83,"arrangement":84,"difference":0.125,"answer":85,"outcome":86,"value":0.75,"exploration_s":1.5,
                    "answer_s":2.5,"device":"arm","felt":true,"practice":true,"spoiled":"speed","fidelity":{"contacts":3},"utc":"trial utc"}],
-        "answers":[{"questionnaire":"face","item":"real","number":4,"text":"","utc":"answer utc"},
-                   {"questionnaire":"face","item":"remarks","number":null,"text":"soft","utc":"later utc"}]}]})")["a"]));
+        "answers":[{"questionnaire":"face","item":"real","number":4,"text":"","utc":"answer utc","run":null,"language":null},
+                   {"questionnaire":"face","item":"remarks","number":null,"text":"soft","utc":"later utc","run":null,"language":null}]}]})")["a"]));
 }
 
 void TestPersonJson::whatIsAbsentIsNull() {
