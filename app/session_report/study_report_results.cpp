@@ -114,14 +114,14 @@ void StudyReportBlocks::addRuns(std::size_t at) {
             remarks << QStringLiteral("! ") + warningWords(warning);
         rows.push_back({QString::fromStdString(run.participant.code), markedValue(words::percent(estimate.weber, locale), estimate),
                         words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
-                        m_data.blind() ? QStringLiteral("–") : markedValue(words::value(estimate.jnd, attribute, locale), estimate),
+                        m_data.blind() ? QStringLiteral("–") : words::value(estimate.jnd, attribute, locale), // the mark at the fraction is the row's
                         std::isfinite(estimate.priorInfluence) ? words::percent(estimate.priorInfluence, locale) : QStringLiteral("–"),
                         run.spoiled > 0 ? Words::tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored),
                         words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
     }
     addTable({Words::tr("Code"), Words::tr("Weber fraction"), Words::tr("95 % interval"), Words::tr("JND"), Words::tr("Prior influence"), Words::tr("Scored"),
               Words::tr("Run"), Words::tr("In the group, and warnings")},
-             rows, {0.1, 0.1, 0.12, 0.1, 0.1, 0.1, 0.11, 0.27}, {false, true, true, true, true, true, false, false});
+             rows, {0.1, 0.1, 0.135, 0.11, 0.1, 0.075, 0.125, 0.255}, {false, true, true, true, true, true, false, false});
     if (std::any_of(condition.runs.begin(), condition.runs.end(), [](const session::AnalysedRun& run) { return !run.estimate.warnings.empty(); }))
         addMuted(markMeaning());
     const auto known = [](const session::AnalysedRun& run) { return std::isfinite(run.estimate.priorInfluence); };
