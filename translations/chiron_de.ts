@@ -3927,10 +3927,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>%1, level %2</source>
         <translation>%1, Stufe %2</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -5769,6 +5765,18 @@ Einzelheiten: %2</translation>
     <message>
         <source>In the group, and warnings</source>
         <translation>In der Gruppe; Warnungen</translation>
+    </message>
+    <message>
+        <source>%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.</source>
+        <translation>%1: Der Lauf wurde nicht beendet, und seine Antworten ergeben keinen Wert; er kann nicht fortgesetzt werden, weil die Studie geschlossen ist.</translation>
+    </message>
+    <message>
+        <source>%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.</source>
+        <translation>%1: Der Lauf ist nicht beendet, und seine Antworten ergeben noch keinen Wert. Setzen Sie ihn unter „Durchführen“ fort, wenn die Person weitermacht.</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>nicht beendet</translation>
     </message>
 </context>
 <context>

@@ -3927,10 +3927,6 @@ Do you want to replace it?</source>
         <source>%1, level %2</source>
         <translation>%1, επίπεδο %2</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>Sessions</name>
@@ -5769,6 +5765,18 @@ Details: %2</source>
     <message>
         <source>In the group, and warnings</source>
         <translation>Στην ομάδα και προειδοποιήσεις</translation>
+    </message>
+    <message>
+        <source>%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.</source>
+        <translation>%1: η εκτέλεση δεν ολοκληρώθηκε και οι απαντήσεις της δεν δίνουν τιμή· δεν μπορεί να συνεχιστεί επειδή η μελέτη έχει κλείσει.</translation>
+    </message>
+    <message>
+        <source>%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.</source>
+        <translation>%1: η εκτέλεση δεν ολοκληρώθηκε και οι απαντήσεις της δεν δίνουν ακόμη τιμή. Συνεχίστε την στη «Διεξαγωγή», εάν ο συμμετέχων συνεχίσει.</translation>
+    </message>
+    <message>
+        <source>not finished</source>
+        <translation>δεν ολοκληρώθηκε</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,9 @@ QString reason(Presence presence, bool closed) {
                       : Words::tr("%1: this condition has not been begun. Begin it under Run.");
     case Presence::noAnswers:
         return Words::tr("%1: no answer counts yet. Resume the run under Run.");
+    case Presence::unfinished:
+        return closed ? Words::tr("%1: the run was not finished and its answers give no value; it cannot be resumed because the study is closed.")
+                      : Words::tr("%1: the run is not finished and its answers give no value yet. Resume it under Run if the participant goes on.");
     case Presence::allRight:
         return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study "
                          "and plan smaller differences.");
@@ -90,6 +93,8 @@ QString whyNot(Presence presence) {
         return Words::tr("not begun");
     case Presence::noAnswers:
         return Words::tr("no answer counts yet");
+    case Presence::unfinished:
+        return Words::tr("not finished");
     case Presence::allRight:
         return Words::tr("every answer was right");
     case Presence::guessing:
@@ -139,7 +144,7 @@ QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
     QStringList said{whetherThereIsOne(roll, locale)};
     if (!roll.codesOf(Presence::sealed).empty())
         return said;
-    for (const Presence presence : {Presence::notBegun, Presence::noAnswers, Presence::allRight, Presence::guessing, Presence::unbounded, Presence::noValue,
+    for (const Presence presence : {Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight, Presence::guessing, Presence::unbounded, Presence::noValue,
                                     Presence::shown, Presence::simulated, Presence::withdrawn})
         if (const std::vector<std::string> codes = roll.codesOf(presence); !codes.empty())
             said << reason(presence, roll.closed).arg(joined(codes));

@@ -153,7 +153,6 @@ void PlaybackScreen::showMoment(double t_s) {
         notePlace();
 }
 
-// What led here is said where it happened, and for as long as it takes to read it.
 scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
     constexpr double kSaid_s = 2.0;
     constexpr int kLongest = 90; // one line in the scene; the whole text stands beside it

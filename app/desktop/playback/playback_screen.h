@@ -41,6 +41,8 @@ public:
     std::vector<ScreenCommand> commands() override;
 
     PlaybackClock& clock() noexcept { return m_clock; }
+    /// What is said in the scene at this time to whoever was led here (place {caption, caption_s}): one line, for as long as it takes to read it.
+    scene3d::SceneNote captionAt(double t_s) const;
     /// Stores the session as void; what is permitted is decided there. Tells how it went.
     void declareVoid(const QString& reason);
 
@@ -61,7 +63,6 @@ private:
     QWidget* readoutRow();
     QWidget* palpationRow();
     QString palpationReadout(const session::PlaybackView& view) const;
-    scene3d::SceneNote captionAt(double t_s) const;
     static QString stillWords(const session::PlaybackMoment& moment);
     QString readoutText(const session::PlaybackView& view) const;
     void setDepthOfField(bool on);

@@ -103,9 +103,9 @@ QString SessionWords::gates(const database::SessionSummary& session, const QLoca
 
 QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
     const QString what = session.exercise == kComparison ? exercise : tr("%1, level %2").arg(exercise, locale.toString(session.level));
-    // With seconds: several attempts may have begun in the same minute.
-    const QDateTime begun = timeOf(session.startedUtc).toLocalTime();
-    const QString when = begun.isValid() ? tr("%1, %2").arg(locale.toString(begun.date(), QLocale::ShortFormat), begun.time().toString(QStringLiteral("HH:mm:ss"))) : started(session, locale);
+    const QDateTime begun = timeOf(session.startedUtc).toOffsetFromUtc(session.utcOffset_min * 60);
+    // With seconds: several attempts may have begun in one minute.
+    const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) + begun.time().toString(QStringLiteral(" HH:mm:ss")) : QString();
     return QStringList{what, when, cameTo(session)}.join(QStringLiteral(" · "));
 }
 

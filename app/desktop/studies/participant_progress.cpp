@@ -23,6 +23,15 @@ const LeftRun* leftOf(const ParticipantRow& row, database::StudyRunNumber run) {
     return found == row.left.end() ? nullptr : &*found;
 }
 
+/// Of one that is asked after each condition: after every one that is done.
+bool isAnswered(const OpenStudy& study, const ParticipantRow& row, const psychophysics::Questionnaire& questions) {
+    if (questions.when != psychophysics::Questionnaire::When::afterCondition)
+        return study.answered.contains({row.participant.id, questions.id});
+    return std::all_of(row.runs.begin(), row.runs.end(), [&](const database::StudyRun& run) {
+        return run.state != database::StudyRunState::completed || study.answeredAfter.contains({run.id, questions.id});
+    });
+}
+
 } // namespace
 
 std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const ParticipantRow& row) {
@@ -88,7 +97,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
             return each.closed ? ParticipantProgress::tr("“%1” can no longer be begun, because the study is closed. The conditions that are done count.").arg(name(each))
                                : ParticipantProgress::tr("Press Run and begin “%1”.").arg(name(each));
     for (const psychophysics::Questionnaire& questions : study.design.questionnaires)
-        if (!study.answered.contains({row.participant.id, questions.id}))
+        if (!isAnswered(study, row, questions))
             return ParticipantProgress::tr("Every condition is done. The questionnaire “%1” is not answered yet.").arg(study_words::text(questions.title, language));
     return ParticipantProgress::tr("Nothing is left to do: this participant has done everything.");
 }

@@ -214,7 +214,7 @@ QWidget* RunScreen::participantBox() {
     for (const ConditionProgress& progress : conditionProgress(open, *row)) {
         const bool done = progress.state == ConditionProgress::State::done;
         const bool offer = next && !done && !progress.closed;
-        box.layout->addWidget(conditionRow(*row, position++, progress, offer));
+        box.layout->addWidget(conditionRow(*row, position, progress, offer));
         offered = offered || offer;
         next = next && done;
         const auto run = std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
@@ -222,7 +222,8 @@ QWidget* RunScreen::participantBox() {
         });
         for (const psychophysics::Questionnaire& each : open.design.questionnaires) // about what was just done: before it is done there is nothing to ask
             if (each.when == When::afterCondition && run != row->runs.end())
-                box.layout->addWidget(questionnaireRow(*row, each, &*run, static_cast<int>(position)));
+                box.layout->addWidget(questionnaireRow(*row, each, &*run, position));
+        ++position;
     }
     questionnaires(When::after);
     if (!offered) { // no dead end

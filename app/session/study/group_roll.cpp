@@ -21,6 +21,8 @@ std::string_view presenceToken(Presence presence) {
         return "not_begun";
     case Presence::noAnswers:
         return "no_answers";
+    case Presence::unfinished:
+        return "unfinished";
     case Presence::allRight:
         return "all_right";
     case Presence::guessing:
@@ -39,7 +41,7 @@ std::string_view presenceToken(Presence presence) {
     return {};
 }
 
-Presence presenceOf(const psychophysics::RunEstimate& estimate) {
+Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed) {
     if (hasWarning(estimate.warnings, WarningKind::sealed))
         return Presence::sealed;
     const psychophysics::Usable usable = psychophysics::usableInGroup(estimate);
@@ -47,6 +49,8 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate) {
         return Presence::used;
     if (estimate.trials == 0)
         return Presence::noAnswers;
+    if (!completed)
+        return Presence::unfinished;
     if (hasWarning(estimate.warnings, WarningKind::allRight))
         return Presence::allRight;
     if (hasWarning(estimate.warnings, WarningKind::chance) || hasWarning(estimate.warnings, WarningKind::priorEdgeHigh))

@@ -19,6 +19,7 @@ enum class Presence : std::uint8_t {
     sealed,     ///< the study is blinded, and nothing is said of the run
     notBegun,
     noAnswers,  ///< begun, and no answer counts yet
+    unfinished, ///< no value, and the run was broken off: its few answers say nothing of the participant yet
     allRight,   ///< no value: the threshold is below what was presented
     guessing,   ///< no value: it may be above what was presented
     unbounded,  ///< no value for another reason: the prior made it
@@ -31,8 +32,9 @@ enum class Presence : std::uint8_t {
 /// What it is called in data: "used", "not_begun". Stable.
 std::string_view presenceToken(Presence presence);
 
-/// Of a run whose estimate belongs to the group: whether the group's value uses it, or why not. Never notBegun, nor left out.
-Presence presenceOf(const psychophysics::RunEstimate& estimate);
+/// Of a run whose estimate belongs to the group: whether the group's value uses it, or why not. Never notBegun, nor left out. `completed`: the run
+/// came to its end.
+Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed);
 
 struct RolledPerson {
     std::string code;

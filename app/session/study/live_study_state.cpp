@@ -17,6 +17,9 @@ using core::TrialPhase;
 namespace {
 constexpr double kFeedback_s = 1.2;
 constexpr double kStopPatience_s = 2.0;
+
+/// Of the reasons for which a trial does not count those that a participant can mend; the others are the device's or the experimenter's.
+std::string ofTheHand(const std::string& reason) { return reason == "peak_force" || reason == "speed" ? reason : std::string(); }
 } // namespace
 
 void LiveStudy::State::wantPause(bool wanted) {
@@ -75,9 +78,6 @@ StudyAnswer LiveStudy::State::answerOf(const FidelitySample& sample) {
     return answer;
 }
 
-/// Of the reasons for which a trial does not count those that a participant can mend; the others are the device's or the experimenter's.
-static std::string ofTheHand(const std::string& reason) { return reason == "peak_force" || reason == "speed" ? reason : std::string(); }
-
 void LiveStudy::State::endTrial(const FidelitySample& sample) {
     presented = false;
     StudyAnswer answer = answerOf(sample);
@@ -119,7 +119,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
     view.again = trial.spoiled == "untouched";
-    view.hand = ofTheHand(trial.spoiled);
+    view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled); // practice was told with its feedback, and does not come again
     if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();

@@ -84,7 +84,7 @@ bool wasShown(const AnalysedRun& run) { return run.felt && !*run.felt; }
 /// Of an apex marks are what counts, of which there is no Weber fraction.
 Presence presenceIn(const AnalysedRun& run) {
     if (!run.apex)
-        return presenceOf(run.estimate);
+        return presenceOf(run.estimate, run.run.state == database::StudyRunState::completed);
     return run.apex->trials > 0 ? Presence::used : Presence::noAnswers;
 }
 

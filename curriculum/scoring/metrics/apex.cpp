@@ -10,24 +10,55 @@ namespace chiron::scoring {
 
 namespace {
 
-Measurement measureApexErrorMean(std::span<const PreparedTrial> trials) {
-    const ApexAnswers all = apexAnswers(trials);
-    if (all.undefined)
-        return *all.undefined;
+/// How far an answer is off on each axis, % of R.
+struct OffBy {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+OffBy asMarked(const ApexAnswer& answer) { return {std::abs(answer.errorX_percent), std::abs(answer.errorY_percent)}; }
+OffBy missesCounted(const ApexAnswer& answer) { return {answer.countedX_percent(), answer.countedY_percent()}; }
+
+double sumOf(const std::vector<ApexAnswer>& answers, OffBy (*offBy)(const ApexAnswer&)) {
     double sum = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        sum += std::abs(answer.errorX_percent) + std::abs(answer.errorY_percent);
-    return Measurement::of(sum / (2.0 * static_cast<double>(all.answers.size())));
+    for (const ApexAnswer& answer : answers) {
+        const OffBy off = offBy(answer);
+        sum += off.x + off.y;
+    }
+    return sum;
 }
 
-Measurement measureApexErrorMean2(std::span<const PreparedTrial> trials) {
+template <OffBy (*offBy)(const ApexAnswer&)> Measurement measureErrorMean(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    return Measurement::of(sumOf(all.answers, offBy) / (2.0 * static_cast<double>(all.answers.size())));
+}
+
+template <OffBy (*offBy)(const ApexAnswer&)> Measurement measureErrorSd(std::span<const PreparedTrial> trials) {
+    const ApexAnswers all = apexAnswers(trials);
+    if (all.undefined)
+        return *all.undefined;
+    if (all.answers.size() < 2)
+        return Measurement::undefined(UndefinedReason::needsTwoTrials);
+    const double n = 2.0 * static_cast<double>(all.answers.size());
+    const double mean = sumOf(all.answers, offBy) / n;
+    double squares = 0.0;
+    for (const ApexAnswer& answer : all.answers) {
+        const OffBy off = offBy(answer);
+        squares += std::pow(off.x - mean, 2) + std::pow(off.y - mean, 2);
+    }
+    return Measurement::of(std::sqrt(squares / (n - 1.0)));
+}
+
+template <double ApexAnswer::*error> Measurement measureBias(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
         return *all.undefined;
     double sum = 0.0;
     for (const ApexAnswer& answer : all.answers)
-        sum += answer.countedX_percent() + answer.countedY_percent();
-    return Measurement::of(sum / (2.0 * static_cast<double>(all.answers.size())));
+        sum += answer.*error;
+    return Measurement::of(sum / static_cast<double>(all.answers.size()));
 }
 
 /// The median of the true places is the answer that is best if it is always the same.
@@ -52,58 +83,6 @@ Measurement measureApexErrorMeanByChance(std::span<const PreparedTrial> trials) 
     return Measurement::of(100.0 * sum / (2.0 * static_cast<double>(trials.size())));
 }
 
-Measurement measureApexErrorSd(std::span<const PreparedTrial> trials) {
-    const ApexAnswers all = apexAnswers(trials);
-    if (all.undefined)
-        return *all.undefined;
-    if (all.answers.size() < 2)
-        return Measurement::undefined(UndefinedReason::needsTwoTrials);
-    const double n = 2.0 * static_cast<double>(all.answers.size());
-    double sum = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        sum += std::abs(answer.errorX_percent) + std::abs(answer.errorY_percent);
-    double squares = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        squares += std::pow(std::abs(answer.errorX_percent) - sum / n, 2) +
-                   std::pow(std::abs(answer.errorY_percent) - sum / n, 2);
-    return Measurement::of(std::sqrt(squares / (n - 1.0)));
-}
-
-Measurement measureApexErrorSd2(std::span<const PreparedTrial> trials) {
-    const ApexAnswers all = apexAnswers(trials);
-    if (all.undefined)
-        return *all.undefined;
-    if (all.answers.size() < 2)
-        return Measurement::undefined(UndefinedReason::needsTwoTrials);
-    const double n = 2.0 * static_cast<double>(all.answers.size());
-    double sum = 0.0, squares = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        sum += answer.countedX_percent() + answer.countedY_percent();
-    for (const ApexAnswer& answer : all.answers)
-        squares += std::pow(answer.countedX_percent() - sum / n, 2) + std::pow(answer.countedY_percent() - sum / n, 2);
-    return Measurement::of(std::sqrt(squares / (n - 1.0)));
-}
-
-Measurement measureApexBiasX(std::span<const PreparedTrial> trials) {
-    const ApexAnswers all = apexAnswers(trials);
-    if (all.undefined)
-        return *all.undefined;
-    double sum = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        sum += answer.errorX_percent;
-    return Measurement::of(sum / static_cast<double>(all.answers.size()));
-}
-
-Measurement measureApexBiasY(std::span<const PreparedTrial> trials) {
-    const ApexAnswers all = apexAnswers(trials);
-    if (all.undefined)
-        return *all.undefined;
-    double sum = 0.0;
-    for (const ApexAnswer& answer : all.answers)
-        sum += answer.errorY_percent;
-    return Measurement::of(sum / static_cast<double>(all.answers.size()));
-}
-
 Measurement measureApexMisses(std::span<const PreparedTrial> trials) {
     const ApexAnswers all = apexAnswers(trials);
     if (all.undefined)
@@ -124,10 +103,10 @@ std::vector<MetricDefinition> apexMetrics() {
                                                       "included."),
               .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses included.",
               .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureApexErrorMean});
+              .measure = measureErrorMean<asMarked>});
     rows.next({.definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials; a miss counts as an error of R at "
                              "least.",
-               .measure = measureApexErrorMean2});
+               .measure = measureErrorMean<missesCounted>});
     rows.add({.id = "apex_error_mean_by_chance",
               .unit = "% of R",
               .direction = Direction::neutral,
@@ -146,11 +125,11 @@ std::vector<MetricDefinition> apexMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark."),
               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
               .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureApexErrorSd});
+              .measure = measureErrorSd<asMarked>});
     rows.next({.direction = Direction::neutral, // a hand that always misses by R has none
                .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials; a miss counts as an "
                              "error of R at least.",
-               .measure = measureApexErrorSd2});
+               .measure = measureErrorSd<missesCounted>});
     rows.add({.id = "apex_bias_x",
               .unit = "% of R",
               .direction = Direction::neutral,
@@ -159,7 +138,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error to the right (positive) or left (negative)."),
               .definition = "Mean of the signed errors 100 (x - x0)/R; nearer zero is better.",
               .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureApexBiasX});
+              .measure = measureBias<&ApexAnswer::errorX_percent>});
     rows.add({.id = "apex_bias_y",
               .unit = "% of R",
               .direction = Direction::neutral,
@@ -168,7 +147,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person."),
               .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
               .source = "models.md §2.3; P2, Preliminary Validation",
-              .measure = measureApexBiasY});
+              .measure = measureBias<&ApexAnswer::errorY_percent>});
     rows.add({.id = "apex_misses",
               .unit = "count",
               .wrench = MetricWrench::tissue,

@@ -32,6 +32,8 @@ class TestPlayback : public QObject {
 private slots:
     void initTestCase();
     void opensAtAMoment();
+    void aMomentIsPlayedToAndStops();
+    void aTrainerMarksASessionAsReviewed();
     void cursorsAndScrubberAgree();
     void keysStepAndSeek();
     void playsAndStopsAtTheEnd();
@@ -90,6 +92,42 @@ void TestPlayback::opensAtAMoment() {
     tests::takePictures(*m_site, QStringLiteral("playback"), [this] {
         open(m_bad, {{QStringLiteral("at_s"), 12.0}});
     });
+}
+
+/// Who is led to a moment sees how it came about; it stops there, once, with one line in the scene.
+void TestPlayback::aMomentIsPlayedToAndStops() {
+    open(m_bad, {{QStringLiteral("at_s"), 4.0}, {QStringLiteral("caption"), QStringLiteral("Tom, at 0:04.5: ") + QString(300, QLatin1Char('x'))}, {QStringLiteral("caption_s"), 4.5}});
+    auto& clock = screen()->clock();
+    QTRY_VERIFY(!clock.playing() && clock.position_s() >= 4.5);
+    QVERIFY2(clock.position_s() < 5.5, qPrintable(QString::number(clock.position_s()))); // nobody pressed anything
+    QVERIFY(screen()->captionAt(4.5).title.size() <= 90 && screen()->captionAt(4.5).title.endsWith(QChar(0x2026)));
+    QVERIFY(screen()->captionAt(4.0).title.isEmpty());
+    clock.seek(4.0);
+    clock.play();
+    clock.advance(1.0);
+    QVERIFY(clock.playing() && clock.position_s() >= 5.0); // once
+    clock.pause();
+    open(m_bad, {{QStringLiteral("at_s"), 6.0}, {QStringLiteral("caption"), QStringLiteral("Here")}, {QStringLiteral("caption_s"), 4.5}}); // come back to later
+    QTest::qWait(50);
+    QVERIFY(!screen()->clock().playing());
+}
+
+void TestPlayback::aTrainerMarksASessionAsReviewed() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    open(id);
+    QVERIFY(find<QPushButton>("playback.reviewed")->isHidden()); // nobody reviews their own
+    m_site->logIn("tom");
+    open(id);
+    auto* reviewed = find<QPushButton>("playback.reviewed");
+    QVERIFY(!reviewed->isHidden());
+    reviewed->click();
+    QTRY_VERIFY(reviewed->isHidden());
+    auto connection = m_site->database().openReader();
+    QVERIFY(database::SessionReader(**connection, *m_tina).session(id)->summary.reviewed);
+    QCOMPARE(find<QListWidget>("playback.comments")->count(), 1);
+    open(id);
+    QVERIFY(find<QPushButton>("playback.reviewed")->isHidden()); // it is
+    m_site->context.logIn(*m_tina);
 }
 
 void TestPlayback::cursorsAndScrubberAgree() {

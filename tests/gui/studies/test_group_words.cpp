@@ -14,7 +14,7 @@ using session::Presence;
 
 namespace {
 
-constexpr std::array kAll{Presence::used,  Presence::sealed,  Presence::notBegun, Presence::noAnswers, Presence::allRight, Presence::guessing,
+constexpr std::array kAll{Presence::used,  Presence::sealed,  Presence::notBegun, Presence::noAnswers, Presence::unfinished, Presence::allRight, Presence::guessing,
                           Presence::unbounded, Presence::noValue, Presence::shown,    Presence::simulated, Presence::withdrawn};
 
 session::GroupRoll rollOf(std::vector<std::pair<std::string, Presence>> people) {
@@ -43,6 +43,7 @@ class TestGroupWords : public QObject {
 private slots:
     void everybodyIsNamedOnce();
     void noValueIsSaidOnce();
+    void whoBreaksOffIsNotFinished();
     void closedStudiesBeginNothing();
     void whyARunIsNotUsed();
     void theGroupAgreesWithItsRoll();
@@ -56,7 +57,7 @@ void TestGroupWords::everybodyIsNamedOnce() {
         if (presence != Presence::sealed)
             roll.people.push_back({"P" + std::to_string(static_cast<int>(presence)), presence, false});
     const QStringList said = session_report::groupSentences(roll, kEnglish);
-    QCOMPARE(said.front(), QStringLiteral("The group value includes 1 of 8 participants.")); // withdrawn and simulated ones take no part
+    QCOMPARE(said.front(), QStringLiteral("The group value includes 1 of 9 participants.")); // withdrawn and simulated ones take no part
     for (const session::RolledPerson& person : roll.people) {
         const auto named = said.filter(QRegularExpression(QStringLiteral("\\b%1\\b").arg(QString::fromStdString(person.code)))).size();
         QCOMPARE(named, person.presence == Presence::used ? 0 : 1);
@@ -65,6 +66,19 @@ void TestGroupWords::everybodyIsNamedOnce() {
     roll.people.front().open = true; // used, and not finished
     QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("may still change")));
     QCOMPARE(session_report::groupSentences(rollOf({{"A", Presence::used}, {"B", Presence::used}}), kEnglish), QStringList{QStringLiteral("The group value includes everybody who takes part.")});
+}
+
+/// Few answers of a run that was broken off are no bad performance.
+void TestGroupWords::whoBreaksOffIsNotFinished() {
+    const auto few = estimateWith(0.6, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}});
+    QCOMPARE(session::presenceOf(few, true), Presence::guessing);
+    QCOMPARE(session::presenceOf(few, false), Presence::unfinished);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {}), false), Presence::used); // enough to bound it: used, and said to be able to change
+    QCOMPARE(session_report::presenceWords(Presence::unfinished), QStringLiteral("no: not finished"));
+    session::GroupRoll roll = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}});
+    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("B: the run is not finished")));
+    roll.closed = true;
+    QVERIFY(session_report::groupSentences(roll, kEnglish).join(u' ').contains(QStringLiteral("cannot be resumed")));
 }
 
 /// Where there is none no sentence speaks of one, and no warning says the same again.
@@ -92,15 +106,15 @@ void TestGroupWords::closedStudiesBeginNothing() {
 }
 
 void TestGroupWords::whyARunIsNotUsed() {
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {})), Presence::used);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::fewTrials, 5}})), Presence::used); // doubtful, and used
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}})), Presence::allRight);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}})), Presence::guessing);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}})), Presence::unbounded);
-    QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {})), Presence::noValue);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {}), true), Presence::used);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::fewTrials, 5}}), true), Presence::used); // doubtful, and used
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::allRight}, {WarningKind::priorEdgeLow}}), true), Presence::allRight);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}, {WarningKind::priorEdgeHigh}}), true), Presence::guessing);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeLow}}), true), Presence::unbounded);
+    QCOMPARE(session::presenceOf(estimateWith(std::nan(""), {}), true), Presence::noValue);
     psychophysics::RunEstimate none;
-    QCOMPARE(session::presenceOf(none), Presence::noAnswers);
-    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::sealed}})), Presence::sealed);
+    QCOMPARE(session::presenceOf(none, true), Presence::noAnswers);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::sealed}}), true), Presence::sealed);
     QSet<QString> tokens;
     for (const Presence presence : kAll)
         tokens.insert(QString::fromUtf8(session::presenceToken(presence).data()));
@@ -122,7 +136,7 @@ void TestGroupWords::theGroupAgreesWithItsRoll() {
         QCOMPARE(group.participants, 2);
         QCOMPARE(group.leftOut, 1);
         QVERIFY(!psychophysics::hasWarning(group.warnings, WarningKind::noParticipants));
-        QCOMPARE(std::count_if(runs.begin(), runs.end(), [](const auto& run) { return session::presenceOf(run) == Presence::used; }), 2);
+        QCOMPARE(std::count_if(runs.begin(), runs.end(), [](const auto& run) { return session::presenceOf(run, true) == Presence::used; }), 2);
     }
 }
 

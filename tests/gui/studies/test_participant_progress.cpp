@@ -77,6 +77,13 @@ private slots:
         OpenStudy asks = study();
         asks.design.questionnaires = tests::smallStudy("asks").questionnaires;
         QVERIFY(next(asks, all).contains(QStringLiteral("Face and content validity")));
+        const std::string id = asks.design.questionnaires.front().id;
+        asks.design.questionnaires.front().when = psychophysics::Questionnaire::When::afterCondition;
+        asks.answered.emplace(all.participant.id, id); // about the first condition, and not about the second
+        asks.answeredAfter.emplace(1, id);
+        QVERIFY(next(asks, all).contains(QStringLiteral("Face and content validity")));
+        asks.answeredAfter.emplace(2, id);
+        QVERIFY(next(asks, all).contains(QStringLiteral("Nothing is left")));
     }
 };
 

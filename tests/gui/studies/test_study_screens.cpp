@@ -246,6 +246,11 @@ void TestStudyScreens::askedAfterEachCondition() {
     tests::addRun(*m_site, rhea, design, participant, "stiffness", 0.1, 5);
     open();
     QCOMPARE(offered(), 1);
+    int done = 0; // asked about the condition that was done, by its number
+    while (!text(qPrintable(QStringLiteral("run.state.%1").arg(done))).startsWith(QStringLiteral("done")))
+        QVERIFY(++done < 2);
+    const auto* asks = m_site->find<QPushButton>(QStringLiteral("run.questionnaire.validity.%1").arg(done));
+    QVERIFY2(asks && asks->accessibleName().endsWith(QStringLiteral("about condition %1").arg(done + 1)), asks ? qPrintable(asks->accessibleName()) : "nothing");
     const auto all = m_site->window->screen()->findChildren<QPushButton*>();
     (*std::find_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); }))->click();
     QTRY_VERIFY(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")));
