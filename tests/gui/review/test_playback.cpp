@@ -104,8 +104,9 @@ void TestPlayback::aMomentIsPlayedToAndStops() {
     QVERIFY(screen()->captionAt(4.0).title.isEmpty());
     clock.seek(4.0);
     clock.play();
-    clock.advance(1.0);
-    QVERIFY(clock.playing() && clock.position_s() >= 5.0); // once
+    while (clock.playing() && clock.position_s() < 5.0)
+        clock.advance(0.1);
+    QVERIFY(clock.playing()); // it stopped once, and no more
     clock.pause();
     open(m_bad, {{QStringLiteral("at_s"), 6.0}, {QStringLiteral("caption"), QStringLiteral("Here")}, {QStringLiteral("caption_s"), 4.5}}); // come back to later
     QTest::qWait(50);

@@ -132,7 +132,7 @@ private slots:
     void theFreeMinuteEndsByItself();
     void stoppedInTheFreeMinute();
     void practiceIsTakenBackAndRunAgain();
-    void aHandThatPressesTooHardIsTold();
+    void aHandThatMovesTooFastIsTold();
     void whatASittingNotesIsExported();
 };
 
@@ -487,20 +487,32 @@ void TestLiveStudy::stoppedInTheFreeMinute() {
 }
 
 /// What somebody can do otherwise is said to them, instead of objects that come again without a word; until the next ones are there.
-void TestLiveStudy::aHandThatPressesTooHardIsTold() {
+void TestLiveStudy::aHandThatMovesTooFastIsTold() {
     Site site(false, [](psychophysics::StudyDesign& design) {
         design.trial.practiceTrials = 1;
-        design.fidelity.peakForce_N = 0.001; // every touch
-        design.fidelity.lateTicks = 1.0;     // on a busy machine, too
+        design.fidelity.meanSpeed_m_per_s = 0.001;
+        design.fidelity.lateTicks = 1.0; // on a busy machine, too
     });
     const auto live = site.sit();
+    const auto move = [&] { // to and fro, above the objects
+        for (int i = 0; i < 20; ++i) {
+            live->training().pointer()->move(i % 2 == 0 ? 0.005 : -0.005, 0.0, 0.0);
+            QTest::qWait(20);
+        }
+    };
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->view().hand.empty());
+    move();
     QVERIFY(live->answer(0).has_value());
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().state == View::feedback), kPatience_ms);
     QVERIFY(!live->view().right); // neither right nor wrong
-    QCOMPARE(live->view().hand, std::string("peak_force"));
+    QCOMPARE(live->view().hand, std::string("speed"));
     live->goOn();
+    QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+    QVERIFY(!live->view().practice && live->view().hand.empty());
+    move();
+    QVERIFY(live->answer(0).has_value());
+    QTRY_COMPARE_WITH_TIMEOUT((live->poll(), live->view().hand), std::string("speed"), kPatience_ms); // this one comes again
     QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
     QVERIFY(live->view().hand.empty());
 }
