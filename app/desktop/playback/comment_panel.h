@@ -26,8 +26,8 @@ public:
     /// `timeOf` gives the recording's time of a tick. In the order of time, those on the session as a whole first.
     void show(std::vector<NamedComment> comments, database::PersonId reader, const std::function<double(std::uint64_t)>& timeOf);
     void setMoment(double t_s); ///< where a new comment would go
-    void setMayAdd(bool may);
-    void setMayReview(bool may); ///< somebody else's session: it can be marked as reviewed without a remark   ///< what the screen offers; what is permitted is checked where it is stored
+    void setMayAdd(bool may);    ///< what the screen offers; what is permitted is checked where it is stored
+    void setMayReview(bool may); ///< somebody else's session can be marked as reviewed without a remark
     bool mayAdd() const;
     void write(); ///< the field takes the focus
     void clearDraft();

@@ -193,7 +193,7 @@ void TrainingScreen::onFrame() {
     }
 }
 
-/// What came of the trial that has just ended, in words and in the picture. Whose own hand it is has time to look: the next one waits.
+/// What came of the trial that has just ended, in words and in the picture. A person's own hand gets time to look: the next trial waits.
 void TrainingScreen::takeAnswer(scene3d::SceneState& drawn) {
     const haptics::DisplayState& state = m_feed->state();
     m_answer->take(state, m_feed->samples());

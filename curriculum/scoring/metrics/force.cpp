@@ -15,59 +15,56 @@ namespace chiron::scoring {
 
 namespace {
 
-/// Calls visit(‖tissue force‖ N, seconds it was held) for each unpaused sample of the first tool. A sample's
-/// force holds until the next one, as the loop holds it for a tick; the trial's last sample holds for no
-/// time.
-template <class Visit> void forEachForce(std::span<const PreparedTrial> trials, Visit&& visit) {
-    for (const PreparedTrial& trial : trials) {
-        if (trial.tool == nullptr)
-            continue;
-        const ToolTrace& tool = *trial.tool;
-        for (std::size_t i = 0; i < tool.t_s.size(); ++i)
-            if (!tool.paused[i])
-                visit(tool.tissue_N[i].norm(), i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0);
-    }
-}
-
-/// Calls visit(load N, seconds it was held, whether anything was touched) for each unpaused sample of every tool. The load is the tissue
-/// force; from where tissue has given way until the tool is out of it, at least the force at which it gave way: who has broken tissue
-/// has not become gentle. Touched: over 0.02 N, or broken.
-template <class Visit> void forEachLoad(std::span<const PreparedTrial> trials, Visit&& visit) {
-    for (const PreparedTrial& trial : trials)
-        for (const ToolTrace& tool : trial.trial->tools) {
-            double broke_N = 0.0;
-            for (std::size_t i = 0; i < tool.t_s.size(); ++i) {
-                const double force_N = tool.tissue_N[i].norm();
-                const bool broken = i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
-                broke_N = broken ? std::max(broke_N, force_N) : 0.0;
-                if (tool.paused[i])
-                    continue;
-                const double load_N = std::max(force_N, broke_N);
-                visit(load_N, i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0, broken || load_N > kContactForce_N);
-            }
+/// What version 1 of a metric measures: visit(‖tissue force‖ N, seconds it was held) for each unpaused sample of the first tool. A
+/// sample's force holds until the next one, as the loop holds it for a tick; the trial's last sample holds for no time.
+struct ForceOfFirstTool {
+    template <class Visit> static void forEach(std::span<const PreparedTrial> trials, Visit&& visit) {
+        for (const PreparedTrial& trial : trials) {
+            if (trial.tool == nullptr)
+                continue;
+            const ToolTrace& tool = *trial.tool;
+            for (std::size_t i = 0; i < tool.t_s.size(); ++i)
+                if (!tool.paused[i])
+                    visit(tool.tissue_N[i].norm(), i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0);
         }
-}
+    }
+};
+
+/// What version 2 measures: visit(load N, seconds it was held, whether anything was touched) for each unpaused sample of every tool. The
+/// load is the tissue force; from where tissue has given way until the tool is out of it, at least the force at which it gave way, because
+/// whoever has broken tissue has not become gentle. Touched: over 0.02 N, or broken.
+struct LoadOfEveryTool {
+    template <class Visit> static void forEach(std::span<const PreparedTrial> trials, Visit&& visit) {
+        for (const PreparedTrial& trial : trials)
+            for (const ToolTrace& tool : trial.trial->tools) {
+                double broke_N = 0.0;
+                for (std::size_t i = 0; i < tool.t_s.size(); ++i) {
+                    const double force_N = tool.tissue_N[i].norm();
+                    const bool broken = i < tool.contact.size() && (tool.contact[i] & core::contact_bits::kThrough) != 0;
+                    broke_N = broken ? std::max(broke_N, force_N) : 0.0;
+                    if (tool.paused[i])
+                        continue;
+                    const double load_N = std::max(force_N, broke_N);
+                    visit(load_N, i + 1 < tool.t_s.size() ? tool.t_s[i + 1] - tool.t_s[i] : 0.0, broken || load_N > kContactForce_N);
+                }
+            }
+    }
+};
 
 Measurement noSamples() {
     return Measurement::undefined(UndefinedReason::noSamples);
 }
 
-Measurement measureForceMax(std::span<const PreparedTrial> trials) {
+template <class Of> Measurement measureForceMax(std::span<const PreparedTrial> trials) {
     double largest_N = -1.0;
-    forEachForce(trials, [&](double f_N, double) { largest_N = std::max(largest_N, f_N); });
-    return largest_N < 0.0 ? noSamples() : Measurement::of(largest_N);
-}
-
-Measurement measureForceMax2(std::span<const PreparedTrial> trials) {
-    double largest_N = -1.0;
-    forEachLoad(trials, [&](double load_N, double, bool) { largest_N = std::max(largest_N, load_N); });
+    Of::forEach(trials, [&](double f_N, auto...) { largest_N = std::max(largest_N, f_N); });
     return largest_N < 0.0 ? noSamples() : Measurement::of(largest_N);
 }
 
 Measurement measureForceMean(std::span<const PreparedTrial> trials) {
     double sum_N = 0.0;
     std::size_t samples = 0;
-    forEachForce(trials, [&](double f_N, double) {
+    ForceOfFirstTool::forEach(trials, [&](double f_N, double) {
         if (f_N > kContactForce_N) {
             sum_N += f_N;
             ++samples;
@@ -79,7 +76,7 @@ Measurement measureForceMean(std::span<const PreparedTrial> trials) {
 
 Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
     double impulse_Ns = 0.0, time_s = 0.0;
-    forEachLoad(trials, [&](double load_N, double held_s, bool touched) {
+    LoadOfEveryTool::forEach(trials, [&](double load_N, double held_s, bool touched) {
         impulse_Ns += touched ? load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
@@ -89,7 +86,7 @@ Measurement measureForceMean2(std::span<const PreparedTrial> trials) {
 Measurement measureForceRms(std::span<const PreparedTrial> trials) {
     double squares = 0.0;
     std::size_t samples = 0;
-    forEachForce(trials, [&](double f_N, double) {
+    ForceOfFirstTool::forEach(trials, [&](double f_N, double) {
         squares += f_N * f_N;
         ++samples;
     });
@@ -98,7 +95,7 @@ Measurement measureForceRms(std::span<const PreparedTrial> trials) {
 
 Measurement measureForceRms2(std::span<const PreparedTrial> trials) {
     double squares_N2s = 0.0, time_s = 0.0;
-    forEachLoad(trials, [&](double load_N, double held_s, bool touched) {
+    LoadOfEveryTool::forEach(trials, [&](double load_N, double held_s, bool touched) {
         squares_N2s += touched ? load_N * load_N * held_s : 0.0;
         time_s += touched ? held_s : 0.0;
     });
@@ -107,7 +104,7 @@ Measurement measureForceRms2(std::span<const PreparedTrial> trials) {
 
 Measurement measureForceP95(std::span<const PreparedTrial> trials) {
     std::vector<double> forces_N;
-    forEachForce(trials, [&](double f_N, double) { forces_N.push_back(f_N); });
+    ForceOfFirstTool::forEach(trials, [&](double f_N, double) { forces_N.push_back(f_N); });
     if (forces_N.empty())
         return noSamples();
     std::sort(forces_N.begin(), forces_N.end());
@@ -122,7 +119,7 @@ Measurement measureForceP95(std::span<const PreparedTrial> trials) {
 Measurement measureForceP95Of2(std::span<const PreparedTrial> trials) {
     std::vector<std::pair<double, double>> loads; // N, s
     double time_s = 0.0;
-    forEachLoad(trials, [&](double load_N, double held_s, bool touched) {
+    LoadOfEveryTool::forEach(trials, [&](double load_N, double held_s, bool touched) {
         if (touched && held_s > 0.0) {
             loads.emplace_back(load_N, held_s);
             time_s += held_s;
@@ -152,46 +149,24 @@ Measurement measureForcePeakRate(std::span<const PreparedTrial> trials) {
     return largest < 0.0 ? Measurement::undefined(UndefinedReason::tooFewSamples) : Measurement::of(largest);
 }
 
-Measurement measureForceImpulseOverLimit(std::span<const PreparedTrial> trials) {
+template <class Of> Measurement measureForceImpulseOverLimit(std::span<const PreparedTrial> trials) {
     double impulse_Ns = 0.0;
     bool any = false;
     const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
-    forEachForce(trials, [&](double f_N, double held_s) {
+    Of::forEach(trials, [&](double f_N, double held_s, auto...) {
         any = true;
         impulse_Ns += f_N > limit_N ? f_N * held_s : 0.0;
     });
     return any ? Measurement::of(impulse_Ns) : noSamples();
 }
 
-Measurement measureForceImpulseOverLimit2(std::span<const PreparedTrial> trials) {
-    double impulse_Ns = 0.0;
-    bool any = false;
-    const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
-    forEachLoad(trials, [&](double load_N, double held_s, bool) {
-        any = true;
-        impulse_Ns += load_N > limit_N ? load_N * held_s : 0.0;
-    });
-    return any ? Measurement::of(impulse_Ns) : noSamples();
-}
-
-Measurement measureForceTimeOverLimit(std::span<const PreparedTrial> trials) {
+template <class Of> Measurement measureForceTimeOverLimit(std::span<const PreparedTrial> trials) {
     double time_s = 0.0;
     bool any = false;
     const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
-    forEachForce(trials, [&](double f_N, double held_s) {
+    Of::forEach(trials, [&](double f_N, double held_s, auto...) {
         any = true;
         time_s += f_N > limit_N ? held_s : 0.0;
-    });
-    return any ? Measurement::of(time_s) : noSamples();
-}
-
-Measurement measureForceTimeOverLimit2(std::span<const PreparedTrial> trials) {
-    double time_s = 0.0;
-    bool any = false;
-    const double limit_N = trials.empty() ? 0.0 : trials.front().forceLimit_N;
-    forEachLoad(trials, [&](double load_N, double held_s, bool) {
-        any = true;
-        time_s += load_N > limit_N ? held_s : 0.0;
     });
     return any ? Measurement::of(time_s) : noSamples();
 }
@@ -209,10 +184,10 @@ std::vector<MetricDefinition> forceMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The largest force on the tissue at any moment."),
               .definition = "Largest |f|.",
               .source = "models.md §6",
-              .measure = measureForceMax});
+              .measure = measureForceMax<ForceOfFirstTool>});
     rows.next({.tools = MetricTools::all,
                .definition = "Largest |f| of any tool.",
-               .measure = measureForceMax2});
+               .measure = measureForceMax<LoadOfEveryTool>});
     rows.add({.id = "force_mean",
               .unit = "N",
               .wrench = MetricWrench::tissue,
@@ -277,12 +252,12 @@ std::vector<MetricDefinition> forceMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Force times time while the force was over the limit of this level."),
               .definition = "Integral of |f| dt while |f| is over the level's force limit, each sample held until the next.",
               .source = "models.md §6",
-              .measure = measureForceImpulseOverLimit});
+              .measure = measureForceImpulseOverLimit<ForceOfFirstTool>});
     rows.next({.tools = MetricTools::all,
                .definition = "Integral of the load |f| dt of a tool while it is over the level's force limit, all tools added; broken tissue counts "
                              "with the force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
-               .measure = measureForceImpulseOverLimit2});
+               .measure = measureForceImpulseOverLimit<LoadOfEveryTool>});
     rows.add({.id = "force_time_over_limit",
               .unit = "s",
               .wrench = MetricWrench::tissue,
@@ -292,12 +267,12 @@ std::vector<MetricDefinition> forceMetrics() {
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How long the force on the tissue was over the limit of this level."),
               .definition = "Time for which |f| is over the level's force limit, each sample held until the next.",
               .source = "models.md §6",
-              .measure = measureForceTimeOverLimit});
+              .measure = measureForceTimeOverLimit<ForceOfFirstTool>});
     rows.next({.tools = MetricTools::all,
                .definition = "Time for which the load |f| of a tool is over the level's force limit, all tools added; broken tissue counts with the "
                              "force that broke it.",
                .source = "models.md §6; data.md, Range of a law",
-               .measure = measureForceTimeOverLimit2});
+               .measure = measureForceTimeOverLimit<LoadOfEveryTool>});
     return rows.take();
 }
 

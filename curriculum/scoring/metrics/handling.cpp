@@ -126,7 +126,7 @@ std::vector<MetricDefinition> handlingMetrics() {
               .definition = "Trials that were finished and in which the object held last, the answer, was the heaviest, in % of all; one that time "
                             "ended counts as wrong.",
               .source = "P2, Preliminary Validation (mass: three objects from lightest to heaviest); our definition",
-              .chance = {.value = 100.0 / 3.0}, // three objects (P2, Preliminary Validation),
+              .chance = {.value = 100.0 / 3.0}, // three objects (P2, Preliminary Validation)
               .measure = measureWeighingCorrect});
     rows.add({.id = "weighing_correct_by_chance",
               .unit = "%",

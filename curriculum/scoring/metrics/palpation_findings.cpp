@@ -205,7 +205,7 @@ std::vector<MetricDefinition> palpationFindingsMetrics() {
               .definition = "Share of the pairs of lumps found in one trial whose harder one was called harder; pairs truly alike are left out, "
                             "called alike is not right; all trials pooled.",
               .source = "models.md §6 (hardness-rank correctness); our definition",
-              .chance = {.value = 50.0}, // of two lumps, the harder one is named by luck half of the time,
+              .chance = {.value = 50.0}, // of two lumps, the harder one is named by luck half of the time
               .measure = measureHardnessOrder});
     rows.next({.definition = "Share of the pairs of lumps found in the session whose harder one was called harder, on one scale from 1 to 5; pairs "
                              "truly alike are left out, called alike is not right.",
