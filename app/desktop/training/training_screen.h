@@ -11,6 +11,7 @@
 #include "desktop/training/live_feed.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/palpation_map.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
 #include "desktop/training/sound_cue_player.h"
@@ -31,8 +32,6 @@ class HeaderBar;
 class InfoView;
 class KeyFilter;
 class PalpationPanel;
-class ReadyCard;
-struct ReadyFacts;
 class SoundSign;
 class StatePanel;
 
@@ -83,7 +82,7 @@ private:
     bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
     ReadyFacts readyFacts() const;
     QStringList markWords() const;
-    void showCard(bool whole);
+    void showCard(ReadyCard::Kind kind);
     void showCardAgain(); ///< while a session waits
     void takeCardAway();
     void go();

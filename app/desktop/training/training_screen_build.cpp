@@ -59,7 +59,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     buildKeys();
     m_wentAhead = !m_level || !hasCard() || place.parameters.value(QString::fromLatin1(kAtOnce)).toBool();
     if (!m_wentAhead)
-        showCard(!context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool());
+        showCard(context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool() ? ReadyCard::Kind::brief : ReadyCard::Kind::first);
 }
 
 void TrainingScreen::makeHeader() {
@@ -221,6 +221,10 @@ void TrainingScreen::buildKeys() {
         m_controls->mainButton()->setFocus(Qt::TabFocusReason);
     });
     connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
+        if (down && m_card) {
+            (void)m_card->scroll(key); // nothing moves while it is read
+            return;
+        }
         if (!m_hand || (down && panelKey(key)) || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);

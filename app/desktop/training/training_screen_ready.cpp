@@ -50,7 +50,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
-    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue or move the tool with a key.", nullptr, trials)
+    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
                               : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
     if (m_practised)
         facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
@@ -58,20 +58,20 @@ ReadyFacts TrainingScreen::readyFacts() const {
     return facts;
 }
 
-void TrainingScreen::showCard(bool whole) {
+void TrainingScreen::showCard(ReadyCard::Kind kind) {
     takeCardAway();
-    m_card = new ReadyCard(context().theme(), readyFacts(), whole ? ReadyCard::Kind::whole : ReadyCard::Kind::brief);
+    m_card = new ReadyCard(context().theme(), readyFacts(), kind);
     m_card->setToolKeys(movementKeys(m_tool));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
-    connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(true); });
+    connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(ReadyCard::Kind::whole); });
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
     m_stage->showContent();
     for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
         part->hide(); // nothing runs that could be measured or stopped: the card has the room
-    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+    m_card->takeFocus();
 }
 
 void TrainingScreen::showCardAgain() {
@@ -89,7 +89,7 @@ void TrainingScreen::showCardAgain() {
     m_pages->setCurrentWidget(m_card);
     for (QWidget* part : {m_side, m_foot})
         part->hide(); // force can be stopped, whatever is read
-    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+    m_card->takeFocus();
 }
 
 void TrainingScreen::takeCardAway() {
