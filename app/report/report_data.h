@@ -21,6 +21,7 @@ struct MetricRow {
     QString reason;                    ///< why there is no value
     std::optional<double> gateMinimum; ///< pass mark, inclusive
     std::optional<double> gateMaximum;
+    std::optional<double> limit; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
     std::optional<bool> passed;    ///< only where gated
     bool headline = false;         ///< shown large on the first page; at most three are
     std::optional<double> bandLow; ///< benchmark band, e.g. a published mean ± SD

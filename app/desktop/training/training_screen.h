@@ -18,6 +18,7 @@
 #include "desktop/training/training_plan.h"
 #include "session/exercise_kind.h"
 #include "session/level_cues.h"
+#include "session/level_limits.h"
 
 #include <optional>
 
@@ -132,7 +133,7 @@ private:
     TrainingPlan m_plan;
     const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's; null: no such level
     session::LevelCues m_cues;
-    double m_limit_N = 4.0;
+    session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
     int m_tools = 1; ///< instruments of the level
 

@@ -43,14 +43,14 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
         // Who watches feels nothing, whatever the device renders.
         m_cues = session::cuesOf(*m_level, false);
         if (const auto kind = session::exerciseKind(m_level->exercise)) {
-            m_limit_N = (*kind)->forceLimit_N(*m_level);
+            m_limits = session::levelLimits(*m_level);
             m_tool = (*kind)->pointerTool();
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
     if (m_level)
         m_palpated = palpationOf(*m_level);
-    m_sound = SoundCuePlayer(m_limit_N);
+    m_sound = SoundCuePlayer(m_limits.force_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
     m_sound.setSwitches({on("contact"), on("force"), on("lean"), on("warning")});
@@ -156,7 +156,7 @@ InfoView* TrainingScreen::makeInfo() {
         return new GraspPanel(context().theme(), context().locale(), m_cues, grasping);
     if (m_palpated)
         return makePalpationInfo();
-    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limit_N});
+    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
 }
 
 QWidget* TrainingScreen::buildSide() {

@@ -44,9 +44,8 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
     facts.controls = controlGuide(m_tool, m_palpated != nullptr);
     facts.keys = keysText();
-    facts.limit = tr("Force limit: %1 N. %2.").arg(context().locale().toString(m_limit_N, 'g', 3), deviceTitle(m_plan));
-    for (const scoring::Gate& gate : m_level->gates)
-        facts.gates << gateInWords(gate, context().locale());
+    facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")), deviceTitle(m_plan));
+    facts.gates = gatesInWords(*m_level, context().locale());
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
