@@ -131,7 +131,8 @@ private:
     void toggleMute();
 
     TrainingPlan m_plan;
-    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's; null: no such level
+    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
+    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's, or m_tried; null: no such level
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;

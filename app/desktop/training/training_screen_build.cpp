@@ -39,6 +39,11 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
       m_level(context.site().catalogue().find(m_plan.exercise.toStdString(), m_plan.level)), m_sound(4.0) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(title());
+    if (m_level && m_plan.trials > 0)
+        if (auto tried = catalogue::withTrials(*m_level, m_plan.trials)) {
+            m_tried = std::move(*tried);
+            m_level = &*m_tried;
+        }
     if (m_level) {
         // Who watches feels nothing, whatever the device renders.
         m_cues = session::cuesOf(*m_level, false);

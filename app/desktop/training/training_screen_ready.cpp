@@ -51,6 +51,10 @@ ReadyFacts TrainingScreen::readyFacts() const {
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
     facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
                               : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
+    if (m_plan.trials > 0) {
+        facts.offersPractice = false; // it is one
+        facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
+    }
     if (m_practised)
         facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
                                                  : tr("The practice is over and does not count. The trials that count begin when you press Continue.");
