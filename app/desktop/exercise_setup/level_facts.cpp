@@ -88,9 +88,9 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
     QStringList facts;
     if (p.task == simulation::HandlingTask::weigh)
-        facts << Words::tr("Goal: put the heaviest of %1 identical-looking objects in the dish").arg(locale.toString(p.objects));
+        facts << Words::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
     else
-        facts << Words::tr("Goal: lift the object by %1 mm and put it in the dish").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+        facts << Words::tr("Goal: lift the object by %1 mm and put it inside the ring").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
     if (p.organBed)
         facts << Words::tr("Surface: a soft organ that gives way");
     return facts << trialsText(p.trials, p.trialLimit_s, locale);

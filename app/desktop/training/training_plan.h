@@ -44,7 +44,7 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level);
 inline constexpr const char* kAtOnce = "at_once";
 /// The same: true where a practice of this level has just ended.
 inline constexpr const char* kPractised = "practised";
-/// In a place of the debrief: true where its session has just ended by itself.
+/// In a place of the debrief: true where the person's own session has just ended, by itself or not.
 inline constexpr const char* kJustEnded = "just_ended";
 /// The person's setting (Settings::ofPerson) that tells that they know this level's ready card.
 QString readyKey(const TrainingPlan& plan);

@@ -249,7 +249,7 @@ void TrainingScreen::onFinished() {
         plan.insert(QString::fromLatin1(kAtOnce), true);
         context().navigator().replace({QStringLiteral("training"), plan}); // a new screen: every value from nothing
     } else {
-        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}, {QString::fromLatin1(kJustEnded), true}}});
+        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}, {QString::fromLatin1(kJustEnded), m_plan.ownHand()}}});
     }
 }
 

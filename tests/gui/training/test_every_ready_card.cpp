@@ -4,6 +4,7 @@
 
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/training/grasp_words.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
 #include "report/report_text.h"
@@ -35,6 +36,7 @@ private slots:
     void initTestCase() { qputenv("CHIRON_NO_SOUND", "1"); }
     void theLimitShownIsTheOneThatCounts();
     void aPassMarkBesideItsLimitSaysWhy();
+    void theTargetHasOneName();
     void goIsAlwaysInSight_data();
     void goIsAlwaysInSight();
 
@@ -101,6 +103,29 @@ void TestEveryReadyCard::aPassMarkBesideItsLimitSaysWhy() {
         }
     });
     QVERIFY(allowed >= 1);
+}
+
+/// Where an object is to be set down is called the same on the card, in the facts and step by step.
+void TestEveryReadyCard::theTargetHasOneName() {
+    int levels = 0;
+    everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
+        const desktop::Grasping grasping = desktop::graspingOf(level);
+        if (!grasping.handling)
+            return;
+        ++levels;
+        QString words = desktop::levelFacts(level, kEnglish).join(QLatin1Char(' '));
+        for (const char* step : {"carry", "place", "hold"}) {
+            core::LaparoscopyCues cues;
+            cues.objectShown = true;
+            cues.step = step[0] == 'c' ? core::LaparoscopyStep::carry : step[0] == 'p' ? core::LaparoscopyStep::place : core::LaparoscopyStep::hold;
+            const QString told = desktop::stepText(cues, grasping);
+            QVERIFY2(told.contains(QStringLiteral("ring")), qPrintable(name + QStringLiteral(": ") + told));
+            words += QLatin1Char(' ') + told;
+        }
+        QVERIFY2(QString::fromStdString(level.goal.at("en")).contains(QStringLiteral("ring")), qPrintable(name));
+        QVERIFY2(!words.contains(QStringLiteral("dish")), qPrintable(words));
+    });
+    QVERIFY(levels > 0);
 }
 
 void TestEveryReadyCard::goIsAlwaysInSight_data() {
