@@ -21,13 +21,13 @@ struct MetricRow {
     QString reason;                    ///< why there is no value
     std::optional<double> gateMinimum; ///< pass mark, inclusive
     std::optional<double> gateMaximum;
-    std::optional<double> limit; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
     std::optional<bool> passed;    ///< only where gated
     bool headline = false;         ///< shown large on the first page; at most three are
     std::optional<double> bandLow; ///< benchmark band, e.g. a published mean ± SD
     std::optional<double> bandHigh;
     QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
     std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
+    std::optional<double> limit{}; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
 };
 
 /// Signed error of one mark, in % of the sphere's radius (models.md §2.3).

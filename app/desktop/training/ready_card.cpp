@@ -105,6 +105,11 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         practice->setToolTip(tr("Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
         connect(practice, &QPushButton::clicked, this, &ReadyCard::practiceAsked);
     }
+    if (m_kind == Kind::first && facts.offersDemonstration) {
+        auto* watch = add(tr("Watch first"), "", "training.ready.watch");
+        watch->setToolTip(tr("Watch a scripted expert at this level. Nothing is counted."));
+        connect(watch, &QPushButton::clicked, this, &ReadyCard::watchAsked);
+    }
     if (isShort())
         connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this, &ReadyCard::wholeAsked);
     else

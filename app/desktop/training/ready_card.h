@@ -25,6 +25,7 @@ struct ReadyFacts {
     QString limit;                     ///< of force, with what is felt of it
     QStringList gates;                 ///< what is needed to pass
     bool offersPractice = true;        ///< a minute that does not count can be had from the card
+    bool offersDemonstration = false;  ///< an expert can be watched first, where somebody is new to the level
     QString practised;                 ///< that minute has just ended: what comes now; empty: it was not taken
     QString clock;                     ///< how many trials, and when the clock starts
 };
@@ -57,6 +58,7 @@ public:
 signals:
     void goAsked();
     void practiceAsked();
+    void watchAsked();
     void wholeAsked(); ///< of a brief card
     void helpAsked();
 

@@ -55,6 +55,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
         facts.offersPractice = false; // it is one
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
     }
+    facts.offersDemonstration = !m_practised && expertPlan(m_level->exercise, m_level->number).has_value();
     if (m_practised)
         facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
                                                  : tr("The practice is over and does not count. The trials that count begin when you press Continue.");
@@ -67,6 +68,10 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
     m_card->setToolKeys(movementKeys(m_tool));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
+    connect(m_card, &ReadyCard::watchAsked, this, [this] {
+        if (const auto expert = expertPlan(m_level->exercise, m_level->number))
+            context().navigator().replace({QStringLiteral("training"), expert->toMap()}); // whose debrief says "Now you"
+    });
     connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(ReadyCard::Kind::whole); });
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);

@@ -56,6 +56,7 @@ private slots:
     void whatIsHeldDownBeginsNothing();
     void theWholeCardIsReadWithTheKeys();
     void practiceEndsWithoutAnyButtonInHand();
+    void whoIsNewMayWatchFirst();
     void afterAPauseEnterMarks();
     void helpBringsItBack();
     void stoppedItLeadsBackToReArm();
@@ -202,11 +203,12 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     TrainingBench bench;
     desktop::ReadyFacts facts;
     facts.goal = QStringLiteral("A goal.");
+    facts.offersDemonstration = true;
     facts.practised = practised ? QStringLiteral("The practice is over.") : QString();
     ReadyCard shown(bench.desktop.context.theme(), facts, static_cast<ReadyCard::Kind>(kind));
     shown.setToolKeys(desktop::movementKeys(session::PointerTool::point));
     int asked = 0;
-    for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
+    for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked, &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
         connect(&shown, signal, &shown, [&asked] { ++asked; });
     shown.show();
     shown.activateWindow();
@@ -268,6 +270,21 @@ void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
     button(bench, "training.ready.go")->setFocus(Qt::TabFocusReason);
     QTest::keyClick(button(bench, "training.ready.go"), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+}
+
+void TestReadyCard::whoIsNewMayWatchFirst() {
+    TrainingBench bench;
+    bench.show();
+    button(bench, "training.ready.watch")->click();
+    QVERIFY(!card(bench)); // who watches has none
+    QCOMPARE(bench.desktop.context.navigator().current().parameters.value(QStringLiteral("device")).toString(), QStringLiteral("demonstration"));
+    bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(), desktop::readyKey(desktop::TrainingPlan::fromMap({{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}})), true);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed(), 30'000);
+    bench.screen()->feed()->training().requestStop();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 30'000);
+    bench.show();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
+    QVERIFY(!bench.screen()->findChild<QPushButton*>(QStringLiteral("training.ready.watch"))); // who knows the level is not asked again
 }
 
 void TestReadyCard::afterAPauseEnterMarks() {
