@@ -46,6 +46,9 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
                         row.unit);
     if (row.gateMaximum == 0.0 && isCount(row.unit))
         return QStringLiteral("0"); // there can be no fewer than none
+    if (row.gateMaximum && row.limit && *row.limit > 0.0) // one number for the limit, wherever it stands
+        return QStringLiteral("%1 + %2").arg(withUnit(QStringLiteral("≤ ") + formatNumber(*row.limit, row.unit, locale), row.unit),
+                                             withUnit(locale.toString(qRound(100.0 * (*row.gateMaximum / *row.limit - 1.0))), QStringLiteral("%")));
     if (row.gateMaximum)
         return withUnit(QStringLiteral("≤ ") + formatNumber(*row.gateMaximum, row.unit, locale), row.unit);
     if (row.gateMinimum)

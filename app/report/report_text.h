@@ -20,7 +20,7 @@ QString formatNumber(double value, const QLocale& locale);
 QString formatNumber(double value, const QString& unit, const QLocale& locale);
 /// Number and unit with a no-break space: "14.20 %"; a dash where there is no value.
 QString formatValue(const std::optional<double>& value, const QString& unit, const QLocale& locale);
-/// "≤ 25.00 %", "≥ 1.00", "1.00 – 4.00 N"; empty without a gate.
+/// "≤ 25.00 %", "≥ 1.00", "1.00 – 4.00 N", "≤ 1.50 N + 10 %" where a limit lies below it; empty without a gate.
 QString formatGate(const MetricRow& row, const QLocale& locale);
 /// "2.90 – 25.50 %"; empty without a band.
 QString formatBand(const MetricRow& row, const QLocale& locale);

@@ -98,7 +98,7 @@ public:
     int level = 1;
     bool felt = false;         ///< device class: force was rendered, or only shown
     bool measures = false;     ///< the device measured force
-    double forceLimit_N = 0.0; ///< of the level
+    double forceLimit_N = 0.0; ///< of the level, as people meet it (levelLimits)
     int toolCount = 0;
     std::vector<PlaybackMoment> moments;
     std::vector<PlaybackTool> tools; ///< toolCount of each moment, one moment after the other

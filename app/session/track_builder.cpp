@@ -3,6 +3,7 @@
 
 #include "core/contact_bits.h"
 #include "core/laparoscopy_cues.h"
+#include "session/level_limits.h"
 #include "session/session_view.h"
 #include "session/trace_mark.h"
 #include "session/yield_cause.h"
@@ -60,7 +61,7 @@ TrackBuilder::TrackBuilder(SessionView& session, const TrialSurfaces& surfaces)
     m_track.exercise = session.setup().level.exercise;
     m_track.level = session.setup().level.number;
     m_track.felt = session.record().setup.felt;
-    m_track.forceLimit_N = session.record().setup.forceLimit_N;
+    m_track.forceLimit_N = std::min(session.record().setup.forceLimit_N, levelLimits(session.setup().level).force_N);
     m_track.toolCount = m_positions.tools();
     m_open.resize(static_cast<std::size_t>(m_track.toolCount));
     for (const RecordedQuantities::Quantity& quantity : m_quantities.list())

@@ -4,6 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "recording/digest.h"
 #include "scoring/force_facts.h"
+#include "session/level_limits.h"
 #include "session_report/exercise_parts.h"
 #include "session_report/metric_words.h"
 #include "session_report/track_series.h"
@@ -41,6 +42,7 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
                 continue;
             row.gateMinimum = gate.minimum;
             row.gateMaximum = gate.maximum;
+            row.limit = session::limitBehind(level, gate);
             row.headline = judged;
         }
         if (felt) // a band is of one device class: these people felt the force
@@ -82,7 +84,7 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
     data.device = QString::fromStdString(setup.devices.front().model);
     data.felt = record.setup.felt;
     data.state = QString::fromUtf8(database::token(record.summary.state).data());
-    data.forceLimit_N = record.setup.forceLimit_N;
+    data.forceLimit_N = std::min(record.setup.forceLimit_N, session::levelLimits(level).force_N);
     data.loop = loopFactsOf(record.loopJson);
     data.integrity.sessionId = QString::number(record.summary.id);
     data.integrity.frames = record.summary.frames;

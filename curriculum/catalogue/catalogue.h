@@ -51,4 +51,8 @@ core::Result<std::string> findContentDirectory(const std::string& explicitDirect
 /// parameter (a newer program's), or a key missing or of the wrong type, with its path. Thread: any.
 core::Result<ExerciseLevel> fromResolvedJson(std::string_view json);
 
+/// The level with no more than so many trials (at least 1): to be tried. Unchanged where it has no more, or has no trials to count. Failure:
+/// as fromResolvedJson. Thread: any.
+core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most);
+
 } // namespace chiron::catalogue

@@ -95,4 +95,19 @@ core::Result<ExerciseLevel> fromResolvedJson(std::string_view json) {
     return level;
 }
 
+core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most) {
+    const auto file = JsonFile::parse(QByteArray::fromStdString(level.resolvedJson), QStringLiteral("level"), JsonFile::kMeshMebibytes);
+    if (!file)
+        return tl::unexpected(file.error());
+    QJsonObject document = file->root();
+    QJsonObject inner = document["level"].toObject();
+    QJsonObject parameters = inner["parameters"].toObject();
+    if (!parameters.contains("trials") || parameters["trials"].toInt() <= most || most < 1)
+        return level;
+    parameters["trials"] = most;
+    inner["parameters"] = parameters;
+    document["level"] = inner;
+    return fromResolvedJson(canonicalJson(document));
+}
+
 } // namespace chiron::catalogue

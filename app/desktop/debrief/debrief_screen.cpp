@@ -113,8 +113,13 @@ void DebriefScreen::showHead(DebriefHead head) {
     loadDetails();
 }
 
-// The keyboard begins at what there is to do now, instead of at the navigation.
+// The keyboard begins at what there is to do now, instead of at the navigation. After a session that has just ended Tab leads there:
+// a key that was meant for the last trial presses no button.
 void DebriefScreen::focusNextStep() {
+    if (place().parameters.value(QString::fromLatin1(kJustEnded)).toBool()) {
+        setFocus(Qt::OtherFocusReason);
+        return;
+    }
     for (const char* name : {"debrief.next", "debrief.now_you", "debrief.again", "debrief.playback"}) {
         auto* button = findChild<QPushButton*>(QLatin1String(name));
         if (button && button->isEnabled()) {

@@ -165,10 +165,8 @@ void ExerciseSetupScreen::showLevel() {
     m_facts->setVisible(!facts.isEmpty());
     m_facts->setText(facts.isEmpty() ? QString() : QStringLiteral("•  ") + facts.join(QStringLiteral("\n•  ")));
     m_measured->setText(textOf(shown->measured));
-    QStringList gates;
-    for (const scoring::Gate& gate : shown->gates)
-        gates.push_back(QStringLiteral("•  ") + gateInWords(gate, context().locale()));
-    m_gates->setText(gates.isEmpty() ? tr("This level has no pass mark.") : gates.join(QLatin1Char('\n')));
+    const QStringList gates = gatesInWords(*shown, context().locale());
+    m_gates->setText(gates.isEmpty() ? tr("This level has no pass mark.") : QStringLiteral("•  ") + gates.join(QStringLiteral("\n•  ")));
     m_note->setVisible(shown->needsForce && shown->shownForce);
     if (shown->shownForce)
         m_note->setText(textOf(shown->shownForce->note));

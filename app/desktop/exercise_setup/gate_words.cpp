@@ -3,8 +3,11 @@
 
 #include "desktop/plots/metric_words.h"
 #include "scoring/metric_catalogue.h"
+#include "session/exercise_kind.h"
+#include "session/level_limits.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -23,7 +26,43 @@ QString withUnit(double value, std::string_view unit, const QLocale& locale) {
     return Words::tr("%1 %2").arg(number, QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
 }
 
+/// How long the force may be over the limit says nothing more where it may never be over less than that.
+bool isImplied(const scoring::Gate& gate, const catalogue::ExerciseLevel& level) {
+    const auto kind = session::exerciseKind(level.exercise);
+    return gate.metric == "force_time_over_limit" && kind && session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);
+}
+
+QString inLevel(const scoring::Gate& gate, const catalogue::ExerciseLevel& level, const QLocale& locale) {
+    const std::optional<double> limit_N = session::limitBehind(level, gate);
+    if (!limit_N)
+        return gateInWords(gate, locale);
+    const int more_percent = qRound(100.0 * (*gate.maximum / *limit_N - 1.0));
+    return Words::tr("%1: at most %2 N, with %3 % more for the time it takes to react")
+        .arg(metricTitle(QString::fromStdString(gate.metric)), locale.toString(*limit_N, 'g', 3), locale.toString(more_percent));
+}
+
 } // namespace
+
+QStringList gatesInWords(const catalogue::ExerciseLevel& level, const QLocale& locale) {
+    QStringList words;
+    for (const scoring::Gate& gate : level.gates)
+        if (!isImplied(gate, level))
+            words << inLevel(gate, level, locale);
+    return words;
+}
+
+QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& locale) {
+    const session::LevelLimits limits = session::levelLimits(level);
+    const auto newtons = [&locale](double value_N) { return locale.toString(value_N, 'g', 3); };
+    QStringList words{Words::tr("Force limit: %1 N").arg(newtons(limits.force_N))};
+    if (limits.squeeze_N)
+        words << Words::tr("Squeeze: %1 N at most").arg(newtons(*limits.squeeze_N));
+    if (limits.lateral_N)
+        words << Words::tr("Force across the canal: %1 N at most").arg(newtons(*limits.lateral_N));
+    if (limits.retraction_N)
+        words << Words::tr("Pull on the fold: %1 N at most").arg(newtons(*limits.retraction_N));
+    return words;
+}
 
 QString gateInWords(const scoring::Gate& gate, const QLocale& locale) {
     const scoring::MetricDefinition* metric = scoring::findMetric(gate.metric);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/exercise_setup/level_facts.h"
 
+#include "desktop/exercise_setup/gate_words.h"
 #include "desktop/training/endoscopy.h"
 #include "desktop/training/grasping.h"
 #include "desktop/training/insertion_values.h"
@@ -87,10 +88,9 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
     QStringList facts;
     if (p.task == simulation::HandlingTask::weigh)
-        facts << Words::tr("Goal: put the heaviest of %1 identical-looking objects in the dish").arg(locale.toString(p.objects));
+        facts << Words::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
     else
-        facts << Words::tr("Goal: lift the object by %1 mm and put it in the dish").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
-    facts << Words::tr("Squeeze: %1 N at most").arg(newtons(p.squeezeLimit_N, locale));
+        facts << Words::tr("Goal: lift the object by %1 mm and put it inside the ring").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
     if (p.organBed)
         facts << Words::tr("Surface: a soft organ that gives way");
     return facts << trialsText(p.trials, p.trialLimit_s, locale);
@@ -149,6 +149,7 @@ QStringList taskFacts(const catalogue::ExerciseLevel& level, const QLocale& loca
 
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) {
     QStringList facts = taskFacts(level, locale);
+    facts << limitsInWords(level, locale);
     if (!level.mounting.empty())
         facts << Words::tr("Devices with a base are mounted as this level specifies; your settings below override it");
     return facts;

@@ -165,8 +165,7 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
     HomeData data;
     data.name = self->displayName.empty() ? self->name : self->displayName;
     core::Result<void> done;
-    if (roles.contains(Role::trainee))
-        done = readOwn(**connection, reader, question, data);
+    done = readOwn(**connection, reader, question, data); // everybody may train
     if (done && roles.contains(Role::trainer))
         done = readForTrainer(reader, question, data);
     if (done && roles.contains(Role::admin))

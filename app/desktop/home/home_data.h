@@ -40,7 +40,7 @@ struct CommentedSession {
 /// Everything that a home screen shows, as it was when asked for.
 struct HomeData {
     std::string name;                              ///< of whoever is logged in: the full one where there is one
-    std::vector<session::LevelStanding> standings; ///< of the person, where trainee
+    std::vector<session::LevelStanding> standings; ///< of the person
     std::vector<SessionRow> own;                   ///< latest first, some
     std::vector<CommentedSession> commented;       ///< of the person's latest sessions those that others commented on, latest first
     std::vector<SessionRow> toLook;                ///< for a trainer: what asks for attention first

@@ -6,6 +6,7 @@
 #include "desktop/home/session_lines.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/storage/storage_words.h"
+#include "desktop/training/training_plan.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/tile_button.h"
@@ -31,6 +32,51 @@ void HomeScreen::addTrainee(QVBoxLayout& column, const HomeData& home) {
     all->setObjectName(QStringLiteral("home.exercises"));
     all->setIcon(theme.icon(QStringLiteral("view-list-icons")));
     column.addWidget(all, 0, Qt::AlignLeft);
+}
+
+void HomeScreen::addOwnTraining(QVBoxLayout& column, const HomeData& home) {
+    QWidget* card = home.own.empty() ? tryCard(home) : continueCard(home);
+    if (card)
+        column.addWidget(card);
+}
+
+QWidget* HomeScreen::tryCard(const HomeData& home) {
+    const auto next = session::nextStep(home.standings);
+    const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
+    if (!level)
+        return nullptr;
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("home.try_card"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme.px(20));
+    if (theme.scale() < kNoPictureScale)
+        row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(theme.px(6));
+    words->addWidget(kit::label(theme, tr("Try an exercise yourself"), TextStyle::title));
+    const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
+    words->addWidget(kit::label(theme, tr("%1: %2").arg(exercise ? textIn(exercise->title, context()) : QString(),
+                                                        textIn(level->goal.empty() ? level->objective : level->goal, context()))));
+    words->addWidget(kit::label(theme, tr("It takes about a minute with mouse and keyboard, does not count, and ends with a debrief."), TextStyle::small, "muted"));
+    auto* buttons = new QWidget;
+    auto* flow = new FlowLayout(theme.px(10), buttons);
+    flow->addWidget(tryButton(*next, "primary"));
+    auto* all = opener(tr("Choose another exercise"), QStringLiteral("exercises"), {}, "quiet");
+    all->setObjectName(QStringLiteral("home.exercises"));
+    flow->addWidget(all);
+    words->addWidget(buttons);
+    words->addStretch();
+    row->addLayout(words, 1);
+    box.layout->addLayout(row);
+    return box.frame;
+}
+
+QPushButton* HomeScreen::tryButton(const session::LevelStanding& level, const char* kind) {
+    auto* button = opener(tr("Try it now"), QStringLiteral("training"), tryPlan(level.exercise, level.level).toMap(), kind);
+    button->setObjectName(QStringLiteral("home.try"));
+    button->setToolTip(tr("A few trials that do not count, with mouse and keyboard."));
+    return button;
 }
 
 // What came of the last session of this exercise: where "next" comes from.
@@ -78,10 +124,12 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
     go->setObjectName(QStringLiteral("home.continue"));
     go->setIcon(theme.icon(QStringLiteral("media-playback-start"), Colour::accentText));
     go->setIconSize(QSize(theme.px(20), theme.px(20)));
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(go);
-    buttons->addStretch();
-    words->addLayout(buttons);
+    auto* buttons = new QWidget;
+    auto* flow = new FlowLayout(theme.px(10), buttons);
+    flow->addWidget(go);
+    if (home.own.empty())
+        flow->addWidget(tryButton(*next, ""));
+    words->addWidget(buttons);
     words->addStretch();
     row->addLayout(words, 1);
     box.layout->addLayout(row);

@@ -24,7 +24,7 @@ QString HomeScreen::title() const {
 }
 
 QString HomeScreen::help() const {
-    return tr("Your next step, depending on your role.\n\nTrainees continue with the next level at the press of a button, choose any level "
+    return tr("Your next step, depending on your role.\n\nIf you have not trained yet, you can try an exercise here in about a minute. Trainees continue with the next level at the press of a button, choose any level "
               "from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones "
               "first, and who trained recently. Administrators see whether people, storage and station are in order.\n\nThe list on the "
               "left leads to all other screens; Ctrl+K finds any command by its name.");
@@ -63,14 +63,20 @@ void HomeScreen::show(const HomeData& home) {
     addRecovered(column, home);
     addCommented(column, home);
     addRecoveryCode(column, home);
-    if (context().has(database::Role::trainee))
+    const bool trainee = context().has(database::Role::trainee);
+    const bool nothingElse = home.accounts == 1 && home.own.empty(); // a site of one who has only just made it
+    if (trainee)
         addTrainee(column, home);
+    else if (nothingElse)
+        addOwnTraining(column, home);
     if (context().has(database::Role::trainer))
         addTrainer(column, home);
     if (context().has(database::Role::researcher))
         addResearcher(column);
     if (context().has(database::Role::admin))
         addAdmin(column, home);
+    if (!trainee && !nothingElse)
+        addOwnTraining(column, home);
     column.addStretch();
     delete m_panel->content();
     m_panel->setContent(page);

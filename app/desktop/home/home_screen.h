@@ -12,7 +12,8 @@ namespace chiron::desktop {
 class StatePanel;
 
 /// Where everybody starts: what their roles want first (experience.md). Who holds several roles sees each one's part, the
-/// own training first. From here a running exercise is two actions away.
+/// own training first; who is no trainee may train as well, and finds that after their own part, or before it while the site has nobody
+/// else. From here a running exercise is two actions away.
 class HomeScreen final : public Screen {
     Q_OBJECT
 public:
@@ -34,6 +35,10 @@ private:
     void addResearcher(QVBoxLayout& column);
     void addAdmin(QVBoxLayout& column, const HomeData& home);
     QWidget* continueCard(const HomeData& home);
+    /// For who has not trained yet: straight to a few trials that do not count. Null where there is no exercise.
+    QWidget* tryCard(const HomeData& home);
+    QPushButton* tryButton(const session::LevelStanding& level, const char* kind);
+    void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< of who is no trainee
     QString lastResult(const HomeData& home, const session::LevelStanding& next) const; ///< empty: none yet
     QWidget* progressCard(const HomeData& home);
     QWidget* peopleCard(const HomeData& home);

@@ -13,6 +13,7 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
+#include "session/level_limits.h"
 #include "session_report/session_report.h"
 
 #include <QComboBox>
@@ -251,6 +252,7 @@ report::MetricRow ResultsScreen::metricRow(const std::vector<Attempt>& attempts)
             continue;
         row.gateMinimum = gate.minimum;
         row.gateMaximum = gate.maximum;
+        row.limit = session::limitBehind(*level, gate);
     }
     for (const catalogue::MetricChoice& metric : level ? level->metrics : std::vector<catalogue::MetricChoice>{})
         if (row.id == QLatin1String(metric.id.c_str()))

@@ -120,7 +120,7 @@ void TrialsScreen::showCard() {
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, m_page->window()); });
     m_stage->addWidget(m_card);
     m_stage->setCurrentWidget(m_card);
-    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+    m_card->takeFocus();
 }
 
 void TrialsScreen::go() {
@@ -189,6 +189,14 @@ void TrialsScreen::onBreakButton() {
         m_live->resume();
         break;
     }
+}
+
+/// Enter, where no button has the focus. What came by itself in the middle of an answer takes a press of its button, or R.
+void TrialsScreen::goOnByKey() {
+    const State state = m_live ? m_live->view().state : State::starting;
+    if (m_begun && (state == State::tried || state == State::needsExperimenter || state == State::stopped))
+        return;
+    onBreakButton();
 }
 
 void TrialsScreen::answer(int answer, std::optional<double> value) {

@@ -104,6 +104,7 @@ private:
     void stripAction(); ///< the free minute, or the feedback of practice, was long enough
     void poll();
     void onBreakButton();
+    void goOnByKey();
     void answer(int answer, std::optional<double> value);
     void mark(); ///< "here it is", of an apex
     void pauseOrResume();

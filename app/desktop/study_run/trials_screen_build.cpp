@@ -243,7 +243,7 @@ void TrialsScreen::buildKeys() {
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {
         if (m_stage->currentWidget() == m_break)
-            onBreakButton();
+            goOnByKey();
         else if (!m_enough->isHidden())
             stripAction();
         else if (m_answers)

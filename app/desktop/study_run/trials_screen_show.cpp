@@ -45,9 +45,12 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         }
         showScene(view);
     } else {
-        if (m_stage->currentWidget() != m_break)
+        const bool comes = m_stage->currentWidget() != m_break;
+        if (comes)
             freePointer();
         showBreak(view);
+        if (comes && view.state != State::paused)
+            m_page->setFocus(Qt::OtherFocusReason); // it came by itself: a key that was meant for the trial presses no button
     }
     m_keys->setHeld(!scene);
     hearMasking(scene);

@@ -9,7 +9,9 @@ namespace chiron::desktop {
 
 namespace {
 
-// @name is a colour of the theme, #12# a length at 100 %. Widgets say what they are by the property "kind".
+// @name is a colour of the theme, #12# a length at 100 %, #12-# that length less one pixel. Widgets say what they are by the property "kind".
+// A border of 2 pixels instead of 1 takes its pixel from the padding, so that what gets the focus is as large as it was: layouts are not made
+// anew for it.
 constexpr const char* kSheet = R"(
 QMainWindow, QDialog, QWidget[kind="page"] { background: @window; }
 QScrollArea, QScrollArea > QWidget > QWidget[kind="page"] { background: @window; border: none; }
@@ -42,9 +44,9 @@ QPushButton { background: @surface; color: @text; border: 1px solid @borderStron
     min-height: #22#; }
 QPushButton:hover { background: @accentSoft; border-color: @accent; }
 QPushButton:pressed { background: @raised; }
-QPushButton:focus { border: 2px solid @focus; padding: #5# #13#; }
+QPushButton:focus { border: 2px solid @focus; padding: #6-# #14-#; }
 QPushButton:disabled { color: @muted; border-color: @border; background: @raised; }
-QPushButton:checked { background: @accentSoft; border: 2px solid @accent; }
+QPushButton:checked { background: @accentSoft; border: 2px solid @accent; padding: #6-# #14-#; }
 QPushButton[kind="primary"] { background: @accent; color: @accentText; border: 1px solid @accent; font-weight: 600; }
 QPushButton[kind="primary"]:hover { background: @accentHover; }
 QPushButton[kind="primary"]:focus { border: 2px solid @focus; }
@@ -52,19 +54,20 @@ QPushButton[kind="primary"]:disabled { background: @raised; color: @muted; borde
 QPushButton[kind="danger"] { background: @danger; color: @dangerText; border: 1px solid @danger; font-weight: 600; }
 QPushButton[kind="danger"]:focus { border: 2px solid @focus; }
 QPushButton[kind="danger"]:disabled { background: @raised; color: @muted; border-color: @border; }
-QPushButton[kind="quiet"] { background: transparent; border: 2px solid transparent; color: @accent; }
+QPushButton[kind="quiet"] { background: transparent; border: 2px solid transparent; color: @accent; padding: #6-# #14-#; }
 QPushButton[kind="quiet"]:hover { background: @accentSoft; }
 QPushButton[kind="quiet"]:focus { border: 2px solid @focus; }
 QPushButton[kind="tile"] { background: @surface; border: 1px solid @border; border-radius: #10#; padding: #14#; text-align: left; }
 QPushButton[kind="tile"]:hover { border-color: @accent; background: @accentSoft; }
-QPushButton[kind="tile"]:focus { border: 2px solid @focus; }
-QPushButton[kind="tile"]:checked { border: 2px solid @accent; background: @accentSoft; }
+QPushButton[kind="tile"]:focus { border: 2px solid @focus; padding: #14-#; }
+QPushButton[kind="tile"]:checked { border: 2px solid @accent; background: @accentSoft; padding: #14-#; }
 QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox, QComboBox, QDateEdit { background: @surface; color: @text;
     border: 1px solid @borderStrong; border-radius: #6#; padding: #5# #8#; min-height: #22#; selection-background-color: @accent;
     selection-color: @accentText; }
-QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @focus; }
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border: 2px solid @focus;
+    padding: #5-# #8-#; }
 QLineEdit:disabled, QPlainTextEdit:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled, QDateEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
-QLineEdit[kind="bad"], QPlainTextEdit[kind="bad"], QSpinBox[kind="bad"], QDoubleSpinBox[kind="bad"], QComboBox[kind="bad"] { border: 2px solid @bad; }
+QLineEdit[kind="bad"], QPlainTextEdit[kind="bad"], QSpinBox[kind="bad"], QDoubleSpinBox[kind="bad"], QComboBox[kind="bad"] { border: 2px solid @bad; padding: #5-# #8-#; }
 QComboBox::drop-down { border: none; width: #24#; }
 QComboBox::down-arrow { image: url(:/theme/chevron_%INK%.svg); width: #14#; height: #14#; margin-right: #8#; }
 QComboBox::down-arrow:disabled { image: url(:/theme/chevron_%INK%_off.svg); }
@@ -129,12 +132,15 @@ QString inScale(QString sheet, const Theme& theme) {
     for (qsizetype i = 0; i < sheet.size(); ++i) {
         const qsizetype end = sheet.at(i) == QLatin1Char('#') ? sheet.indexOf(QLatin1Char('#'), i + 1) : -1;
         bool isLength = false;
-        const int length = end > i + 1 && end <= i + 4 ? sheet.mid(i + 1, end - i - 1).toInt(&isLength) : 0;
+        QString number = end > i + 1 && end <= i + 4 ? sheet.mid(i + 1, end - i - 1) : QString();
+        const int less = number.endsWith(QLatin1Char('-')) ? 1 : 0;
+        number.chop(less);
+        const int length = number.toInt(&isLength);
         if (!isLength) {
             out += sheet.at(i);
             continue;
         }
-        out += QStringLiteral("%1px").arg(theme.px(length));
+        out += QStringLiteral("%1px").arg(theme.px(length) - less);
         i = end;
     }
     return out;

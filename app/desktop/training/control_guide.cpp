@@ -13,15 +13,15 @@ struct Words {
 
 std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates) {
     if (tool == session::PointerTool::endoscope)
-        return {{Pictogram::wheelAway, Words::tr("Advance"), Words::tr("Roll the wheel away from you, or hold W. Towards you, or S, withdraws.")},
+        return {{Pictogram::wheelAway, Words::tr("Advance"), Words::tr("Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.")},
                 {Pictogram::moveMouse, Words::tr("Turn"), Words::tr("Move the mouse, or use the arrow keys.")},
                 {Pictogram::rightHeld, Words::tr("Shift sideways"), Words::tr("Move the mouse with the right button or Shift held.")}};
     const ControlHint move{Pictogram::moveMouse, Words::tr("Move"), Words::tr("Move the mouse, or use the arrow keys.")};
-    const QString towards = Words::tr("Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.");
+    const QString towards = Words::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.");
     if (tool == session::PointerTool::grasper)
         return {move,
                 {Pictogram::wheelTowards, Words::tr("Lower"), towards},
-                {Pictogram::leftHeld, Words::tr("Close the jaw"), Words::tr("Hold the left button, or G. With Shift, or H, it opens.")}};
+                {Pictogram::leftHeld, Words::tr("Close the jaw"), Words::tr("Hold the left button, or G. To open it, hold Shift and the left button, or H.")}};
     if (palpates)
         return {move,
                 {Pictogram::wheelTowards, Words::tr("Press"), towards},

@@ -64,10 +64,10 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
                                            : Words::tr("Grasp the object gently");
     case LaparoscopyStep::lift: return Words::tr("Lift it up");
     case LaparoscopyStep::carry:
-        return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the dish; otherwise set it down")
-                                           : Words::tr("Bring it over the dish");
-    case LaparoscopyStep::place: return Words::tr("Set it down in the dish and let go");
-    case LaparoscopyStep::hold: return Words::tr("In the dish: let it lie still");
+        return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
+                                           : Words::tr("Bring it over the ring");
+    case LaparoscopyStep::place: return Words::tr("Set it down inside the ring and let go");
+    case LaparoscopyStep::hold: return Words::tr("In the ring: let it lie still");
     case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
     case LaparoscopyStep::none:
     case LaparoscopyStep::stretch:

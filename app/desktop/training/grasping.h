@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
+#include "session/level_limits.h"
 
 namespace chiron::desktop {
 
@@ -9,16 +10,16 @@ namespace chiron::desktop {
 struct Grasping {
     const simulation::ElasticTubeParameters* tube = nullptr;
     const simulation::ObjectHandlingParameters* handling = nullptr;
+    session::LevelLimits limits{}; ///< of the level
 
     explicit operator bool() const { return tube != nullptr || handling != nullptr; }
     int tools() const { return tube ? tube->tools() : handling ? handling->tools() : 1; }
-    double forceLimit_N() const { return tube ? tube->maximumForce_N : handling ? handling->maximumForce_N : 0.0; }
 };
 
 /// Empty where the level is done with something else. Points into `level`.
 inline Grasping graspingOf(const catalogue::ExerciseLevel& level) {
     return {std::get_if<simulation::ElasticTubeParameters>(&level.parameters),
-            std::get_if<simulation::ObjectHandlingParameters>(&level.parameters)};
+            std::get_if<simulation::ObjectHandlingParameters>(&level.parameters), session::levelLimits(level)};
 }
 
 } // namespace chiron::desktop

@@ -12,8 +12,8 @@ class QWidget;
 namespace chiron::desktop {
 
 /// The training screen's keys, wherever the focus is, in the native window of the 3D scene too: a filter on the application.
-/// Esc stops force at once and closes nothing while force may flow; Space pauses and resumes; Enter marks, or presses the
-/// button that has the focus; R re-arms; F5 starts again; the hand's own keys move the tool; Tab leaves the scene for the
+/// Esc stops force at once and closes nothing while force may flow; Space pauses and resumes, whatever has the focus; Enter marks, or
+/// presses the button that somebody went to with Tab (the screen takes the focus back whenever the hand goes on); R re-arms; F5 starts again; the hand's own keys move the tool; Tab leaves the scene for the
 /// controls. While a dialog is open or a text is being typed, Esc alone is taken. GUI thread.
 class KeyFilter final : public QObject {
     Q_OBJECT

@@ -7,6 +7,7 @@
 #include "desktop/widgets/scroll_page.h"
 
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <algorithm>
 
 namespace chiron::desktop {
@@ -14,10 +15,14 @@ namespace chiron::desktop {
 namespace {
 constexpr int kPageWidth_px = 760;
 constexpr double kControlWidth_px = 216; // three beside each other on a page of full width
+
+bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 } // namespace
 
-ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent) : QWidget(parent), m_theme(theme), m_kind(kind) {
+ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent) : QWidget(parent), m_theme(theme), m_kind(kind), m_cameByItself(!facts.practised.isEmpty()) {
     setObjectName(QStringLiteral("training.ready"));
+    if (m_cameByItself)
+        setAccessibleName(facts.practised); // it has the focus
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
@@ -29,9 +34,9 @@ ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWi
 }
 
 QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
-    auto* page = new ScrollPage(m_theme, kPageWidth_px);
-    page->setObjectName(QStringLiteral("training.ready.page"));
-    QVBoxLayout& column = *page->column();
+    m_page = new ScrollPage(m_theme, kPageWidth_px);
+    m_page->setObjectName(QStringLiteral("training.ready.page"));
+    QVBoxLayout& column = *m_page->column();
     column.setSpacing(m_theme.px(10));
     column.addWidget(kit::label(m_theme, tr("%1 · %2").arg(facts.exercise, facts.level), TextStyle::body, "muted"));
     if (!facts.practised.isEmpty()) {
@@ -50,7 +55,7 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
     };
     line(facts.limit, "training.ready.limit");
     line(facts.clock, "training.ready.clock");
-    if (m_kind != Kind::brief) {
+    if (!isShort()) {
         if (!facts.gates.isEmpty())
             line(tr("To pass:\n•  %1").arg(facts.gates.join(QStringLiteral("\n•  "))), "training.ready.gates");
         if (!facts.marks.isEmpty())
@@ -58,7 +63,7 @@ QWidget* ReadyCard::buildText(const ReadyFacts& facts) {
         line(facts.keys, "training.ready.keys", "muted");
     }
     column.addStretch(1);
-    return page;
+    return m_page;
 }
 
 QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
@@ -93,14 +98,19 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         flow->addWidget(button);
         return button;
     };
-    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : facts.practised.isEmpty() ? tr("Go (Enter)") : tr("Continue (Enter)"), "primary", "training.ready.go");
+    m_go = add(m_kind == Kind::paused ? tr("Resume (Enter)") : m_cameByItself ? tr("Continue") : tr("Go (Enter)"), "primary", "training.ready.go");
     connect(m_go, &QPushButton::clicked, this, &ReadyCard::goAsked);
     if (m_kind != Kind::paused && facts.offersPractice) {
         auto* practice = add(facts.practised.isEmpty() ? tr("Practise for a minute") : tr("Practise for another minute"), "", "training.ready.practice");
         practice->setToolTip(tr("Try the controls here for a minute. It is recorded as a familiarisation and does not count."));
         connect(practice, &QPushButton::clicked, this, &ReadyCard::practiceAsked);
     }
-    if (m_kind == Kind::brief)
+    if (m_kind == Kind::first && facts.offersDemonstration) {
+        auto* watch = add(tr("Watch first"), "", "training.ready.watch");
+        watch->setToolTip(tr("Watch a scripted expert at this level. Nothing is counted."));
+        connect(watch, &QPushButton::clicked, this, &ReadyCard::watchAsked);
+    }
+    if (isShort())
         connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this, &ReadyCard::wholeAsked);
     else
         connect(add(tr("Help for this screen"), "quiet", "training.ready.help"), &QPushButton::clicked, this, &ReadyCard::helpAsked);
@@ -108,24 +118,55 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
 }
 
 bool ReadyCard::eventFilter(QObject*, QEvent* event) {
-    if (event->type() != QEvent::KeyPress)
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease)
         return false;
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (key.key() == Qt::Key_Space)
+        return true; // it pauses in the scene, and a button would be pressed as it is let go
+    return event->type() == QEvent::KeyPress && pressed(key);
+}
+
+bool ReadyCard::pressed(const QKeyEvent& key) {
     auto* button = qobject_cast<QPushButton*>(focusWidget());
-    if (enter && button && button != m_go && button->hasFocus()) {
-        button->click(); // the button that has the focus, as everywhere
+    const bool hasButton = button && button->hasFocus();
+    const bool begins = isEnter(key.key()) || std::find(m_toolKeys.begin(), m_toolKeys.end(), key.key()) != m_toolKeys.end();
+    if (scroll(key.key()))
         return true;
-    }
-    if (!enter && std::find(m_toolKeys.begin(), m_toolKeys.end(), key.key()) == m_toolKeys.end())
+    if (!begins)
         return false;
-    emit goAsked();
+    if (key.isAutoRepeat())
+        return true; // held down since before the card was there
+    if (isEnter(key.key()) && hasButton)
+        button->click(); // the button that has the focus, as everywhere
+    else if (!m_cameByItself)
+        emit goAsked();
     return true;
+}
+
+// What is longer than the window is read with the keys, too: of the whole card alone, since on a short one they are a first movement.
+bool ReadyCard::scroll(int key) {
+    QScrollBar& bar = *m_page->verticalScrollBar();
+    if (isShort() || bar.maximum() <= 0)
+        return false;
+    if (key == Qt::Key_Up || key == Qt::Key_Down)
+        bar.triggerAction(key == Qt::Key_Up ? QAbstractSlider::SliderSingleStepSub : QAbstractSlider::SliderSingleStepAdd);
+    else if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
+        bar.triggerAction(key == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub : QAbstractSlider::SliderPageStepAdd);
+    else
+        return false;
+    return true;
+}
+
+void ReadyCard::takeFocus() {
+    if (m_cameByItself)
+        setFocus(Qt::OtherFocusReason);
+    else
+        m_go->setFocus(Qt::OtherFocusReason);
 }
 
 void ReadyCard::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    m_go->setFocus(Qt::OtherFocusReason);
+    takeFocus();
 }
 
 } // namespace chiron::desktop

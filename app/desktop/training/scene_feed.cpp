@@ -2,7 +2,7 @@
 #include "desktop/training/scene_feed.h"
 
 #include "desktop/training/endoscopy.h"
-#include "session/exercise_kind.h"
+#include "session/level_limits.h"
 
 namespace chiron::desktop {
 
@@ -29,8 +29,7 @@ scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const se
     scene3d::SceneSetup setup;
     setup.exercise = level.exercise;
     setup.parameters = level.parameters;
-    if (const auto kind = session::exerciseKind(level.exercise))
-        setup.forceLimit_N = (*kind)->forceLimit_N(level);
+    setup.forceLimit_N = session::levelLimits(level).force_N;
     setup.cues = {.tool = cues.tool, .arrow = cues.arrow, .object = cues.object, .overview = cues.overview, .guidance = cues.guidance};
     if (const auto* endoscopy = endoscopyOf(level))
         setup.depthOfField = endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : depthOfField.value_or(endoscopy->depthOfField);

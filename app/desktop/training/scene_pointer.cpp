@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/scene_pointer.h"
 
+#include <QApplication>
 #include <QCursor>
 #include <QLineF>
 #include <QMouseEvent>
@@ -12,7 +13,6 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kEdgeShare = 0.15; // nearer to an edge than this share of the scene: back to the middle
-constexpr double kJumpShare = 0.15; // no hand jumps this share of the scene between two events; a pointer that is led back does
 } // namespace
 
 ScenePointer::ScenePointer(HandControl& control, QObject& source, QWidget& area, QObject* parent)
@@ -30,7 +30,8 @@ void ScenePointer::capture() {
     m_known = false;
     m_onItsWay = false;
     setCursorShape(Qt::BlankCursor);
-    if (m_area->window()->isActiveWindow())
+    qApp->installEventFilter(this); // a quick movement is over before the pointer could be led back
+    if (m_area->window()->isActiveWindow() && !inner().contains(m_area->mapFromGlobal(QCursor::pos())))
         backToMiddle();
 }
 
@@ -38,6 +39,7 @@ void ScenePointer::release() {
     if (!m_captured)
         return;
     m_captured = false;
+    qApp->removeEventFilter(this);
     setCursorShape(Qt::ArrowCursor);
 }
 
@@ -48,21 +50,56 @@ void ScenePointer::setCursorShape(Qt::CursorShape shape) {
         window->setCursor(shape);
 }
 
+QRectF ScenePointer::inner() const {
+    const double x = kEdgeShare * m_area->width();
+    const double y = kEdgeShare * m_area->height();
+    return QRectF(m_area->rect()).marginsRemoved({x, y, x, y});
+}
+
 void ScenePointer::backToMiddle() {
     m_onItsWay = true;
     QCursor::setPos(m_area->mapToGlobal(m_area->rect().center()));
 }
 
+// It is led back from near an edge, so that what comes from the middle is nearer to it than to where the pointer was, whatever the scene's
+// proportions: no hand covers half of that way between two events.
 bool ScenePointer::isArrival(QPointF at) const {
     const QPointF middle = QRectF(m_area->rect()).center();
-    const double jump = QLineF(at, m_last).length();
-    return m_onItsWay && jump > kJumpShare * m_area->width() && QLineF(at, middle).length() < jump;
+    return m_onItsWay && QLineF(at, middle).length() < QLineF(at, m_last).length();
 }
 
-bool ScenePointer::eventFilter(QObject*, QEvent* event) {
+bool ScenePointer::aroundTheScene(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease && m_captured)
+        m_control.buttonUp(); // wherever it is let go; the window has to know of it, too
+    const bool moves = event->type() == QEvent::MouseMove;
+    const bool presses = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if ((!moves && !presses) || !m_captured || !m_area || watched != m_area->window()->windowHandle())
+        return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(*event);
+    const QPointF at = m_area->mapFromGlobal(mouse.globalPosition());
+    if (QRectF(m_area->rect()).contains(at))
+        return false; // the scene's own: it comes there next
+    moves ? moved(at, mouse) : press(mouse);
+    return true;
+}
+
+void ScenePointer::press(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton)
+        return;
+    if (!m_captured) {
+        emit captureAsked();
+        return;
+    }
+    m_control.buttonDown((event.modifiers() & Qt::ShiftModifier) != 0);
+    emit marked();
+}
+
+bool ScenePointer::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_source)
+        return aroundTheScene(watched, event);
     switch (event->type()) {
     case QEvent::MouseMove:
-        moved(static_cast<QMouseEvent&>(*event));
+        moved(static_cast<QMouseEvent&>(*event).position(), static_cast<QMouseEvent&>(*event));
         return m_captured;
     case QEvent::Leave:
         if (m_captured && m_area->window()->isActiveWindow())
@@ -70,14 +107,7 @@ bool ScenePointer::eventFilter(QObject*, QEvent* event) {
         return false;
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick: // two quick marks are two marks
-        if (static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton) {
-            if (m_captured) {
-                m_control.buttonDown((static_cast<QMouseEvent&>(*event).modifiers() & Qt::ShiftModifier) != 0);
-                emit marked();
-            } else {
-                emit captureAsked();
-            }
-        }
+        press(static_cast<QMouseEvent&>(*event));
         return true;
     case QEvent::MouseButtonRelease:
         if (static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton)
@@ -94,21 +124,20 @@ bool ScenePointer::eventFilter(QObject*, QEvent* event) {
     }
 }
 
-void ScenePointer::moved(const QMouseEvent& event) {
+void ScenePointer::moved(QPointF at, const QMouseEvent& event) {
     if (!m_captured || !m_area)
         return;
-    const QPointF at = event.position();
     if (m_known && isArrival(at)) {
         m_last = QRectF(m_area->rect()).center();
         m_onItsWay = false;
     }
     if (m_known)
         m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0 || (event.modifiers() & Qt::ShiftModifier) != 0);
+    else if (inner().contains(at))
+        m_onItsWay = false; // it has arrived before anything was heard of it
     m_last = at;
     m_known = true;
-    const QMarginsF edge(kEdgeShare * m_area->width(), kEdgeShare * m_area->height(), kEdgeShare * m_area->width(),
-                         kEdgeShare * m_area->height());
-    if (!m_onItsWay && !QRectF(m_area->rect()).marginsRemoved(edge).contains(at))
+    if (!m_onItsWay && !inner().contains(at))
         backToMiddle();
 }
 

@@ -12,7 +12,12 @@ class QWidget;
 namespace chiron::desktop {
 
 /// Mouse and wheel over the scene as hand movements. While captured the pointer is hidden and kept inside the scene, so
-/// that no edge ends a movement; a click marks. Free, it is an ordinary pointer and a click asks for capture. GUI thread.
+/// that no edge ends a movement; a click marks. Free, it is an ordinary pointer and a click asks for capture.
+///
+/// Every pixel that the pointer moves in the window is handed on, in however many events it is told: the same path ends at the same place.
+/// A movement so quick that it leaves the scene between two events is taken from the window around it. What the system does not tell is
+/// lost: beyond the edge of the screen there are no pixels. How fast a tool follows is the driver's law (keyboard_mouse/README.md). GUI
+/// thread.
 class ScenePointer final : public QObject {
     Q_OBJECT
 public:
@@ -32,8 +37,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void moved(const QMouseEvent& event);
+    bool aroundTheScene(QObject* watched, QEvent* event); ///< in its window, while captured
+    void press(const QMouseEvent& event);
+    void moved(QPointF at, const QMouseEvent& event); ///< at: in the area's pixels
     void backToMiddle();
+    QRectF inner() const; ///< of the area, away from its edges
     bool isArrival(QPointF at) const; ///< the pointer was led back, and this is the first event from there
     void setCursorShape(Qt::CursorShape shape);
 

@@ -12,6 +12,7 @@ namespace chiron::desktop {
 namespace {
 
 const std::string kExpert = "expert"; // who shows how it is done
+constexpr int kTried = 3; // trials: enough to be better at the third, short enough to be done at once
 
 core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
     auto kind = session::exerciseKind(level.exercise);
@@ -72,7 +73,8 @@ QVariantMap TrainingPlan::toMap() const {
                 {QStringLiteral("base_tilt_rad"), workspace.turn_rad[1]},
                 {QStringLiteral("base_roll_rad"), workspace.turn_rad[2]},
                 {QStringLiteral("familiarisation"), familiarisation},
-                {QStringLiteral("practice_s"), practice_s}};
+                {QStringLiteral("practice_s"), practice_s},
+                {QStringLiteral("trials"), trials}};
     if (depthOfField)
         map.insert(QStringLiteral("depth_of_field"), *depthOfField);
     return map;
@@ -95,8 +97,18 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
                                map.value(QStringLiteral("base_roll_rad")).toDouble()};
     plan.familiarisation = map.value(QStringLiteral("familiarisation")).toBool();
     plan.practice_s = map.value(QStringLiteral("practice_s")).toDouble();
+    plan.trials = map.value(QStringLiteral("trials")).toInt();
     if (map.contains(QStringLiteral("depth_of_field")))
         plan.depthOfField = map.value(QStringLiteral("depth_of_field")).toBool();
+    return plan;
+}
+
+TrainingPlan tryPlan(const std::string& exercise, int level) {
+    TrainingPlan plan;
+    plan.exercise = QString::fromStdString(exercise);
+    plan.level = level;
+    plan.familiarisation = true;
+    plan.trials = kTried;
     return plan;
 }
 

@@ -25,6 +25,7 @@ struct TrainingPlan {
     session::WorkspaceChoice workspace; ///< mouse
     bool familiarisation = false;
     double practice_s = 0.0; ///< a familiarisation of this length, after which the level itself waits; mouse. 0: none
+    int trials = 0; ///< no more than so many: the level is tried, as a familiarisation. 0: all of them
     std::optional<bool> depthOfField; ///< as the person switched it; empty: as the level begins
 
     bool ownHand() const { return device == PlanDevice::mouse; }
@@ -33,6 +34,9 @@ struct TrainingPlan {
     static TrainingPlan fromMap(const QVariantMap& map); ///< what is missing or unknown is as in a new plan
 };
 
+/// A level to be tried with one's own hand, in about a minute: a few trials that do not count, and a debrief at their end.
+TrainingPlan tryPlan(const std::string& exercise, int level);
+
 /// An expert's demonstration of a level; nothing where this program has none.
 std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level);
 
@@ -40,6 +44,8 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level);
 inline constexpr const char* kAtOnce = "at_once";
 /// The same: true where a practice of this level has just ended.
 inline constexpr const char* kPractised = "practised";
+/// In a place of the debrief: true where the person's own session has just ended, by itself or not.
+inline constexpr const char* kJustEnded = "just_ended";
 /// The person's setting (Settings::ofPerson) that tells that they know this level's ready card.
 QString readyKey(const TrainingPlan& plan);
 

@@ -18,6 +18,7 @@
 #include "desktop/widgets/state_panel.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QTimer>
 
 namespace chiron::desktop {
@@ -37,7 +38,7 @@ TrainingScreen::~TrainingScreen() {
 }
 
 void TrainingScreen::enter() {
-    m_card ? m_card->goButton()->setFocus(Qt::OtherFocusReason) : setFocus();
+    m_card ? m_card->takeFocus() : setFocus();
     if (!m_level)
         fail({core::ErrorCode::notFound, "exercise \"" + m_plan.exercise.toStdString() + "\": no level " + std::to_string(m_plan.level)});
 }
@@ -248,7 +249,7 @@ void TrainingScreen::onFinished() {
         plan.insert(QString::fromLatin1(kAtOnce), true);
         context().navigator().replace({QStringLiteral("training"), plan}); // a new screen: every value from nothing
     } else {
-        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}}});
+        context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}, {QString::fromLatin1(kJustEnded), m_plan.ownHand()}}});
     }
 }
 

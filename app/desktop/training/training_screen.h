@@ -11,12 +11,14 @@
 #include "desktop/training/live_feed.h"
 #include "desktop/training/hand_control.h"
 #include "desktop/training/palpation_map.h"
+#include "desktop/training/ready_card.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
 #include "desktop/training/sound_cue_player.h"
 #include "desktop/training/training_plan.h"
 #include "session/exercise_kind.h"
 #include "session/level_cues.h"
+#include "session/level_limits.h"
 
 #include <optional>
 
@@ -31,8 +33,6 @@ class HeaderBar;
 class InfoView;
 class KeyFilter;
 class PalpationPanel;
-class ReadyCard;
-struct ReadyFacts;
 class SoundSign;
 class StatePanel;
 
@@ -83,7 +83,7 @@ private:
     bool hasCard() const { return m_plan.ownHand() && !m_plan.practises(); }
     ReadyFacts readyFacts() const;
     QStringList markWords() const;
-    void showCard(bool whole);
+    void showCard(ReadyCard::Kind kind);
     void showCardAgain(); ///< while a session waits
     void takeCardAway();
     void go();
@@ -131,9 +131,10 @@ private:
     void toggleMute();
 
     TrainingPlan m_plan;
-    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's; null: no such level
+    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
+    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's, or m_tried; null: no such level
     session::LevelCues m_cues;
-    double m_limit_N = 4.0;
+    session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
     int m_tools = 1; ///< instruments of the level
 

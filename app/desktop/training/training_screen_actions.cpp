@@ -103,8 +103,11 @@ void TrainingScreen::hold() {
         m_pointer->release();
 }
 
+// The focus comes back to the scene, too: Enter marks again, and presses no button that was used to go on.
 void TrainingScreen::goOn() {
     takeCardAway();
+    if (!m_control->held())
+        setFocus(Qt::OtherFocusReason);
     if (m_pointer && !m_control->held())
         m_pointer->capture();
 }

@@ -39,18 +39,23 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
       m_level(context.site().catalogue().find(m_plan.exercise.toStdString(), m_plan.level)), m_sound(4.0) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(title());
+    if (m_level && m_plan.trials > 0)
+        if (auto tried = catalogue::withTrials(*m_level, m_plan.trials)) {
+            m_tried = std::move(*tried);
+            m_level = &*m_tried;
+        }
     if (m_level) {
         // Who watches feels nothing, whatever the device renders.
         m_cues = session::cuesOf(*m_level, false);
         if (const auto kind = session::exerciseKind(m_level->exercise)) {
-            m_limit_N = (*kind)->forceLimit_N(*m_level);
+            m_limits = session::levelLimits(*m_level);
             m_tool = (*kind)->pointerTool();
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
     if (m_level)
         m_palpated = palpationOf(*m_level);
-    m_sound = SoundCuePlayer(m_limit_N);
+    m_sound = SoundCuePlayer(m_limits.force_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
     m_sound.setSwitches({on("contact"), on("force"), on("lean"), on("warning")});
@@ -59,7 +64,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
     buildKeys();
     m_wentAhead = !m_level || !hasCard() || place.parameters.value(QString::fromLatin1(kAtOnce)).toBool();
     if (!m_wentAhead)
-        showCard(!context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool());
+        showCard(context.settings().ofPerson(context.actor().personId(), readyKey(m_plan), false).toBool() ? ReadyCard::Kind::brief : ReadyCard::Kind::first);
 }
 
 void TrainingScreen::makeHeader() {
@@ -156,7 +161,7 @@ InfoView* TrainingScreen::makeInfo() {
         return new GraspPanel(context().theme(), context().locale(), m_cues, grasping);
     if (m_palpated)
         return makePalpationInfo();
-    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limit_N});
+    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
 }
 
 QWidget* TrainingScreen::buildSide() {
@@ -221,6 +226,10 @@ void TrainingScreen::buildKeys() {
         m_controls->mainButton()->setFocus(Qt::TabFocusReason);
     });
     connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
+        if (down && m_card) {
+            (void)m_card->scroll(key); // nothing moves while it is read
+            return;
+        }
         if (!m_hand || (down && panelKey(key)) || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);

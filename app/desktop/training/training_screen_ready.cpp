@@ -44,34 +44,42 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
     facts.controls = controlGuide(m_tool, m_palpated != nullptr);
     facts.keys = keysText();
-    facts.limit = tr("Force limit: %1 N. %2.").arg(context().locale().toString(m_limit_N, 'g', 3), deviceTitle(m_plan));
-    for (const scoring::Gate& gate : m_level->gates)
-        facts.gates << gateInWords(gate, context().locale());
+    facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")), deviceTitle(m_plan));
+    facts.gates = gatesInWords(*m_level, context().locale());
     facts.marks = markWords();
     const auto kind = session::exerciseKind(m_level->exercise);
     const int trials = kind ? (*kind)->trialCount(*m_level) : 1;
-    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue or move the tool with a key.", nullptr, trials)
+    facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
                               : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
+    if (m_plan.trials > 0) {
+        facts.offersPractice = false; // it is one
+        facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
+    }
+    facts.offersDemonstration = !m_practised && expertPlan(m_level->exercise, m_level->number).has_value();
     if (m_practised)
         facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
                                                  : tr("The practice is over and does not count. The trials that count begin when you press Continue.");
     return facts;
 }
 
-void TrainingScreen::showCard(bool whole) {
+void TrainingScreen::showCard(ReadyCard::Kind kind) {
     takeCardAway();
-    m_card = new ReadyCard(context().theme(), readyFacts(), whole ? ReadyCard::Kind::whole : ReadyCard::Kind::brief);
+    m_card = new ReadyCard(context().theme(), readyFacts(), kind);
     m_card->setToolKeys(movementKeys(m_tool));
     connect(m_card, &ReadyCard::goAsked, this, &TrainingScreen::go);
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
-    connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(true); });
+    connect(m_card, &ReadyCard::watchAsked, this, [this] {
+        if (const auto expert = expertPlan(m_level->exercise, m_level->number))
+            context().navigator().replace({QStringLiteral("training"), expert->toMap()}); // whose debrief says "Now you"
+    });
+    connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(ReadyCard::Kind::whole); });
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
     m_stage->showContent();
     for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
         part->hide(); // nothing runs that could be measured or stopped: the card has the room
-    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+    m_card->takeFocus();
 }
 
 void TrainingScreen::showCardAgain() {
@@ -89,7 +97,7 @@ void TrainingScreen::showCardAgain() {
     m_pages->setCurrentWidget(m_card);
     for (QWidget* part : {m_side, m_foot})
         part->hide(); // force can be stopped, whatever is read
-    m_card->goButton()->setFocus(Qt::OtherFocusReason);
+    m_card->takeFocus();
 }
 
 void TrainingScreen::takeCardAway() {

@@ -3,11 +3,17 @@
 
 #include "support/kept_text.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QMetaEnum>
 #include <QPainter>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QVBoxLayout>
 #include <QtTest>
 #include <cmath>
 
@@ -82,8 +88,64 @@ private slots:
     void styleSheetHasNoTokenLeft() {
         const QString sheet = Theme::load(ThemeName::dark, 1.5)->styleSheet();
         QVERIFY(!sheet.contains(QLatin1Char('@')));
-        QVERIFY(!sheet.contains(QRegularExpression(QStringLiteral("#[0-9]{1,3}#"))));
+        QVERIFY(!sheet.contains(QRegularExpression(QStringLiteral("#[0-9]{1,3}-?#"))));
         QVERIFY(sheet.contains(Theme::load(ThemeName::dark, 1.5)->color(Colour::accentSoft).name()));
+    }
+
+    /// A layout is not made anew for the focus: what has it, is pressed in or is wrong has the size that it had.
+    void focusChangesNoSize_data() {
+        QTest::addColumn<double>("scale");
+        for (const double scale : {1.0, 1.25, 1.5, 1.75, 2.0})
+            QTest::addRow("%.0f %%", 100.0 * scale) << scale;
+    }
+
+    void focusChangesNoSize() {
+        QFETCH(double, scale);
+        const auto theme = Theme::load(ThemeName::light, scale);
+        QVERIFY(theme);
+        QWidget window;
+        window.setStyleSheet(theme->styleSheet());
+        auto* column = new QVBoxLayout(&window);
+        std::vector<QWidget*> parts{new QLineEdit, new QSpinBox, new QDoubleSpinBox, new QComboBox};
+        for (const char* kind : {"", "primary", "danger", "quiet"}) {
+            auto* button = new QPushButton(QStringLiteral("A button"));
+            button->setProperty("kind", QLatin1String(kind));
+            button->setAutoDefault(false);
+            parts.push_back(button);
+        }
+        for (QWidget* part : parts) {
+            part->setFont(theme->font(TextStyle::title)); // taller than the least height
+            column->addWidget(part);
+        }
+        auto* elsewhere = new QCheckBox(QStringLiteral("Elsewhere"));
+        column->addWidget(elsewhere);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        elsewhere->setFocus();
+        QTRY_VERIFY(elsewhere->hasFocus());
+        const QSize plain = parts[4]->sizeHint();
+        for (QWidget* part : parts) {
+            const QByteArray what = part->metaObject()->className() + QByteArray(" ") + part->property("kind").toByteArray();
+            const QSize before = part->sizeHint();
+            part->setFocus();
+            QTRY_VERIFY(part->hasFocus());
+            QVERIFY2(part->sizeHint() == before, what);
+            if (auto* button = qobject_cast<QPushButton*>(part)) {
+                QCOMPARE(before.height(), plain.height()); // whatever its kind
+                button->setCheckable(true);
+                button->setChecked(true);
+                QVERIFY2(part->sizeHint() == before, what);
+            }
+            elsewhere->setFocus();
+            QTRY_VERIFY(elsewhere->hasFocus());
+        }
+        auto* field = static_cast<QLineEdit*>(parts[0]);
+        const QSize good = field->sizeHint();
+        field->setProperty("kind", QStringLiteral("bad"));
+        field->style()->unpolish(field);
+        field->style()->polish(field);
+        QCOMPARE(field->sizeHint(), good);
     }
 
     void badTokensAreNamed() {

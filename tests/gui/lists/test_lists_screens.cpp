@@ -115,6 +115,38 @@ private slots:
             QVERIFY2(desktop.find<QPushButton>(QLatin1String(name)), name);
     }
 
+    void whoeverMayTrainFindsAnExercise_data() {
+        QTest::addColumn<QString>("person");
+        for (const char* person : {"ada", "tom", "rhea", "tina"})
+            QTest::addRow("%s", person) << QString(QLatin1String(person));
+    }
+
+    void whoeverMayTrainFindsAnExercise() {
+        QFETCH(QString, person);
+        DesktopFixture desktop;
+        desktop.logIn(person.toStdString());
+        QVERIFY(loaded(desktop));
+        auto* now = desktop.find<QPushButton>(QStringLiteral("home.try"));
+        QVERIFY(now);
+        now->click();
+        QCOMPARE(here(desktop).screen, QStringLiteral("training"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("exercise")).toString(), QStringLiteral("sphere_apex"));
+        QVERIFY(here(desktop).parameters.value(QStringLiteral("familiarisation")).toBool()); // a try does not count
+        QVERIFY(here(desktop).parameters.value(QStringLiteral("trials")).toInt() > 0);
+    }
+
+    void whoIsNoTraineeGoesOnAfterTheirOwnPart() {
+        DesktopFixture desktop;
+        desktop.addSession("tom");
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.try")));
+        auto* go = desktop.find<QPushButton>(QStringLiteral("home.continue"));
+        auto* sessions = desktop.find<QPushButton>(QStringLiteral("home.sessions"));
+        QVERIFY(go && sessions);
+        QTRY_VERIFY(go->mapTo(desktop.window.get(), QPoint()).y() > sessions->mapTo(desktop.window.get(), QPoint()).y());
+    }
+
     void whatACrashLeftIsTold() {
         DesktopFixture desktop;
         tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 2);

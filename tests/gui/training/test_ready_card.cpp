@@ -9,6 +9,9 @@
 #include "desktop/training/scene_feed.h"
 
 #include <QDialog>
+#include <QKeyEvent>
+#include <QScrollArea>
+#include <QScrollBar>
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -48,6 +51,13 @@ private slots:
     void aFirstMovementBegins_data();
     void aFirstMovementBegins();
     void theButtonWithTheFocusIsPressed();
+    void aKeyOfTheScenePressesNoButton_data();
+    void aKeyOfTheScenePressesNoButton();
+    void whatIsHeldDownBeginsNothing();
+    void theWholeCardIsReadWithTheKeys();
+    void practiceEndsWithoutAnyButtonInHand();
+    void whoIsNewMayWatchFirst();
+    void afterAPauseEnterMarks();
     void helpBringsItBack();
     void stoppedItLeadsBackToReArm();
     void whoWatchesHasNone();
@@ -58,7 +68,7 @@ private slots:
 void TestReadyCard::nothingRunsBeforeGo() {
     TrainingBench bench;
     bench.show();
-    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::first);
     QTest::qWait(300);
     QVERIFY(!bench.screen()->feed() && !bench.screen()->isBusy() && !bench.desktop.context.trialRuns());
     QCOMPARE(sessionsOf(bench), std::size_t{0}); // who reads and leaves has no attempt
@@ -84,6 +94,8 @@ void TestReadyCard::saysWhatToDo() {
     QFETCH(QStringList, movements);
     TrainingBench bench;
     bench.show({{QStringLiteral("exercise"), exercise}});
+    QVERIFY(!bench.screen()->findChild<QLabel*>(QStringLiteral("training.ready.gates"))); // first what it takes to begin
+    button(bench, "training.ready.more")->click();
     const catalogue::ExerciseLevel& level = levelOf(bench, qPrintable(exercise), 1);
     QCOMPARE(bench.text("training.ready.goal"), QString::fromStdString(level.goal.at("en")));
     QStringList named;
@@ -92,10 +104,11 @@ void TestReadyCard::saysWhatToDo() {
     QCOMPARE(named, movements);
     const auto kind = session::exerciseKind(level.exercise);
     const QString limit = bench.text("training.ready.limit");
-    QVERIFY2(limit.contains(bench.desktop.context.locale().toString((*kind)->forceLimit_N(level), 'g', 3) + QStringLiteral(" N")), qPrintable(limit));
+    for (const QString& words : desktop::limitsInWords(level, bench.desktop.context.locale()))
+        QVERIFY2(limit.contains(words), qPrintable(limit));
     QVERIFY2(limit.contains(QStringLiteral("shown, not felt")), qPrintable(limit)); // a mouse is no haptic device
-    for (const scoring::Gate& gate : level.gates)
-        QVERIFY(bench.text("training.ready.gates").contains(desktop::gateInWords(gate, bench.desktop.context.locale())));
+    for (const QString& words : desktop::gatesInWords(level, bench.desktop.context.locale()))
+        QVERIFY(bench.text("training.ready.gates").contains(words));
     QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("%1 trial").arg((*kind)->trialCount(level))));
     QVERIFY(!bench.text("training.ready.keys").isEmpty());
     // What is drawn to guide is explained; what this level does not draw is not.
@@ -132,10 +145,10 @@ void TestReadyCard::laterItIsBrief() {
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
     QVERIFY(!bench.text("training.ready.gates").isEmpty());
     bench.show({{QStringLiteral("level"), 2}}); // another level is new
-    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::first);
     bench.desktop.logIn("theo"); // and so is this one for somebody else
     bench.show();
-    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::first);
 }
 
 void TestReadyCard::aFirstMovementBegins_data() {
@@ -161,6 +174,7 @@ void TestReadyCard::aFirstMovementBegins() {
 void TestReadyCard::theButtonWithTheFocusIsPressed() {
     TrainingBench bench;
     bench.show();
+    button(bench, "training.ready.more")->click();
     QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
     auto* help = button(bench, "training.ready.help");
     help->setFocus();
@@ -171,6 +185,122 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
     };
     QTRY_VERIFY(dialogIsThere());
     QVERIFY(card(bench) && !bench.screen()->feed());
+}
+
+void TestReadyCard::aKeyOfTheScenePressesNoButton_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<bool>("practised");
+    for (const auto& [name, kind] : {std::pair{"first", ReadyCard::Kind::first}, {"brief", ReadyCard::Kind::brief}, {"whole", ReadyCard::Kind::whole},
+                                     {"paused", ReadyCard::Kind::paused}})
+        for (const bool practised : {false, true})
+            QTest::addRow("%s%s", name, practised ? ", after a practice" : "") << static_cast<int>(kind) << practised;
+}
+
+/// Whichever of a card's buttons has the focus: what pauses, marks, re-arms or answers in a scene presses none of them.
+void TestReadyCard::aKeyOfTheScenePressesNoButton() {
+    QFETCH(int, kind);
+    QFETCH(bool, practised);
+    TrainingBench bench;
+    desktop::ReadyFacts facts;
+    facts.goal = QStringLiteral("A goal.");
+    facts.offersDemonstration = true;
+    facts.practised = practised ? QStringLiteral("The practice is over.") : QString();
+    ReadyCard shown(bench.desktop.context.theme(), facts, static_cast<ReadyCard::Kind>(kind));
+    shown.setToolKeys(desktop::movementKeys(session::PointerTool::point));
+    int asked = 0;
+    for (const auto signal : {&ReadyCard::goAsked, &ReadyCard::practiceAsked, &ReadyCard::watchAsked, &ReadyCard::wholeAsked, &ReadyCard::helpAsked})
+        connect(&shown, signal, &shown, [&asked] { ++asked; });
+    shown.show();
+    shown.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&shown));
+    QTRY_VERIFY(QApplication::focusWidget());
+    for (auto* each : shown.findChildren<QPushButton*>()) {
+        each->setFocus();
+        QTRY_VERIFY(each->hasFocus());
+        for (const Qt::Key key : {Qt::Key_Space, Qt::Key_R, Qt::Key_D, Qt::Key_N, Qt::Key_1, Qt::Key_F5, Qt::Key_Delete})
+            QTest::keyClick(each, key);
+        QCOMPARE(asked, 0);
+        QTest::keyClick(each, Qt::Key_Return); // that is how a button is pressed
+        QCOMPARE(asked, 1);
+        asked = 0;
+    }
+}
+
+void TestReadyCard::whatIsHeldDownBeginsNothing() {
+    TrainingBench bench;
+    bench.show();
+    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Right}) {
+        QKeyEvent again(QEvent::KeyPress, key, Qt::NoModifier, QString(), true);
+        QApplication::sendEvent(QApplication::focusWidget(), &again);
+    }
+    QVERIFY(card(bench) && !bench.screen()->feed());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+}
+
+void TestReadyCard::theWholeCardIsReadWithTheKeys() {
+    TrainingBench bench;
+    bench.desktop.settings.setScale(2.0);
+    bench.desktop.window->resize(1280, 720);
+    bench.desktop.context.applyAppearance();
+    bench.show({{QStringLiteral("exercise"), QStringLiteral("palpation")}});
+    button(bench, "training.ready.more")->click();
+    auto* page = card(bench)->findChild<QScrollArea*>(QStringLiteral("training.ready.page"));
+    QVERIFY(page);
+    QTRY_VERIFY(page->verticalScrollBar()->maximum() > 0);
+    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageDown);
+    QVERIFY(page->verticalScrollBar()->value() > 0);
+    QVERIFY(card(bench) && !bench.screen()->feed()); // and it is no first movement
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageUp);
+    QCOMPARE(page->verticalScrollBar()->value(), 0);
+}
+
+void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
+    TrainingBench bench;
+    bench.show({{QStringLiteral("practice_s"), 1.5}});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    QTRY_VERIFY(card(bench)->hasFocus());
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Right, Qt::Key_PageDown}) // they were meant for the practice
+        QTest::keyClick(QApplication::focusWidget(), key);
+    QTest::qWait(100);
+    QVERIFY(card(bench) && !bench.screen()->feed());
+    button(bench, "training.ready.go")->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(button(bench, "training.ready.go"), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+}
+
+void TestReadyCard::whoIsNewMayWatchFirst() {
+    TrainingBench bench;
+    bench.show();
+    button(bench, "training.ready.watch")->click();
+    QVERIFY(!card(bench)); // who watches has none
+    QCOMPARE(bench.desktop.context.navigator().current().parameters.value(QStringLiteral("device")).toString(), QStringLiteral("demonstration"));
+    bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(), desktop::readyKey(desktop::TrainingPlan::fromMap({{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}})), true);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed(), 30'000);
+    bench.screen()->feed()->training().requestStop();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 30'000);
+    bench.show();
+    QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
+    QVERIFY(!bench.screen()->findChild<QPushButton*>(QStringLiteral("training.ready.watch"))); // who knows the level is not asked again
+}
+
+void TestReadyCard::afterAPauseEnterMarks() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    auto* main = button(bench, "training.main");
+    main->setFocus();
+    main->click();
+    QTRY_VERIFY(bench.state().paused);
+    main->click(); // with the mouse: the focus stays on it until the trial goes on
+    QTRY_VERIFY(!bench.state().paused);
+    QVERIFY(!main->hasFocus());
+    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(), Qt::Key_Return);
+    QTRY_VERIFY(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between);
+    QVERIFY(!bench.state().paused || bench.state().phase == core::TrialPhase::between);
 }
 
 void TestReadyCard::helpBringsItBack() {
@@ -238,7 +368,7 @@ void TestReadyCard::practiceDoesNotCount() {
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000); // what was practised waits, and the level is still new
-    QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::whole);
+    QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::first);
     bench.show({{QStringLiteral("practice_s"), 1.5}}); // it ends by itself, and says so before and after
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     QTRY_VERIFY(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")));

@@ -7,9 +7,12 @@
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/training_plan.h"
+#include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QPushButton>
+#include <QWindow>
 #include <QtTest>
 #include <set>
 
@@ -25,6 +28,9 @@ private slots:
     void aPlotIsQuicklyPainted();
     void pixelsBecomeMetres();
     void aPointerLedBackMakesNoJump();
+    void inAWideSceneNeither();
+    void theSamePathEndsAtTheSamePlace();
+    void aMovementOutOfTheSceneIsNotLost();
     void onlyACapturedPointerIsLedBackWhenItLeaves();
     void heldKeysBecomeASpeed();
     void everyStateHasItsWords();
@@ -163,6 +169,85 @@ void TestTrainingParts::aPointerLedBackMakesNoJump() {
     QVERIFY(qFuzzyCompare(moveTo(500.0), 220.0));
     pointer.release();
     QVERIFY(qFuzzyCompare(moveTo(100.0), 220.0));
+}
+
+/// Above and below the middle of a wide scene there is less room than beside it.
+void TestTrainingParts::inAWideSceneNeither() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 1.0);
+    QWidget area;
+    area.resize(1600, 400);
+    ScenePointer pointer(hand, area, area);
+    const auto moveTo = [&](double y) {
+        QMouseEvent event(QEvent::MouseMove, QPointF(800.0, y), QPointF(800.0, y), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&area, &event);
+        return -mailbox.read().moved[1] / PointerControl::kMetresPerPixel; // down on the screen
+    };
+    pointer.capture();
+    QCOMPARE(moveTo(300.0), 0.0);
+    QVERIFY(qFuzzyCompare(moveTo(345.0), 45.0)); // near the lower edge: led back from here on
+    QVERIFY(qFuzzyCompare(moveTo(205.0), 50.0)); // arrived at 200, moved on by 5
+    QVERIFY(qFuzzyCompare(moveTo(255.0), 100.0));
+}
+
+/// In one event or in many: nothing is cut off of a large one, and the driver follows all of it.
+void TestTrainingParts::theSamePathEndsAtTheSamePlace() {
+    std::vector<std::array<std::int32_t, 2>> ends;
+    for (const int events : {1, 50}) {
+        auto device = devices::KeyboardMouseDevice::create({.following_s = 0.025});
+        QVERIFY(device && (*device)->open());
+        PointerControl hand((*device)->mailbox(), 1.0);
+        QWidget area;
+        area.resize(1000, 800);
+        ScenePointer pointer(hand, area, area);
+        pointer.capture();
+        realtime::TickSource ticks;
+        core::DeviceSample sample;
+        for (int i = 0; i <= events; ++i) {
+            const QPointF at = QPointF(300.0, 250.0) + QPointF(400.0, 300.0) * i / events;
+            QMouseEvent event(QEvent::MouseMove, at, at, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(&area, &event);
+            sample = (*device)->read(ticks.next(0));
+        }
+        for (int tick = 0; tick < 500; ++tick) // until it has caught up
+            sample = (*device)->read(ticks.next(0));
+        ends.push_back({sample.counts[0], sample.counts[1]});
+    }
+    QVERIFY(std::abs(ends[0][0] - ends[1][0]) <= 1 && std::abs(ends[0][1] - ends[1][1]) <= 1); // of a grid of 1 um
+    QVERIFY(std::abs(ends[0][0] - 40'000) <= 1); // 400 pixels
+}
+
+/// So quick that the next event is outside of the scene: its window tells of it.
+void TestTrainingParts::aMovementOutOfTheSceneIsNotLost() {
+    devices::PointerMailbox mailbox;
+    PointerControl hand(mailbox, 1.0);
+    QWidget window;
+    window.resize(900, 400);
+    QWidget area(&window);
+    area.setGeometry(0, 0, 600, 400);
+    QPushButton beside(&window);
+    beside.setGeometry(650, 0, 200, 400);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    ScenePointer pointer(hand, area, area);
+    int marks = 0, clicks = 0;
+    connect(&pointer, &ScenePointer::marked, &window, [&marks] { ++marks; });
+    connect(&beside, &QPushButton::clicked, &window, [&clicks] { ++clicks; });
+    const auto send = [&](QEvent::Type type, double x, Qt::MouseButton button = Qt::NoButton) {
+        const QPointF at(x, 200.0);
+        QMouseEvent event(type, at, window.mapToGlobal(at), button, type == QEvent::MouseButtonPress ? Qt::MouseButtons(button) : Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(window.windowHandle(), &event);
+        return mailbox.read().moved[0] / PointerControl::kMetresPerPixel;
+    };
+    pointer.capture();
+    send(QEvent::MouseMove, 300.0); // where it is
+    QVERIFY(qFuzzyCompare(send(QEvent::MouseMove, 320.0), 20.0));
+    QVERIFY(qFuzzyCompare(send(QEvent::MouseMove, 740.0), 440.0)); // over the button beside the scene
+    send(QEvent::MouseButtonPress, 740.0, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, 740.0, Qt::LeftButton);
+    QVERIFY(marks == 1 && clicks == 0); // a captured pointer marks, and presses nothing that it happens to be over
+    pointer.release();
+    QVERIFY(qFuzzyCompare(send(QEvent::MouseMove, 800.0), 440.0));
 }
 
 /// A pointer that is nobody's hand, or whose window is not the one in front, goes where it likes.

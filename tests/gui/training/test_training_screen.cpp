@@ -67,6 +67,7 @@ private slots:
     void cuesFollowTheLevel_data();
     void cuesFollowTheLevel();
     void aStallCostsNoTick();
+    void whatIsDrawnIsTheNewest();
     void leavingAsks();
     void endKeepsWhatIsRecorded();
     void startAgainBeginsAtOnce();
@@ -333,6 +334,27 @@ void TestTrainingScreen::aStallCostsNoTick() {
         bench.screen()->feed()->training().requestStop();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), 15'000);
         QVERIFY(!seen || longestSilence_ms(bench, id) >= haptics::SafetySettings{}.heartbeatLimit_ms);
+    }
+}
+
+/// However long the window was busy: one frame follows, of the newest state, and none of those in between.
+void TestTrainingScreen::whatIsDrawnIsTheNewest() {
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    desktop::LiveFeed& feed = *bench.screen()->feed();
+    for (int i = 0; i < 5; ++i) {
+        QSignalSpy frames(&feed, &desktop::LiveFeed::frame);
+        QVERIFY(frames.wait()); // at a frame
+        const double before_s = bench.screen()->drawn().time_s;
+        frames.clear();
+        QThread::msleep(150); // nine frames' time
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(frames.count(), 0); // nothing was posted in the meantime to be drawn one after the other
+        QVERIFY(frames.wait());
+        QCOMPARE(frames.count(), 1);
+        QVERIFY(feed.samples().size() > 16); // more ticks than a frame has
+        QVERIFY(bench.screen()->drawn().time_s - before_s > 0.9e-3 * static_cast<double>(feed.samples().size())); // and all of them are behind what is drawn
     }
 }
 

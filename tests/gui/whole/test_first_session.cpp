@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 
 using namespace chiron;
@@ -139,6 +140,63 @@ private slots:
         press(Qt::Key_Space);
         trainByKeys(station);
         isStoredAsCompleted(station, 1);
+    }
+
+    /// What a person does from the first start to the first debrief, counted: a name, a password twice, and the rest is pressing.
+    void firstDebriefIsAFewActionsAway() {
+        const QByteArray shortened = qgetenv("CHIRON_CONTENT");
+        qunsetenv("CHIRON_CONTENT"); // as shipped: ten trials, of which a try has three
+        const auto again = qScopeGuard([&shortened] { qputenv("CHIRON_CONTENT", shortened); });
+        QTemporaryDir folder;
+        Station station(folder);
+        int actions = 0;
+        const auto doKey = [&actions](Qt::Key key) {
+            press(key);
+            ++actions;
+        };
+        const auto doType = [&actions](const QString& words) {
+            type(words);
+            ++actions;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(station.isOn("first_start"), kPatience_ms);
+        QVERIFY(tabTo(QStringLiteral("first_start.set_up")));
+        doKey(Qt::Key_Return);
+        QVERIFY(tabTo(QStringLiteral("first_start.name")));
+        doType(QStringLiteral("ada"));
+        QVERIFY(tabTo(QStringLiteral("first_start.password")));
+        doType(QLatin1String(kPassword));
+        QVERIFY(tabTo(QStringLiteral("first_start.repeat")));
+        doType(QLatin1String(kPassword));
+        doKey(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written")), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->findChild<QCheckBox*>(QStringLiteral("recovery.written"))->isVisible(), kPatience_ms);
+        QVERIFY(tabTo(QStringLiteral("recovery.written")));
+        doKey(Qt::Key_Space);
+        QVERIFY(tabTo(QStringLiteral("recovery.continue")));
+        doKey(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(station.isOn("home"), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("home.try"), kPatience_ms); // there is nothing else to do yet
+        doKey(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("training.ready.go"), kPatience_ms);
+        doKey(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), kPatience_ms);
+        QCOMPARE(actions, 9);
+        for (int i = 0; i < 150 && !station.isOn("debrief"); ++i) { // a mark each: no more than three
+            QTest::keyClick(station.window.get(), Qt::Key_Return);
+            QTest::qWait(200);
+        }
+        QVERIFY(station.isOn("debrief"));
+        QTRY_VERIFY_WITH_TIMEOUT(station.window->screen()->findChild<QLabel*>(QStringLiteral("debrief.verdict")), kPatience_ms);
+        auto reader = station.site.database().openReader();
+        QVERIFY(reader);
+        const auto listed = database::SessionReader(**reader, station.context.actor()).listSessions();
+        QVERIFY(listed && listed->size() == 1);
+        QCOMPARE(listed->back().state, database::SessionState::completed);
+        QVERIFY(listed->back().familiarisation);
+        const auto record = database::SessionReader(**reader, station.context.actor()).session(listed->back().id);
+        QVERIFY(record);
+        QCOMPARE(record->setup.plannedTrials, 3);
     }
 
     void loginToDebriefByKeysAlone() { // after the one above: the site is there

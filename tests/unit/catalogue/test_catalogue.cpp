@@ -8,6 +8,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
 #include <tuple>
 
 using namespace chiron;
@@ -54,6 +55,7 @@ private slots:
     void spellingChangesNoDigest();
     void newLevelNeedsOnlyItsFile();
     void contentFolderIsFound();
+    void aTriedLevelHasFewerTrialsAndNothingElse();
 };
 
 void TestCatalogue::valuesReachTheStruct() {
@@ -251,6 +253,33 @@ void TestCatalogue::contentFolderIsFound() {
     const auto wrong = findContentDirectory(); // what was asked for is not replaced in silence
     QVERIFY(!wrong && wrong.error().message.find("/no/such/folder") != std::string::npos);
     qunsetenv("CHIRON_CONTENT");
+}
+
+void TestCatalogue::aTriedLevelHasFewerTrialsAndNothingElse() {
+    const auto catalogue = Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    QVERIFY2(catalogue, catalogue ? "" : catalogue.error().message.c_str());
+    for (const Exercise& exercise : catalogue->exercises())
+        for (const ExerciseLevel& level : exercise.levels) {
+            const auto tried = withTrials(level, 3);
+            QVERIFY2(tried, tried ? "" : tried.error().message.c_str());
+            QJsonObject was = json(level.resolvedJson), now = json(tried->resolvedJson);
+            const auto trialsOf = [](const QJsonObject& document) { return document["level"].toObject()["parameters"].toObject()["trials"].toInt(); };
+            QCOMPARE(trialsOf(now), std::min(3, trialsOf(was)));
+            QCOMPARE(tried->resolvedSha256 == level.resolvedSha256, trialsOf(was) <= 3);
+            for (QJsonObject* document : {&was, &now}) {
+                QJsonObject inner = (*document)["level"].toObject();
+                QJsonObject parameters = inner["parameters"].toObject();
+                parameters.remove("trials");
+                inner["parameters"] = parameters;
+                (*document)["level"] = inner;
+            }
+            QCOMPARE(now, was);
+        }
+    const ExerciseLevel* apex = catalogue->find("sphere_apex", 1);
+    QVERIFY(apex);
+    QCOMPARE(parametersOf(*withTrials(*apex, 3)).trials, 3);
+    QCOMPARE(withTrials(*apex, 0)->resolvedJson, apex->resolvedJson);
+    QCOMPARE(withTrials(*apex, 1000)->resolvedJson, apex->resolvedJson);
 }
 
 QTEST_APPLESS_MAIN(TestCatalogue)
