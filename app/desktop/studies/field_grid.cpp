@@ -54,9 +54,15 @@ public:
     double valueFromText(const QString& text) const override {
         return !specialValueText().isEmpty() && text == specialValueText() ? minimum() : read(text).value;
     }
+    /// Back to what stood there before: a beginning that could be read ("0.3" of "0.3 kg") was not meant either.
     void fixup(QString& input) const override {
         if (refused)
             refused(typedIn(input, suffix()));
+        input = before();
+    }
+    void keep() { m_before = value(); } ///< what is there now is what a refusal goes back to
+    QString before() const {
+        return m_before == minimum() && !specialValueText().isEmpty() ? specialValueText() : textFromValue(m_before) + suffix();
     }
     QString textFromValue(double value) const override {
         QString text = QDoubleSpinBox::textFromValue(value);
@@ -67,6 +73,15 @@ public:
             text.chop(1);
         return text.endsWith(point) ? text.chopped(point.size()) : text;
     }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override {
+        keep();
+        QDoubleSpinBox::focusInEvent(event);
+    }
+
+private:
+    double m_before = 0.0;
 };
 
 /// The same of whole numbers.
@@ -83,7 +98,19 @@ public:
     void fixup(QString& input) const override {
         if (refused)
             refused(input.trimmed());
+        input = before();
     }
+    void keep() { m_before = value(); }
+    QString before() const { return textFromValue(m_before); }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override {
+        keep();
+        QSpinBox::focusInEvent(event);
+    }
+
+private:
+    int m_before = 0;
 };
 } // namespace
 
@@ -221,7 +248,7 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
             return; // it goes, and with it the field that has the focus
         const ReadQuantity found = readQuantity(typed, unit, m_locale);
         const auto said = [this](double number) { return m_locale.toString(number, 'g', 6); };
-        const QString still = field->textFromValue(field->value()) + field->suffix();
+        const QString still = field->before();
         switch (found.fault) {
         case ReadQuantity::Fault::empty:
             return;
@@ -238,6 +265,8 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
                                                        .arg(typed, said(field->minimum()), said(field->maximum()) + field->suffix(), still));
     };
     forgetWhenTaken(field, name);
+    field->keep();
+    connect(field, &QAbstractSpinBox::editingFinished, field, [field] { field->keep(); });
     return field;
 }
 
@@ -278,9 +307,11 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     field->refused = [this, grid = QPointer<FieldGrid>(this), field, name](const QString& typed) {
         if (grid && !typed.isEmpty())
             refuse(name, tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
-                             .arg(typed, m_locale.toString(field->minimum()), m_locale.toString(field->maximum()), m_locale.toString(field->value())));
+                             .arg(typed, m_locale.toString(field->minimum()), m_locale.toString(field->maximum()), field->before()));
     };
     forgetWhenTaken(field, name);
+    field->keep();
+    connect(field, &QAbstractSpinBox::editingFinished, field, [field] { field->keep(); });
     return field;
 }
 

@@ -49,7 +49,7 @@ const KnownUnit* unitCalled(QString text) {
     return nullptr;
 }
 
-std::optional<double> numberIn(const QString& digits, const QLocale& locale) {
+std::optional<double> numberTyped(const QString& digits, const QLocale& locale) {
     bool good = false;
     if (const double value = locale.toDouble(digits, &good); good && std::isfinite(value))
         return value;
@@ -66,7 +66,7 @@ ReadQuantity readQuantity(const QString& text, const QString& unit, const QLocal
         return {Fault::empty, 0.0};
     static const QRegularExpression kQuantity(QStringLiteral("^([-+\\x{2212}]?[0-9.,'\\x{00A0}\\x{202F}]*[0-9][.,]?(?:[eE][-+]?[0-9]+)?)\\s*(\\D.*)?$"));
     const QRegularExpressionMatch match = kQuantity.match(typed);
-    const std::optional<double> value = match.hasMatch() ? numberIn(match.captured(1), locale) : std::nullopt;
+    const std::optional<double> value = match.hasMatch() ? numberTyped(match.captured(1), locale) : std::nullopt;
     if (!value)
         return {Fault::noNumber, 0.0};
     const QString said = match.captured(2).trimmed();

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QComboBox;
+class QFileDialog;
 class QPushButton;
 class QTabBar;
 class QVBoxLayout;

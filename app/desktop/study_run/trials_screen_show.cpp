@@ -98,7 +98,7 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
 }
 
 /// Names of the objects of `places`, one bit each.
-static QString objectNames(const session::LiveStudyView& view, std::uint32_t places) {
+static QString namesOfPlaces(const session::LiveStudyView& view, std::uint32_t places) {
     const QStringList names = AnswerPanel::placeNames(view.places);
     QStringList said;
     for (int place = 0; place < names.size(); ++place)
@@ -108,7 +108,7 @@ static QString objectNames(const session::LiveStudyView& view, std::uint32_t pla
 }
 
 /// What is missing: names of the objects that were not touched yet.
-static QString missingObjects(const session::LiveStudyView& view) { return objectNames(view, ~view.touched); }
+static QString missingObjects(const session::LiveStudyView& view) { return namesOfPlaces(view, ~view.touched); }
 
 /// Of objects that were only grazed, or are held without being pulled yet: that more force is needed. How much an object gives way for it is not told.
 static QString harderWords(const session::LiveStudyView& view, bool pulls, const QLocale& locale) {
@@ -119,8 +119,8 @@ static QString harderWords(const session::LiveStudyView& view, bool pulls, const
     const QString force = study_words::plainNumber(view.probe_N, locale);
     if (view.places == 1)
         return pulls ? TrialsScreen::tr("Pull a little harder: at least %1 N.").arg(force) : TrialsScreen::tr("Press a little harder: at least %1 N.").arg(force);
-    return pulls ? TrialsScreen::tr("Pull a little harder on %1: at least %2 N.").arg(objectNames(view, here), force)
-                 : TrialsScreen::tr("Press a little harder on %1: at least %2 N.").arg(objectNames(view, here), force);
+    return pulls ? TrialsScreen::tr("Pull a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force)
+                 : TrialsScreen::tr("Press a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force);
 }
 
 /// What the hand has to do otherwise. `pulls`: objects are taken hold of.
