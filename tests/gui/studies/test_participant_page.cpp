@@ -210,6 +210,7 @@ void TestParticipantPage::aFurtherPartIsShort() {
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QVERIFY(screen->live()->result() && screen->live()->result()->completed);
+    m_site->go(QStringLiteral("studies"));
     screen = sit();
     QVERIFY(screen && !screen->live()->view().firstPart);
     QCOMPARE(said("break.title"), QStringLiteral("The next part"));
