@@ -28,7 +28,7 @@ std::vector<ExportColumn> stimulusColumns() {
             {"spoiled", "", "why it does not count; n/a where it does",
              {{"force_error", "force was not what was asked"}, {"stiffness_error", "the attribute was rendered wrongly"}, {"late_ticks", "the loop was late too often"},
               {"saturation", "force at its limit too long"}, {"speed", "explored too fast"}, {"peak_force", "pressed too hard"}, {"time", "time limit"},
-              {"untouched", "a place was not touched"}, {"taken_back", "practice: the participant took the answer back"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"},
+              {"untouched", "a place was not touched, or with less force than the design asks for"}, {"taken_back", "practice: the participant took the answer back"}, {"experimenter", "by the experimenter"}, {"stopped", "the run was stopped"},
               {"withheld", "for a reason that would tell conditions apart while blinded"}}},
             {"procedure", "1", "which of the condition's interleaved procedures, from 0; n/a while blinded"},
             {"candidate", "1", "row of the design's table of differences, from 0; n/a while blinded"},

@@ -51,7 +51,7 @@ constexpr Fixed kFixed[] = {
 
 constexpr std::array<const char*, 6> kAttributes{"stiffness", "mass", "deformation", "roughness", "friction", "viscosity"};
 constexpr std::array<const char*, 4> kControls{"none", "gain", "swapped", "constant"};
-constexpr const char* kOthers[] = {"attribute", "places", "values", "arrangements", "object", "button_answers", "button_needs_all", "adjusts", "control"};
+constexpr const char* kOthers[] = {"attribute", "places", "values", "arrangements", "object", "button_answers", "button_needs_all", "probe_at_least_N", "adjusts", "control"};
 
 template <std::size_t N>
 int wordOf(const ObjectReader& json, const char* key, const std::array<const char*, N>& words) {
@@ -111,6 +111,8 @@ QJsonObject parametersJson(const Parameters& p) {
         out[QLatin1String(key.name)] = p.*key.member;
     if (p.buttonNeedsAll) // absent in sessions of earlier versions, whose buttons answered at any time
         out["button_needs_all"] = true;
+    if (p.probeAtLeast_N > 0.0) // absent in sessions of earlier versions, in which any touch counted
+        out["probe_at_least_N"] = p.probeAtLeast_N;
     QJsonObject object;
     for (const Fixed& key : kFixed)
         object[QLatin1String(key.name)] = p.object.*key.member;
@@ -142,6 +144,8 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.buttonAnswers = parameters.boolean("button_answers");
     if (parameters.has("button_needs_all"))
         p.buttonNeedsAll = parameters.boolean("button_needs_all");
+    if (parameters.has("probe_at_least_N"))
+        p.probeAtLeast_N = parameters.number("probe_at_least_N");
     if (parameters.has("adjusts"))
         p.adjusts = parameters.boolean("adjusts");
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
@@ -160,6 +164,8 @@ void checkComparison(const ExerciseParameters& parameters, const QString& path, 
             problems.push_back({memberPath(path, "values"), QStringLiteral("a row"), QStringLiteral("three numbers above 0")});
             break;
         }
+    if (!(p.probeAtLeast_N >= 0.0 && p.probeAtLeast_N <= 100.0))
+        problems.push_back({memberPath(path, "probe_at_least_N"), QString::number(p.probeAtLeast_N), QStringLiteral("0 to 100 N")});
     if (p.arrangements.empty() || p.arrangements.size() > 16)
         problems.push_back({memberPath(path, "arrangements"), QString::number(p.arrangements.size()), QStringLiteral("1 to 16 rows")});
 }
@@ -210,6 +216,7 @@ core::Result<Parameters> comparisonOf(const psychophysics::Condition& condition,
     using psychophysics::Task;
     p.buttonAnswers = condition.task == Task::twoAfc || condition.task == Task::threeAfc || condition.task == Task::oddity;
     p.buttonNeedsAll = p.buttonAnswers && trial.mustTouchAll;
+    p.probeAtLeast_N = trial.mustTouchAll ? trial.probeAtLeast_N : 0.0;
     if (trial.visibleObjects)
         p.cues = {"object", "tool"};
     return p;

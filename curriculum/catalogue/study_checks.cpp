@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_parts.h"
 #include "catalogue/study_reader.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,25 @@ void checkTable(const Condition& condition, const QString& path, Problems& probl
         if (!(value >= range.lowest && value <= range.highest))
             problems.push_back({elementPath(memberPath(stimulus, "differences"), static_cast<qsizetype>(i)),
                                 QStringLiteral("an object of %1").arg(value), expected});
+    }
+}
+
+void checkProbe(const psychophysics::StudyDesign& design, const QString& path, Problems& problems) {
+    const double probe_N = design.trial.probeAtLeast_N;
+    if (probe_N <= 0.0)
+        return;
+    if (probe_N >= design.fidelity.peakForce_N) {
+        problems.push_back({path, QString::number(probe_N), QStringLiteral("less than the largest force of a trial, %1 N").arg(design.fidelity.peakForce_N)});
+        return;
+    }
+    for (const Condition& condition : design.conditions) {
+        const auto& stimulus = condition.stimulus;
+        if (stimulus.attribute != Attribute::mass || stimulus.differences.empty())
+            continue; // the others answer with as much as one presses or pulls
+        const double multiple = psychophysics::ranksThree(condition.task) ? 2.0 : 1.0;
+        const double lightest_N = core::kStandardGravity * stimulus.reference * std::pow(10.0, std::min(0.0, multiple * stimulus.differences.front()));
+        if (probe_N > lightest_N)
+            problems.push_back({path, QString::number(probe_N), QStringLiteral("at most %1 N, which is what the lightest object weighs").arg(lightest_N, 0, 'g', 3)});
     }
 }
 

@@ -137,6 +137,7 @@ TrialRules readTrialRules(const ObjectReader& json) {
     TrialRules out;
     std::vector<QString> known;
     readNumbers(json, kTrialNumbers, out, known);
+    readNumbers(json, kProbe, out, known);
     readWholes(json, kTrialWholes, out, known);
     for (const SwitchKey<TrialRules>& key : kTrialSwitches) {
         known.push_back(QLatin1String(key.name));

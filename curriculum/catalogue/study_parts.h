@@ -40,6 +40,8 @@ inline constexpr SwitchKey<TrialRules> kTrialSwitches[] = {{"feedback", &TrialRu
                                                            {"masking_sound", &TrialRules::maskingSound},
                                                            {"visible_objects", &TrialRules::visibleObjects},
                                                            {"must_touch_all", &TrialRules::mustTouchAll}};
+/// Absent in designs of earlier versions, which keep their bytes: apart from the numbers that are always written.
+inline constexpr NumberKey<TrialRules> kProbe[] = {{"probe_at_least_N", &TrialRules::probeAtLeast_N, 0.0, 100.0}};
 inline constexpr NumberKey<FidelityLimits> kFidelityNumbers[] = {
     {"force_error_rms_N", &FidelityLimits::forceErrorRms_N, 0.001, 100.0},
     {"stiffness_error", &FidelityLimits::stiffnessError, 0.001, 10.0},
@@ -87,6 +89,8 @@ Word readWord(const ObjectReader& json, const char* key, const std::array<const 
 /// Ids that occur twice are problems at `key` of the second.
 void refuseTwice(const ObjectReader& json, const char* key, const std::string& id, std::vector<std::string>& seen);
 
+/// Whether every object can answer with the force at which it counts as touched, and a trial may reach it.
+void checkProbe(const psychophysics::StudyDesign& design, const QString& path, Problems& problems);
 /// What no single value tells: whether task, table, scale and procedures of a condition go together.
 void checkCondition(const psychophysics::Condition& condition, const QString& path, Problems& problems);
 /// The part of it that no procedure has a say in: whether task, scale and table of differences go together, and every object can be.

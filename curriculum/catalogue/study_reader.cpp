@@ -181,6 +181,8 @@ core::Result<StudyDesign> readStudy(const QByteArray& json, const std::string& f
                              "questionnaires", "participants_planned", "blind_participant", "blind_experimenter", "seed", "source", "ethics",
                              "pilot_of"},
                       QStringLiteral("a key of a study"));
+    if (problems.empty())
+        checkProbe(out, QStringLiteral("$.trial.probe_at_least_N"), problems);
     if (!problems.empty())
         return tl::unexpected(parsed->error(problems));
     return out;

@@ -124,6 +124,8 @@ QByteArray studyJson(const StudyDesign& design) {
     write(trial, kTrialNumbers, design.trial);
     write(trial, kTrialWholes, design.trial);
     write(trial, kTrialSwitches, design.trial);
+    if (design.trial.probeAtLeast_N > 0.0)
+        write(trial, kProbe, design.trial);
     QJsonObject fidelity;
     write(fidelity, kFidelityNumbers, design.fidelity);
     write(fidelity, kFidelityWholes, design.fidelity);

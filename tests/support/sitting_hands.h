@@ -66,7 +66,9 @@ inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, 
         stop->click();
     if (!QTest::qWaitFor([screen] { return screen->live()->finished() && !screen->isBusy(); }, patience_ms))
         return false;
-    if (screen->atDesk())
+    if (!screen->live()->design().pilotOf.empty() && !screen->atDesk()) // nobody is called: whoever tried it goes on
+        sittingButton(screen, "break.button")->click();
+    else if (screen->atDesk())
         screen->findChild<QPushButton*>(QStringLiteral("trials.leave"))->click();
     else {
         sittingButton(screen, "trials.experimenter")->click();

@@ -2,6 +2,7 @@
 #include "desktop/studies/check_list.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/sound/sound_loader.h"
 #include "desktop/widgets/kit.h"
 #include "session/study/presentation_order.h"
 
@@ -42,6 +43,8 @@ CheckList::CheckList(AppContext& app, const psychophysics::StudyDesign& design, 
     m_rows->setContentsMargins(0, 0, 0, 0);
     setObjectName(QStringLiteral("check.list"));
     setAccessibleName(tr("What is looked at before freezing"));
+    if (m_design.trial.maskingSound && !m_facts.hasSound)
+        m_facts.hasSound = loadSound().output != nullptr;
     showChecks();
     if (m_facts.faults.empty())
         simulate();

@@ -13,6 +13,7 @@
 #include "desktop/widgets/kit.h"
 
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <algorithm>
 
 namespace chiron::desktop {
@@ -201,13 +202,67 @@ void ConditionsPage::addNames(FieldGrid& grid) {
     grid.explain(QStringLiteral("condition.id"), tr("Lower-case letters, digits and _ only; each condition has another."));
 }
 
+namespace {
+
+/// A name that tells the reference tells the one that is set: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and "tube_60_2" "tube_120". Names without
+/// it stay as they are.
+void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit) {
+    Condition& changed = design.conditions[at];
+    const auto isFree = [&](const auto& isIts) {
+        for (std::size_t i = 0; i < design.conditions.size(); ++i)
+            if (i != at && isIts(design.conditions[i]))
+                return false;
+        return true;
+    };
+    const QString was = QString::number(before, 'g', 6), now = QString::number(after, 'g', 6);
+    if (!unit.isEmpty()) {
+        const QRegularExpression value(QStringLiteral("(?<![0-9.,])%1(\\s*)%2(?![\\w/])").arg(QRegularExpression::escape(was), QRegularExpression::escape(unit)), QRegularExpression::UseUnicodePropertiesOption);
+        static const QRegularExpression kCopy(QStringLiteral("\\s\\(\\d+\\)$"));
+        for (auto& [language, words] : changed.title) {
+            QString title = QString::fromStdString(words);
+            if (!title.contains(value))
+                continue;
+            title.replace(value, now + QStringLiteral("\\1") + unit);
+            const std::string plain = QString(title).remove(kCopy).toStdString();
+            words = isFree([&](const Condition& other) { return other.title.contains(language) && other.title.at(language) == plain; }) ? plain : title.toStdString();
+        }
+    }
+    static const QRegularExpression kNoKey(QStringLiteral("[^a-z0-9]+"));
+    const auto key = [](QString number) { return number.replace(kNoKey, QStringLiteral("_")); };
+    const QRegularExpression id(QStringLiteral("^(.*_)%1(_\\d+)?$").arg(QRegularExpression::escape(key(was))));
+    if (const auto match = id.match(QString::fromStdString(changed.id)); match.hasMatch()) {
+        const QString plain = match.captured(1) + key(now);
+        const bool mine = isFree([&](const Condition& other) { return other.id == plain.toStdString(); });
+        changed.id = (mine ? plain : plain + match.captured(2)).toStdString();
+    }
+}
+
+} // namespace
+
+/// Names that follow the reference, as they stand in the fields above it.
+void ConditionsPage::showNames(FieldGrid& grid) const {
+    const auto put = [&grid](const char* name, const QString& words) {
+        auto* field = qobject_cast<QLineEdit*>(grid.field(QLatin1String(name)));
+        if (field && field->text() != words)
+            field->setText(words);
+    };
+    const auto title = condition().title.find(m_page.language.toStdString());
+    put("condition.title", title == condition().title.end() ? QString() : QString::fromStdString(title->second));
+    put("condition.id", QString::fromStdString(condition().id));
+}
+
 void ConditionsPage::addReference(FieldGrid& grid) {
     const Attribute attribute = condition().stimulus.attribute;
     const study_words::Unit unit = study_words::unitOf(attribute);
     const catalogue::ValueRange range = catalogue::valueRange(attribute);
     grid.number(apex() ? tr("Radius of the sphere") : tr("Reference"), QStringLiteral("condition.reference"), condition().stimulus.reference * unit.factor, {0, 1e9, 4, unit.text, 1},
-                [this, factor = unit.factor](double now) {
-                    edit(tr("Reference"), QStringLiteral("reference"), [&](Condition& changed) { changed.stimulus.reference = now / factor; });
+                [this, grid = &grid, unit](double now) {
+                    m_page.draft.change(tr("Reference"), QStringLiteral("%1.reference").arg(m_shown), [&](StudyDesign& design) {
+                        const auto at = static_cast<std::size_t>(m_shown);
+                        nameByReference(design, at, design.conditions[at].stimulus.reference * unit.factor, now, unit.text);
+                        design.conditions[at].stimulus.reference = now / unit.factor;
+                    });
+                    showNames(*grid);
                 });
     grid.explain(QStringLiteral("condition.reference"), apex() ? tr("How large the sphere is whose highest point is looked for.") : tr("The object that the others are compared with."),
                  {range.lowest * unit.factor, range.highest * unit.factor, usualReference(attribute) * unit.factor});

@@ -28,6 +28,7 @@ private:
     QWidget* stimulusBox();
     void addNames(FieldGrid& grid);
     void addReference(FieldGrid& grid);
+    void showNames(FieldGrid& grid) const;
     void addTask(FieldGrid& grid);
     bool apex() const; ///< the condition on the page looks for one, and has neither task nor table
     bool hasScale() const;

@@ -62,6 +62,7 @@ constexpr Spot kSpots[] = {
     {"trial.break_at_least_s", StudyScreen::trialsTab, "trial.break_at_least"},
     {"trial.practice_trials", StudyScreen::trialsTab, "trial.practice_trials"},
     {"trial.break_every", StudyScreen::trialsTab, "trial.break_every"},
+    {"trial.probe_at_least_N", StudyScreen::trialsTab, "trial.probe_at_least"},
     {"fidelity.force_error_rms_N", StudyScreen::trialsTab, "fidelity.force_error"},
     {"fidelity.stiffness_error", StudyScreen::trialsTab, "fidelity.stiffness_error"},
     {"fidelity.late_ticks", StudyScreen::trialsTab, "fidelity.late_ticks"},
@@ -159,6 +160,18 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     return fault.expected.isEmpty() ? fault.found : FaultWords::tr("Found: %1. Expected: %2.").arg(fault.found, fault.expected);
 }
 
+/// Of the smallest force: what is in its way.
+QString probeWords(const ReaderFault& fault, const QLocale& locale) {
+    static const QRegularExpression kForce(QStringLiteral("([0-9.]+(?:e[-+]?\\d+)?) N"));
+    const auto match = kForce.match(fault.expected);
+    const QString most = match.hasMatch() ? locale.toString(match.captured(1).toDouble(), 'g', 3) : QString();
+    if (match.hasMatch() && fault.expected.startsWith(QStringLiteral("at most")))
+        return FaultWords::tr("The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.").arg(most);
+    if (match.hasMatch() && fault.expected.startsWith(QStringLiteral("less than")))
+        return FaultWords::tr("A trial with more than %1 N does not count, so this force has to be smaller.").arg(most);
+    return generalWords(fault, locale);
+}
+
 QString wordsOf(const StudyDesign& design, const DesignFault& fault, const ReaderFault& said, const QLocale& locale) {
     const bool ofCondition = fault.condition >= 0 && static_cast<std::size_t>(fault.condition) < design.conditions.size();
     if (ofCondition && (fault.field == QStringLiteral("condition.reference") || fault.field == QStringLiteral("differences.levels")))
@@ -166,6 +179,8 @@ QString wordsOf(const StudyDesign& design, const DesignFault& fault, const Reade
             return words;
     if (fault.field == QStringLiteral("design.planned"))
         return FaultWords::tr("At least one participant is needed.");
+    if (fault.field == QStringLiteral("trial.probe_at_least"))
+        return probeWords(said, locale);
     if (fault.field == QStringLiteral("trial.explore_limit") || fault.field == QStringLiteral("fidelity.stiffness_error") || !said.expected.isEmpty())
         return generalWords(said, locale);
     return said.found;

@@ -3,6 +3,7 @@
 
 #include "desktop/accounts/form.h"
 #include "desktop/studies/number_list.h"
+#include "desktop/studies/quantity_text.h"
 #include "desktop/widgets/kit.h"
 
 #include <QCheckBox>
@@ -12,6 +13,7 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QResizeEvent>
 #include <QSpinBox>
 #include <cmath>
@@ -22,9 +24,46 @@ namespace {
 constexpr double kCell_px = 250;
 constexpr double kLine_px = 22;
 
-/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750.
+/// What was typed, without the unit that the field itself writes behind it.
+QString typedIn(const QString& text, const QString& suffix) {
+    return (!suffix.isEmpty() && text.endsWith(suffix) ? text.chopped(suffix.size()) : text).trimmed();
+}
+
+/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750; typed with any unit of the same dimension. What cannot be taken stays in
+/// the field while it is typed, and is told when the field is left: no letter goes without a word.
 class PlainSpinBox final : public QDoubleSpinBox {
 public:
+    std::function<void(const QString& typed)> refused;
+
+    ReadQuantity read(const QString& text) const {
+        const QString suffix = this->suffix();
+        return readQuantity(typedIn(text, suffix), suffix.trimmed(), locale());
+    }
+    bool inRange(double value) const { return value >= minimum() && value <= maximum(); }
+    bool keeps(double value) const { // else a small number would become none
+        constexpr double kRounding = 0.01;
+        const double steps = std::pow(10.0, decimals());
+        return std::abs(std::round(value * steps) / steps - value) <= kRounding * std::abs(value);
+    }
+    QValidator::State validate(QString& input, int&) const override {
+        if (!specialValueText().isEmpty() && input == specialValueText())
+            return QValidator::Acceptable;
+        const ReadQuantity found = read(input);
+        return found.fault == ReadQuantity::Fault::none && inRange(found.value) && keeps(found.value) ? QValidator::Acceptable : QValidator::Intermediate;
+    }
+    double valueFromText(const QString& text) const override {
+        return !specialValueText().isEmpty() && text == specialValueText() ? minimum() : read(text).value;
+    }
+    /// Back to what stood there before: a beginning that could be read ("0.3" of "0.3 kg") was not meant either.
+    void fixup(QString& input) const override {
+        if (refused)
+            refused(typedIn(input, suffix()));
+        input = before();
+    }
+    void keep() { m_before = value(); } ///< what is there now is what a refusal goes back to
+    QString before() const {
+        return m_before == minimum() && !specialValueText().isEmpty() ? specialValueText() : textFromValue(m_before) + suffix();
+    }
     QString textFromValue(double value) const override {
         QString text = QDoubleSpinBox::textFromValue(value);
         const QString point = locale().decimalPoint();
@@ -34,6 +73,44 @@ public:
             text.chop(1);
         return text.endsWith(point) ? text.chopped(point.size()) : text;
     }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override {
+        keep();
+        QDoubleSpinBox::focusInEvent(event);
+    }
+
+private:
+    double m_before = 0.0;
+};
+
+/// The same of whole numbers.
+class WholeSpinBox final : public QSpinBox {
+public:
+    std::function<void(const QString& typed)> refused;
+
+    QValidator::State validate(QString& input, int&) const override {
+        const ReadQuantity found = readQuantity(input, {}, locale());
+        const bool whole = found.fault == ReadQuantity::Fault::none && found.value == std::round(found.value);
+        return whole && found.value >= minimum() && found.value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    }
+    int valueFromText(const QString& text) const override { return static_cast<int>(readQuantity(text, {}, locale()).value); }
+    void fixup(QString& input) const override {
+        if (refused)
+            refused(input.trimmed());
+        input = before();
+    }
+    void keep() { m_before = value(); }
+    QString before() const { return textFromValue(m_before); }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override {
+        keep();
+        QSpinBox::focusInEvent(event);
+    }
+
+private:
+    int m_before = 0;
 };
 } // namespace
 
@@ -166,11 +243,58 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
     connect(field, &QDoubleSpinBox::valueChanged, this, [taken = std::move(taken)](double now) { taken(now); });
     add(label, field, name);
     m_fields[name].unit = range.unit;
+    field->refused = [this, grid = QPointer<FieldGrid>(this), field, name, unit = range.unit](const QString& typed) {
+        if (!grid)
+            return; // it goes, and with it the field that has the focus
+        const ReadQuantity found = readQuantity(typed, unit, m_locale);
+        const auto said = [this](double number) { return m_locale.toString(number, 'g', 6); };
+        const QString still = field->before();
+        switch (found.fault) {
+        case ReadQuantity::Fault::empty:
+            return;
+        case ReadQuantity::Fault::noNumber:
+        case ReadQuantity::Fault::otherUnit:
+            refuse(name, unit.isEmpty() ? tr("“%1” was not taken: enter a number without a unit. %2 is still set.").arg(typed, still)
+                                        : tr("“%1” was not taken: enter a value in %2. %3 is still set.").arg(typed, unit, still));
+            return;
+        case ReadQuantity::Fault::none:
+            break;
+        }
+        refuse(name, field->inRange(found.value) ? tr("“%1” was not taken: it has more decimals than are kept here. %2 is still set.").arg(typed, still)
+                                                 : tr("“%1” was not taken: choose a value from %2 to %3. %4 is still set.")
+                                                       .arg(typed, said(field->minimum()), said(field->maximum()) + field->suffix(), still));
+    };
+    forgetWhenTaken(field, name);
+    field->keep();
+    connect(field, &QAbstractSpinBox::editingFinished, field, [field] { field->keep(); });
     return field;
 }
 
+void FieldGrid::refuse(const QString& name, const QString& words) {
+    m_refused = name; // this time
+    setUnread(name, words);
+}
+
+/// What was refused is told until the field is left with something that can be taken.
+void FieldGrid::forgetWhenTaken(QAbstractSpinBox* field, const QString& name) {
+    connect(field, &QAbstractSpinBox::editingFinished, this, [this, grid = QPointer<FieldGrid>(this), name] {
+        if (!grid)
+            return;
+        if (m_refused != name)
+            setUnread(name, {});
+        m_refused.clear();
+    });
+}
+
+QString FieldGrid::firstUnread() const {
+    for (auto each = m_fields.begin(); each != m_fields.end(); ++each)
+        if (!each->unread.isEmpty())
+            return each.key();
+    return {};
+}
+
 QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value, int minimum, int maximum, std::function<void(int)> taken) {
-    auto* field = new QSpinBox;
+    auto* field = new WholeSpinBox;
     field->setLocale(m_locale);
     field->setRange(minimum, maximum);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -180,6 +304,14 @@ QSpinBox* FieldGrid::whole(const QString& label, const QString& name, int value,
     field->installEventFilter(this);
     connect(field, &QSpinBox::valueChanged, this, [taken = std::move(taken)](int now) { taken(now); });
     add(label, field, name);
+    field->refused = [this, grid = QPointer<FieldGrid>(this), field, name](const QString& typed) {
+        if (grid && !typed.isEmpty())
+            refuse(name, tr("“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.")
+                             .arg(typed, m_locale.toString(field->minimum()), m_locale.toString(field->maximum()), field->before()));
+    };
+    forgetWhenTaken(field, name);
+    field->keep();
+    connect(field, &QAbstractSpinBox::editingFinished, field, [field] { field->keep(); });
     return field;
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+class QAbstractSpinBox;
 class QBoxLayout;
 class QCheckBox;
 class QComboBox;
@@ -77,6 +78,8 @@ public:
     void setShown(const QString& name, bool shown); ///< where a field does not apply now; nothing where there is none of this name
     bool hasField(const QString& name) const { return m_fields.contains(name); }
     QWidget* field(const QString& name) const;
+    /// Name of a field with something in it that it cannot take, told under it; empty: none.
+    QString firstUnread() const;
     QString faultOf(const QString& name) const; ///< what is said under it; empty: nothing
 
     /// Stops "5" of the wheel from changing a field that is only scrolled past.
@@ -93,6 +96,8 @@ private:
     void put(QWidget* widget, bool wide, Qt::AlignmentFlag level = Qt::AlignTop);
     void arrange(int columns);
     void showFault(const QString& name);
+    void refuse(const QString& name, const QString& words);
+    void forgetWhenTaken(QAbstractSpinBox* field, const QString& name);
 
     /// A field with what is said under it.
     struct Field {
@@ -113,6 +118,7 @@ private:
     std::vector<Cell> m_cells;
     QHash<QString, Field> m_fields;
     int m_columns = 0;
+    QString m_refused; ///< field whose text was refused just now, until it says that its editing is over
 };
 
 } // namespace chiron::desktop

@@ -115,6 +115,30 @@ FreezeCheck practiceCheck(const StudyDesign& design) {
                : found(check, State::advice, CheckWords::tr("There are no practice trials. The first trials that count are then the participant's first ever."));
 }
 
+/// Designs of earlier versions let any touch count. Nothing to say where an object need not be touched, or nothing is compared.
+std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& locale) {
+    const bool compares = std::any_of(design.conditions.begin(), design.conditions.end(), [](const auto& each) { return each.stimulus.attribute != psychophysics::Attribute::apex; });
+    if (!compares || !design.trial.mustTouchAll)
+        return std::nullopt;
+    const FreezeCheck check = checkOf("probe", CheckWords::tr("Smallest force"), StudyScreen::trialsTab, "trial.probe_at_least");
+    return design.trial.probeAtLeast_N > 0.0
+               ? found(check, State::good, CheckWords::tr("An object counts as touched from %1 N on.").arg(study_words::number(design.trial.probeAtLeast_N, locale)))
+               : found(check, State::advice, CheckWords::tr("Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.")
+                                                 .arg(study_words::number(psychophysics::kUsualProbe_N, locale)));
+}
+
+/// What hides the sounds of the device. That it is not heard is told before anything is frozen, not at the first participant. Nothing is said where
+/// the design has it and nobody has looked for an output.
+std::optional<FreezeCheck> maskingCheck(const StudyDesign& design, const FreezeFacts& facts) {
+    const FreezeCheck check = checkOf("masking", CheckWords::tr("Masking sound"), StudyScreen::trialsTab, "trial.masking_sound");
+    if (!design.trial.maskingSound)
+        return found(check, State::advice, CheckWords::tr("It is switched off. Participants may hear the device, and what they hear may tell objects apart."));
+    if (!facts.hasSound)
+        return std::nullopt;
+    return *facts.hasSound ? found(check, State::good, CheckWords::tr("It is played during the trials."))
+                           : found(check, State::advice, CheckWords::tr("This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine."));
+}
+
 FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
     const FreezeCheck check = checkOf("duration", CheckWords::tr("Duration"), StudyScreen::trialsTab, "trial.break_every");
     double minutes = session::participantView(design).minutesAtMost();
@@ -184,16 +208,15 @@ int balancedBy(const StudyDesign& design) {
 }
 
 std::vector<FreezeCheck> freezeChecks(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
-    return {designCheck(facts),
-            aimCheck(design),
-            textsCheck(design, locale),
-            ethicsCheck(design),
-            consentCheck(design),
-            participantsCheck(design, locale),
-            practiceCheck(design),
-            durationCheck(design, facts, locale),
-            precisionCheck(design, facts, locale),
-            pilotCheck(facts)};
+    std::vector<FreezeCheck> checks{designCheck(facts),     aimCheck(design),     textsCheck(design, locale), ethicsCheck(design),
+                                    consentCheck(design),   participantsCheck(design, locale), practiceCheck(design)};
+    if (const auto probe = probeCheck(design, locale))
+        checks.push_back(*probe);
+    if (const auto sound = maskingCheck(design, facts))
+        checks.push_back(*sound);
+    for (const FreezeCheck& check : {durationCheck(design, facts, locale), precisionCheck(design, facts, locale), pilotCheck(facts)})
+        checks.push_back(check);
+    return checks;
 }
 
 } // namespace chiron::desktop

@@ -33,6 +33,7 @@ struct FreezeFacts {
     std::vector<DesignFault> faults;
     std::optional<std::vector<psychophysics::ConditionPlan>> plans; ///< of each condition, by simulated observers; nothing: not yet
     int pilots = 0; ///< people who tried the design
+    std::optional<bool> hasSound{}; ///< whether this station can be heard; nothing: nobody has looked
 };
 
 std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts, const QLocale& locale);

@@ -82,6 +82,7 @@ psychophysics::StudyDesign plainStudy() {
     }
     condition.procedures = {usualProcedure("rank3_quest_plus", condition)};
     study.conditions = {condition};
+    study.trial.probeAtLeast_N = psychophysics::kUsualProbe_N;
     renewInstructions(study);
     return study;
 }

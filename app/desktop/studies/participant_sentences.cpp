@@ -82,7 +82,8 @@ QStringList whatToDo(const ParticipantView& view, const LanguageWords& words) {
     said << tasks;
     const bool compares = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return !part.apex() && part.objects > 1; });
     if (view.mustTouchAll && compares)
-        said << words(QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
+        said << words(view.probes ? QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.")
+                                  : QT_TRANSLATE_NOOP("ParticipantSentences", "Touch every object before you answer."));
     return said;
 }
 

@@ -162,7 +162,17 @@ template <class Spec> void ProcedureForm::stopFields(const UsualNumber& trials) 
         whole(label, nameOf(key), value, 0, 100000,
               [this, key = nameOf(key), member](int now) { edit<Spec>(key, [=](Spec& changed) { changed.stop.*member = now; }); });
     };
-    add(ProcedureForm::tr("Maximum trials"), "trials", &StopRule::trials, stop.trials);
+    whole(ProcedureForm::tr("Maximum trials"), nameOf("trials"), stop.trials, 0, 100000, [this, fewest = stop.minimumTrials](int now) {
+        const int least = now > 0 ? std::min(fewest, now) : fewest; // no run can have more than its most; 0: there is none
+        edit<Spec>(nameOf("trials"), [=](Spec& changed) {
+            changed.stop.trials = now;
+            changed.stop.minimumTrials = least;
+        });
+        if (auto* field = qobject_cast<QSpinBox*>(this->field(nameOf("minimum_trials")))) {
+            const QSignalBlocker quiet(field);
+            field->setValue(least);
+        }
+    });
     explain(nameOf("trials"), ProcedureForm::tr("The run ends after so many trials at the latest."), trials);
     if constexpr (std::is_same_v<Spec, StaircaseSpec>) {
         add(ProcedureForm::tr("Reversals until stop"), "reversals", &StopRule::reversals, stop.reversals);

@@ -88,8 +88,12 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
     fields.check(tr("Show the objects"), "visible_objects", &TrialRules::visibleObjects, tr("Objects are drawn, all alike, so that only touch tells them apart."));
     if (compares)
         fields.check(tr("Every object must be touched"), "must_touch_all", &TrialRules::mustTouchAll, tr("An answer is taken only once each object was touched."));
+    if (compares)
+        fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N, {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
+                      tr("An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts."), kUsualProbe_N);
     const auto showWhatApplies = [grid, &draft = page.draft] {
         grid->setShown(QStringLiteral("trial.answer_limit"), draft.design().trial.exploreLimit_s > 0.0); // its clock starts with the other's end
+        grid->setShown(QStringLiteral("trial.probe_at_least"), draft.design().trial.mustTouchAll);
         grid->setShown(QStringLiteral("trial.break_at_least"), draft.design().trial.breakEvery > 0);
     };
     connect(&page.draft, &StudyDraft::changed, grid, showWhatApplies);

@@ -20,7 +20,10 @@
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <QTabBar>
 #include <algorithm>
@@ -217,10 +220,25 @@ QWidget* StudyScreen::stepRow() {
     return bar;
 }
 
+void StudyScreen::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const QWidget* at = window()->focusWidget();
+    const bool line = qobject_cast<const QLineEdit*>(at) || qobject_cast<const QAbstractSpinBox*>(at);
+    if (enter && line && m_next && !m_next->isHidden() && m_page && m_page->isAncestorOf(at))
+        step(1);
+    else
+        Screen::keyPressEvent(event);
+}
+
 /// A page is left by Next only once it is right; its name above jumps all the same.
 void StudyScreen::step(int by) {
     if (by > 0 && !readOnly()) {
         checkNow();
+        for (const FieldGrid* grid : m_page->findChildren<FieldGrid*>())
+            if (const QString name = grid->firstUnread(); !name.isEmpty()) { // what was typed there was not taken
+                goToField(m_tab, -1, name);
+                return;
+            }
         for (const DesignFault& fault : m_wrong)
             if (fault.tab == m_tab) {
                 goToField(fault.tab, fault.condition, fault.field);

@@ -45,6 +45,10 @@ public:
     void showTab(int tab);
     const std::vector<DesignFault>& faults() const { return m_wrong; }
 
+protected:
+    /// Enter in a field of one line goes on to the next page, as Next does.
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     // study_screen.cpp
     void load();

@@ -6,6 +6,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "desktop/widgets/state_panel.h"
 #include "report/plot_theme.h"
 #include "session/study/people_to_come.h"
 #include "session/study_export.h"
@@ -14,6 +15,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QTimer>
 
@@ -54,23 +56,44 @@ void StudyDataScreen::askUnblind() {
     dialog->open();
 }
 
+/// Whether something can be written now; else it is told why not.
+bool StudyDataScreen::mayExport() {
+    if (m_panel->state() != StatePanel::State::content)
+        context().messages().information(tr("The study is not on the screen yet, so nothing was exported. Try again once it is there."));
+    else if (m_exporting)
+        context().messages().information(tr("The export before is still being written. Try again once it says where it is."));
+    else
+        return true;
+    return false;
+}
+
+/// Each way out is told: a dialog that is closed is one.
+void StudyDataScreen::tellIfCancelled(QFileDialog* dialog) {
+    connect(dialog, &QDialog::rejected, this, [this] { context().messages().information(tr("Nothing was exported: no place was chosen.")); });
+}
+
 void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
+    if (!mayExport())
+        return;
     auto* dialog = new QFileDialog(this, tr("Choose a location for the folder"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setObjectName(QStringLiteral("data.folder"));
     connect(dialog, &QFileDialog::fileSelected, this, then);
+    tellIfCancelled(dialog);
     dialog->open();
 }
 
 void StudyDataScreen::exportTo(const ExportWords& words,
                                const std::function<core::Result<void>(database::Connection&, database::StudyReader&)>& write) {
-    auto* progress = new QProgressDialog(words.writing, QString(), 0, 0, this);
+    const QPointer<QProgressDialog> progress = new QProgressDialog(words.writing, QString(), 0, 0, this);
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(500); // shorter work needs no window
     progress->setValue(0);
+    m_exporting = true;
     context().background().run(
-        this,
+        &context(), // whoever has gone to another screen meanwhile is told, too
         [&database = context().site().database(), actor = context().actor(), write](WorkToken&) -> core::Result<void> {
             auto connection = database.openReader();
             if (!connection)
@@ -78,18 +101,26 @@ void StudyDataScreen::exportTo(const ExportWords& words,
             database::StudyReader reader(**connection, actor);
             return write(**connection, reader);
         },
-        [this, progress, words](const core::Result<void>& done) {
-            progress->deleteLater();
+        [&app = context(), screen = QPointer<StudyDataScreen>(this), progress, words](const core::Result<void>& done) {
+            if (progress)
+                progress->deleteLater();
+            if (screen)
+                screen->m_exporting = false;
             if (done)
-                context().messages().done(words.written);
+                app.messages().done(words.written);
             else
-                context().messages().error(words.failed, done.error());
+                app.messages().error(words.failed, done.error());
         });
+}
+
+/// An export of nothing looks like one that went wrong.
+QString StudyDataScreen::written(const QString& where) const {
+    return m_facts.study.summary.trials > 0 ? where : where + QLatin1Char(' ') + tr("There are no scored trials yet.");
 }
 
 void StudyDataScreen::exportCsvTo(const QString& parent) {
     const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv"));
-    const ExportWords words{tr("Writing the tables …"), tr("The tables were written to %1.").arg(folder), tr("The tables could not be written.")};
+    const ExportWords words{tr("Writing the tables …"), written(tr("The tables were written to %1.").arg(folder)), tr("The tables could not be written.")};
     exportTo(words, [study = m_study, folder](database::Connection&, database::StudyReader& reader) {
         return session::exportStudyCsv(reader, study, folder.toStdString());
     });
@@ -97,19 +128,22 @@ void StudyDataScreen::exportCsvTo(const QString& parent) {
 
 void StudyDataScreen::exportBidsTo(const QString& parent) {
     const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids"));
-    const ExportWords words{tr("Writing the BIDS dataset …"), tr("The BIDS dataset was written to %1.").arg(folder), tr("The BIDS dataset could not be written.")};
+    const ExportWords words{tr("Writing the BIDS dataset …"), written(tr("The BIDS dataset was written to %1.").arg(folder)), tr("The BIDS dataset could not be written.")};
     exportTo(words, [study = m_study, folder, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
         return session::exportStudyBids(reader, connection, actor, study, folder.toStdString());
     });
 }
 
 void StudyDataScreen::askPdf() {
+    if (!mayExport())
+        return;
     auto* dialog = new QFileDialog(this, tr("Save as PDF"), QString(), tr("PDF (*.pdf)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->selectFile(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral(".pdf"));
     connect(dialog, &QFileDialog::fileSelected, this, &StudyDataScreen::exportPdfTo);
+    tellIfCancelled(dialog);
     dialog->open();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QComboBox;
+class QFileDialog;
 class QPushButton;
 class QTabBar;
 class QVBoxLayout;
@@ -55,6 +56,9 @@ private:
     void askUnblind();
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
+    bool mayExport();
+    void tellIfCancelled(QFileDialog* dialog);
+    QString written(const QString& where) const;
     /// The texts shown while an export is being written, when it succeeds and when it fails.
     struct ExportWords {
         QString writing, written, failed;
@@ -69,6 +73,7 @@ private:
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
     bool m_withShown = false;
+    bool m_exporting = false; ///< a folder is being written
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;
     QVBoxLayout* m_holder = nullptr;

@@ -20,9 +20,10 @@ constexpr double kLargeScale = 1.5;
 QStringList AnswerPanel::placeNames(int places) {
     if (places == 1)
         return {tr("here")};
-    if (places == 2)
-        return {tr("left"), tr("right")};
-    return {tr("left"), tr("middle"), tr("right")};
+    QStringList names;
+    for (int place = 1; place <= places; ++place)
+        names << QString::number(place);
+    return names;
 }
 
 AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute attribute, QWidget* parent)
@@ -71,9 +72,8 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     case Task::twoAfc:
     case Task::threeAfc:
     case Task::oddity: {
-        const QStringList names = placeNames(psychophysics::placesOf(task));
-        for (int i = 0; i < names.size(); ++i)
-            m_choices.push_back(add(tr("%1 (%2)").arg(names.at(i)).arg(i + 1), QStringLiteral("answer.%1").arg(i)));
+        for (int i = 0; i < psychophysics::placesOf(task); ++i)
+            m_choices.push_back(addPlace(i, psychophysics::placesOf(task)));
         break;
     }
     }
@@ -111,10 +111,19 @@ QPushButton* AnswerPanel::add(const QString& text, const QString& name, const ch
     return button;
 }
 
+/// Its number is its name, its key and what stands at it in the scene; where it lies is said for whoever does not see the scene.
+QPushButton* AnswerPanel::addPlace(int place, int places) {
+    const QString where = place == 0 ? tr("the left one") : place + 1 == places ? tr("the right one") : tr("the middle one");
+    const QString number = QString::number(place + 1);
+    auto* button = add(number, QStringLiteral("answer.%1").arg(place));
+    button->setAccessibleName(tr("%1, %2").arg(number, where));
+    button->setToolTip(where);
+    return button;
+}
+
 void AnswerPanel::buildRanking() {
-    const QStringList names = placeNames(3);
-    for (int i = 0; i < names.size(); ++i) {
-        auto* button = add(tr("%1 (%2)").arg(names.at(i)).arg(i + 1), QStringLiteral("answer.%1").arg(i));
+    for (int i = 0; i < 3; ++i) {
+        auto* button = addPlace(i, 3);
         connect(button, &QPushButton::clicked, this, [this, i] { rank(i); });
         m_choices.push_back(button);
     }

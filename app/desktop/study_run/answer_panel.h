@@ -47,6 +47,7 @@ protected:
 
 private:
     QPushButton* add(const QString& text, const QString& name, const char* kind = "");
+    QPushButton* addPlace(int place, int places);
     void buildRanking();
     void choose(int index);
     void rank(int place);

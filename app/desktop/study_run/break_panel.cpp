@@ -34,6 +34,11 @@ BreakPanel::BreakPanel(const Theme& theme, QWidget* parent) : QWidget(parent) {
     column->addWidget(m_text);
     column->addWidget(m_bar);
     column->addWidget(m_button, 0, Qt::AlignHCenter);
+    m_more = kit::button(theme, {}, "quiet");
+    m_more->setObjectName(QStringLiteral("break.more"));
+    m_more->hide();
+    column->addWidget(m_more, 0, Qt::AlignHCenter);
+    connect(m_more, &QPushButton::clicked, this, &BreakPanel::moreAsked);
     column->addStretch(2);
     connect(m_button, &QPushButton::clicked, this, &BreakPanel::acted);
 }
@@ -44,6 +49,12 @@ void BreakPanel::say(const QString& title, const QString& text, const QString& a
     m_text->setVisible(!text.isEmpty());
     m_button->setText(action);
     m_button->setVisible(!action.isEmpty());
+    offer({});
+}
+
+void BreakPanel::offer(const QString& more) {
+    m_more->setText(more);
+    m_more->setVisible(!more.isEmpty());
 }
 
 void BreakPanel::countDown(double left_s, double of_s) {

@@ -22,15 +22,19 @@ public:
     /// A countdown of `left_s` of `of_s`; the button waits for its end. Negative: none.
     void countDown(double left_s, double of_s);
     void focusButton();
+    /// A second, quiet button below; empty: none. What say() says next has none.
+    void offer(const QString& more);
 
 signals:
     void acted();
+    void moreAsked();
 
 private:
     QLabel* m_title;
     QLabel* m_text;
     QProgressBar* m_bar;
     QPushButton* m_button;
+    QPushButton* m_more;
 };
 
 } // namespace chiron::desktop

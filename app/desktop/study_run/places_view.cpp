@@ -17,6 +17,7 @@ constexpr double kHorizon_m = 0.9;      // far away: where lines meet
 constexpr double kFloor = 0.62;         // of the height, where y = 0, z = 0 lies
 constexpr double kPadHeight_m = 0.006;
 constexpr double kShaft_m = 0.09;
+constexpr double kFootRadius_m = 0.0102; // of what a tube or an object stands on
 
 } // namespace
 
@@ -91,14 +92,15 @@ void PlacesView::paintPad(QPainter& painter, double x_m) const {
 
 void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     const double scale = pixelsPerMetre(0.0);
-    const double radius = 0.006 * scale;
+    const double radius = m_setup.gripRadius_m * scale; // all that is drawn of the ring takes hold
+    const double footRadius = kFootRadius_m * scale;
     const QPointF foot = project(x_m, 0, 0);
-    const QPointF rest = project(x_m, 0, m_setup.hookHeight_m);
+    const QPointF rest = project(x_m, 0, m_setup.gripHeight_m);
     const QPointF end = held ? project(m_tool.p_WProxy_m[0], m_tool.p_WProxy_m[1], m_tool.p_WProxy_m[2]) : rest;
     const QColor body = m_theme.color(Colour::accentSoft);
     painter.setPen(QPen(m_theme.color(Colour::accent), m_theme.px(1)));
     painter.setBrush(body.darker(112));
-    painter.drawEllipse(foot, 1.7 * radius, 1.7 * radius * kTilt);
+    painter.drawEllipse(foot, footRadius, footRadius * kTilt);
     QPen tube(body, 1.5 * radius, Qt::SolidLine, Qt::FlatCap);
     QPen edge(m_theme.color(Colour::accent), 1.5 * radius + m_theme.px(2), Qt::SolidLine, Qt::FlatCap);
     for (const QPen& pen : {edge, tube}) {

@@ -15,10 +15,11 @@ struct PlacesSetup {
     int places = 3;
     double spacing_m = 0.04;
     double padRadius_m = 0.009;
-    double hookHeight_m = 0.03;
+    double gripHeight_m = 0.03;   ///< simulation::gripZone
+    double gripRadius_m = 0.006;
     bool hooked = false;  ///< taken hold of (a tube, an object) instead of pressed (a pad)
     bool visible = true;  ///< the objects are drawn; else their places alone
-    QStringList names;    ///< under the places: "left" ...
+    QStringList names;    ///< under the places: "1" ...
 };
 
 /// What a participant sees: places that all look alike, the tool, which ones were touched. Nothing drawn depends on a stimulus: objects

@@ -17,12 +17,14 @@
 #include "desktop/training/ready_card.h"
 #include "desktop/widgets/state_panel.h"
 #include "recording/crash_ring.h"
+#include "session/study/participant_view.h"
 
 #include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -72,6 +74,7 @@ void TrialsScreen::begin() {
     request.measuredDelay_s = measuredDelay_s(context().settings(), station->devices.front()->descriptor());
     request.station = std::move(*station);
     request.freeMinute_s = kFreeMinute_s;
+    request.waitsAfterPractice = true;
     request.language = context().language().toStdString();
     request.nextStation = [] { return session::keyboardMouseStation(); };
     auto live = session::LiveSitting::start(context().site().database(), context().actor(), std::move(request));
@@ -93,7 +96,33 @@ void TrialsScreen::begin() {
     m_frame.start(kFrame_ms);
 }
 
+/// Whoever has done a part of the study has read all of it before: then it is a short page, and the whole text at a press.
 void TrialsScreen::showInstructions() {
+    if (m_live->view().firstPart)
+        return showWholeInstructions();
+    m_break->say(tr("The next part"), furtherPartText(), tr("Continue"));
+    m_break->offer(tr("Read the whole instruction again"));
+    m_stage->setCurrentWidget(m_break);
+    m_panel->showContent();
+    m_break->focusButton();
+}
+
+/// What stays the same, and what is different only as far as the instructions say it to participants.
+QString TrialsScreen::furtherPartText() const {
+    const session::ParticipantView study = session::participantView(m_live->design());
+    const bool differs = std::any_of(study.parts.begin(), study.parts.end(), [&](const session::PartView& part) {
+        return part.task != study.parts.front().task || part.apex() != study.parts.front().apex();
+    });
+    QStringList said;
+    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.")
+                     : tr("You explore and answer as in the part before. Nothing changes in what you do."));
+    const auto part = std::find_if(study.parts.begin(), study.parts.end(), [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
+    if (part != study.parts.end() && part->practice > 0 && m_live->view().tryLeft_s > 0.0)
+        said << tr("It begins with %n practice trial(s), which do not count.", nullptr, part->practice);
+    return said.join(QLatin1Char(' '));
+}
+
+void TrialsScreen::showWholeInstructions() {
     m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Continue"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
@@ -164,6 +193,8 @@ void TrialsScreen::poll() {
 }
 
 void TrialsScreen::onBreakButton() {
+    if (m_over && isPilot())
+        return leave();
     if (!running())
         return;
     if (!m_begun) {
@@ -174,6 +205,9 @@ void TrialsScreen::onBreakButton() {
     switch (m_live->view().state) {
     case State::tried:
         m_live->endTrying();
+        break;
+    case State::practised:
+        m_live->beginCounting();
         break;
     case State::breakDue:
         if (m_live->view().breakLeft_s <= 0.0)
@@ -251,6 +285,10 @@ void TrialsScreen::capturePointer() {
 void TrialsScreen::askToStop() {
     if (!running() || m_asking)
         return;
+    if (isPilot()) { // nothing of it is missed
+        m_live->stop();
+        return;
+    }
     m_asking = true;
     m_live->pause();
     freePointer();

@@ -79,6 +79,8 @@ private:
     QString apexWords(const session::LiveStudyView& view) const;
     QString stoppedText() const;
     QString triedText() const;
+    QString trialText(const session::LiveStudyView& view) const; ///< "Trial 3 of 12"; nothing of how the procedure stands
+    QString untouchedText(const session::LiveStudyView& view) const;
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
@@ -88,6 +90,7 @@ private:
     void placePage();
     void bringBack(); ///< the participant's screen is gone
     bool guarded() const;
+    bool isPilot() const { return m_live && !m_live->design().pilotOf.empty(); }
     void callExperimenter(std::function<void()> then);
     void showDesk();
     void showPage();
@@ -99,6 +102,8 @@ private:
     // trials_screen.cpp
     void begin();
     void showInstructions();
+    void showWholeInstructions();
+    QString furtherPartText() const;
     void showCard();
     void go();
     void stripAction(); ///< the free minute, or the feedback of practice, was long enough

@@ -140,6 +140,7 @@ QWidget* TrialsScreen::buildStage() {
     m_stage = new QStackedWidget;
     m_break = new BreakPanel(theme);
     connect(m_break, &BreakPanel::acted, this, &TrialsScreen::onBreakButton);
+    connect(m_break, &BreakPanel::moreAsked, this, &TrialsScreen::showWholeInstructions);
     m_stage->addWidget(m_break);
     m_trial = new QWidget;
     auto* column = new QVBoxLayout(m_trial);
@@ -214,7 +215,9 @@ void TrialsScreen::buildPlaces() {
     if (const auto* parameters = std::get_if<simulation::ComparisonParameters>(&m_live->level().parameters)) {
         setup.spacing_m = parameters->spacing_m;
         setup.padRadius_m = parameters->padRadius_m;
-        setup.hookHeight_m = parameters->hookHeight_m;
+        const simulation::GripZone grip = simulation::gripZone(*parameters);
+        setup.gripHeight_m = grip.height_m;
+        setup.gripRadius_m = grip.radius_m;
         setup.hooked = simulation::isHooked(parameters->attribute);
     }
     setup.names = AnswerPanel::placeNames(setup.places);

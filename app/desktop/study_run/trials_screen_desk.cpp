@@ -54,7 +54,7 @@ void TrialsScreen::bringBack() {
 
 /// Whether the experimenter has to show who they are before anybody sees the desk or goes on.
 bool TrialsScreen::guarded() const {
-    return m_live && (m_live->design().blindParticipant || m_live->design().blindExperimenter);
+    return m_live && !isPilot() && (m_live->design().blindParticipant || m_live->design().blindExperimenter); // a pilot is its author's own, and no data
 }
 
 void TrialsScreen::callExperimenter(std::function<void()> then) {
@@ -130,11 +130,17 @@ void TrialsScreen::clearHead(const QString& note) {
 void TrialsScreen::showEnd(const QString& what) {
     m_ended = what;
     m_panel->showContent();
-    m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
+    if (isPilot())
+        m_break->say(tr("The pilot run is over"), tr("What was tried does not count as data of the study."), tr("Go on"));
+    else
+        m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});
     m_break->countDown(-1.0, 0.0);
     m_stage->setCurrentWidget(m_break);
     clearHead(what);
-    (atDesk() ? m_leave : m_call)->setFocus(Qt::OtherFocusReason);
+    if (atDesk() || !isPilot())
+        (atDesk() ? m_leave : m_call)->setFocus(Qt::OtherFocusReason);
+    else
+        m_break->focusButton();
 }
 
 void TrialsScreen::leave() {

@@ -11,6 +11,7 @@
 #include "desktop/study_run/study_controls.h"
 #include "desktop/training/force_words.h"
 #include "desktop/training/key_filter.h"
+#include "session/study/participant_view.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -69,6 +70,17 @@ void TrialsScreen::hearMasking(bool scene) {
 
 void TrialsScreen::showSilence() { m_noSound->setVisible(m_live->design().trial.maskingSound && !m_sound.works()); }
 
+/// How many trials there are is known, or at most; a staircase's state is not in it.
+QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
+    if (view.state == State::feedback || (view.ofAtMost > 0 && view.trial >= view.ofAtMost)) // of the one that was just answered; it was the last
+        return m_strip->text();
+    const QLocale locale = context().locale();
+    const QString number = locale.toString(view.trial + 1);
+    const QString most = locale.toString(view.ofAtMost);
+    const bool fixed = session::trialsAreFixed(m_live->condition());
+    return view.ofAtMost <= 0 ? tr("Trial %1").arg(number) : fixed ? tr("Trial %1 of %2").arg(number, most) : tr("Trial %1 of at most %2").arg(number, most);
+}
+
 /// The free minute, and the feedback of practice.
 void TrialsScreen::showStrip(const session::LiveStudyView& view) {
     const bool trying = view.state == State::trying;
@@ -77,7 +89,8 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
     m_strip->setText(ends               ? tr("The free minute ends in %n second(s). Then you say when the trials begin.", nullptr, left_s)
                      : trying           ? tr("Free minute: try the controls. Nothing counts yet. %n second(s) left.", nullptr, left_s)
                      : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
-                                        : QString());
+                     : view.practice    ? tr("Practice: nothing counts yet.")
+                                        : trialText(view));
     m_takeBack->setVisible(view.mayTakeBack);
     m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
     m_enough->setVisible(trying || view.mayTakeBack);
@@ -87,14 +100,30 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
         m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
 }
 
-/// What is missing: names of the objects that were not touched yet.
-static QString missingObjects(const session::LiveStudyView& view) {
+/// Names of the objects of `places`, one bit each.
+static QString namesOfPlaces(const session::LiveStudyView& view, std::uint32_t places) {
     const QStringList names = AnswerPanel::placeNames(view.places);
-    QStringList missing;
+    QStringList said;
     for (int place = 0; place < names.size(); ++place)
-        if (((view.touched >> place) & 1U) == 0)
-            missing << names.at(place);
-    return missing.join(QStringLiteral(", "));
+        if (((places >> place) & 1U) != 0)
+            said << names.at(place);
+    return said.join(QStringLiteral(", "));
+}
+
+/// What is missing: names of the objects that were not touched yet.
+static QString missingObjects(const session::LiveStudyView& view) { return namesOfPlaces(view, ~view.touched); }
+
+/// Of objects that were only grazed, or are held without being pulled yet: that more force is needed. How much an object gives way for it is not told.
+static QString harderWords(const session::LiveStudyView& view, bool pulls, const QLocale& locale) {
+    const std::uint32_t light = view.grazed & ~view.touched;
+    const std::uint32_t here = view.place >= 0 ? light & (1U << view.place) : light;
+    if (view.probe_N <= 0.0 || here == 0 || (view.place < 0 && light != (~view.touched & ((1U << view.places) - 1U))))
+        return {};
+    const QString force = study_words::plainNumber(view.probe_N, locale);
+    if (view.places == 1)
+        return pulls ? TrialsScreen::tr("Pull a little harder: at least %1 N.").arg(force) : TrialsScreen::tr("Press a little harder: at least %1 N.").arg(force);
+    return pulls ? TrialsScreen::tr("Pull a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force)
+                 : TrialsScreen::tr("Press a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force);
 }
 
 /// What the hand has to do otherwise. `pulls`: objects are taken hold of.
@@ -104,6 +133,11 @@ static QString handWords(const std::string& did, bool pulls) {
     return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.") : TrialsScreen::tr("You pressed too hard. Press more gently.");
 }
 
+QString TrialsScreen::untouchedText(const session::LiveStudyView& view) const {
+    return view.probe_N > 0.0 ? tr("Not every object was felt with at least %1 N in time.").arg(study_words::plainNumber(view.probe_N, context().locale()))
+                              : tr("Not every object was touched in time.");
+}
+
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     switch (view.state) {
     case State::trying:
@@ -111,7 +145,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::coming:
         if (!view.hand.empty())
             return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
-        return view.again ? tr("Not every object was touched in time, so these come again. Lift the tool off.") : tr("The next objects are coming. Lift the tool off.");
+        return view.again ? tr("%1 These objects come again. Lift the tool off.").arg(untouchedText(view)) : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
         return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
@@ -119,6 +153,8 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
             return handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute));
         return !view.right ? QString() : *view.right ? tr("Correct.") : tr("Wrong.");
     case State::exploring:
+        if (const QString harder = harderWords(view, isTakenHold(m_live->condition().stimulus.attribute), context().locale()); !view.canAnswer && !harder.isEmpty())
+            return harder;
         if (!view.canAnswer && view.place >= 0 && isTakenHold(m_live->condition().stimulus.attribute) && !missingObjects(view).isEmpty())
             return tr("To let go, lower the tool well below the ring. Touch next: %1.").arg(missingObjects(view));
         return view.canAnswer ? QString() : view.places == 1 ? tr("Touch the object first.") : tr("Touch first: %1.").arg(missingObjects(view));
@@ -188,6 +224,9 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
     case State::tried:
         m_break->say(tr("The free minute is over"), triedText(), tr("Continue"));
         break;
+    case State::practised:
+        m_break->say(tr("Practice is over"), tr("From now on every answer counts. Press Continue when you are ready."), tr("Continue"));
+        break;
     case State::breakDue:
         m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
                                                            : tr("Continue when you are ready."),
@@ -195,7 +234,10 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         break;
     case State::needsExperimenter:
         m_break->say(tr("Please ask the experimenter"),
-                     view.again ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.")
+                     view.again && view.probe_N > 0.0
+                         ? tr("Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.")
+                               .arg(study_words::plainNumber(view.probe_N, context().locale()))
+                     : view.again ? tr("Several times in a row, not every object was touched in time. Ask the experimenter to show how an object is touched and let go.")
                                 : tr("The last trial could not be presented accurately enough, even after several attempts."),
                      tr("Continue"));
         break;

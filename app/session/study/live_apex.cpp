@@ -63,6 +63,8 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     if (!begun)
         return tl::unexpected(begun.error());
     auto state = std::make_unique<State>(database, actor, sitting, std::move(*begun), request.language);
+    state->waitsAfterPractice = request.waitsAfterPractice;
+    state->view.firstPart = study.firstPart(sitting.label);
     state->blinding = study.record.blinding;
     state->condition = conditionOf(state->study.design, sitting.run.condition);
     state->nextStation = std::move(request.nextStation);
@@ -142,6 +144,8 @@ void LiveApex::endTrying() {
     if (m_state->tries)
         m_state->tried_s = m_state->tryFor_s;
 }
+
+void LiveApex::beginCounting() { m_state->waitsToCount = false; }
 
 void LiveApex::setMasking(const std::string& what) { m_state->notes.hear(what); }
 

@@ -34,6 +34,7 @@ public:
     void takeBack() override;
     void goOn() override;
     void endTrying() override;
+    void beginCounting() override;
     void setMasking(const std::string& what) override;
     void spoil() override;
     void pause() override;

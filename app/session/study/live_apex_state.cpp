@@ -129,6 +129,7 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
         view.beside_m = trial.value;
         feedbackSince = Clock::now();
     }
+    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.next().practice;
     if (progress.breakDue())
         breakSince = Clock::now();
 }
@@ -141,7 +142,7 @@ void LiveApex::State::summarise() {
 }
 
 bool LiveApex::State::heldBetween() const {
-    return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (progress.breakDue() || progress.needsExperimenter()));
+    return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (waitsToCount || progress.breakDue() || progress.needsExperimenter()));
 }
 
 /// The exercise goes from trial to trial by itself: what holds it, and what ends it.
@@ -254,6 +255,8 @@ LiveStudyView::State LiveApex::State::where() const {
         return View::feedback;
     if (waitsForReady)
         return View::tried;
+    if (!watch->inTrial() && waitsToCount)
+        return View::practised;
     if (!watch->inTrial() && progress.needsExperimenter())
         return View::needsExperimenter;
     if (!watch->inTrial() && progress.breakDue())

@@ -57,6 +57,7 @@ struct LiveApex::State {
     double tried_s = 0.0;
     bool tries = false;    ///< in this session
     bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
+    bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
     Clock::time_point feedbackSince, breakSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 

@@ -30,6 +30,8 @@ struct LiveStudyRequest {
     /// A free minute before the first trial of a run, to try the controls on objects that are nearly alike: recorded, of no trial. Not in a
     /// run that is gone on with. 0: none.
     double freeMinute_s = 0.0;
+    /// Between practice and the first trial that counts it waits for beginCounting(); else the trials follow at once.
+    bool waitsAfterPractice = false;
     std::string language; ///< that the participant reads; kept with each trial
 };
 
@@ -39,6 +41,7 @@ struct LiveStudyView {
         starting,         ///< the session comes up
         trying,           ///< the free minute; until endTrying() or its end
         tried,            ///< it is over; the trials begin with endTrying()
+        practised,        ///< practice is over; the trials that count begin with beginCounting()
         coming,           ///< the next objects are on their way; lift the tool off
         arming,           ///< they lie there; force is being armed
         exploring,
@@ -54,10 +57,13 @@ struct LiveStudyView {
     psychophysics::Task task = psychophysics::Task::rank3;
     int places = 3;
     bool practice = false;
+    bool firstPart = true; ///< the participant has completed no other condition of the study
     int trial = 0;        ///< scored ones done
     int ofAtMost = 0;     ///< 0: not known
     int place = -1;       ///< touched now
     std::uint32_t touched = 0;  ///< in this trial, one bit a place
+    std::uint32_t grazed = 0;   ///< places that were in contact in this trial, however lightly, one bit each
+    double probe_N = 0.0;       ///< a place counts as touched once its object answered with so much; 0: at any touch
     bool again = false;         ///< the trial before did not count, as its objects were gone before all were touched: it comes again
     std::string hand; ///< what the hand did in the trial before, for which it does not count: "peak_force" or "speed"; else empty
     bool mayTakeBack = false;   ///< an answer of practice, while its feedback is shown
@@ -153,6 +159,7 @@ public:
     virtual void takeBack() = 0;  ///< practice: the answer just given does not count, and its presentation comes again (view().mayTakeBack)
     virtual void goOn() = 0;      ///< practice: enough of the feedback
     virtual void endTrying() = 0; ///< the free minute is over
+    virtual void beginCounting() = 0; ///< it was read that practice is over
     virtual void setMasking(const std::string& what) = 0; ///< TrialCircumstances::kMasking...: what is heard from now on
     virtual void spoil() = 0;     ///< the experimenter's: this trial does not count and comes again
     virtual void pause() = 0;     ///< wished at once, also before the loop ticks; nothing is presented until resume()

@@ -101,6 +101,8 @@ void LiveStudy::endTrying() {
         m_state->tried_s = m_state->tryFor_s; // the objects go with the next look
 }
 
+void LiveStudy::beginCounting() { m_state->waitsToCount = false; }
+
 void LiveStudy::setMasking(const std::string& what) { m_state->notes.hear(what); }
 
 void LiveStudy::spoil() {

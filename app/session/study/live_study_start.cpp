@@ -40,6 +40,8 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
                                          !request.station.devices.front()->descriptor().rendersForce, request.language);
     state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
+    state->waitsAfterPractice = request.waitsAfterPractice;
+    state->view.firstPart = study.firstPart(sitting.label);
     state->blinding = study.record.blinding;
     state->run = begun->number;
     state->describeRun(sitting.run, table, limits);

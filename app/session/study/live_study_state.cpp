@@ -45,10 +45,13 @@ void LiveStudy::State::take(const FidelitySample& sample) {
     last = sample;
     if (sample.events & core::event_bits::kTrialStarted) {
         clock.begin(sample.tick);
+        grazed = 0;
         view.again = false;
         view.hand.clear();
     }
     clock.take(sample, sample.place != 0);
+    if (sample.place != 0 && sample.phase == TrialPhase::running)
+        grazed |= 1u << (sample.place - 1u);
     meter.add(sample);
     if (presented && (sample.events & kEnds))
         endTrial(sample);
@@ -124,6 +127,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();
     }
+    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.next().practice;
     if (progress.breakDue())
         breakSince = Clock::now();
 }
@@ -161,7 +165,7 @@ void LiveStudy::State::goOn() {
         return goOnTrying();
     if (stopping || progress.done())
         finish();
-    else if (!waitsForReady && !progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
+    else if (!waitsForReady && !waitsToCount && !progress.needsExperimenter() && !progress.breakDue() && (last.phase == TrialPhase::idle || last.phase == TrialPhase::between))
         present();
 }
 
@@ -241,6 +245,8 @@ void LiveStudy::State::describe() {
     view.ofAtMost = presented ? shown.ofAtMost : view.ofAtMost;
     view.place = static_cast<int>(last.place) - 1;
     view.touched = last.touched;
+    view.grazed = grazed;
+    view.probe_N = study.design.trial.mustTouchAll ? study.design.trial.probeAtLeast_N : 0.0;
     const double limit_s = study.design.trial.exploreLimit_s;
     const bool running = presented && last.phase == TrialPhase::running;
     view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - clock.exploration_s()) : 0.0;
@@ -273,6 +279,8 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
         return last.phase == TrialPhase::running ? View::trying : last.phase == TrialPhase::ready ? View::arming : View::coming;
     if (waitsForReady)
         return View::tried;
+    if (!presented && waitsToCount)
+        return View::practised;
     if (!presented && progress.needsExperimenter())
         return View::needsExperimenter;
     if (!presented && progress.breakDue())

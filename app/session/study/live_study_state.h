@@ -53,10 +53,12 @@ struct LiveStudy::State {
     double tried_s = 0.0;               ///< of it, in presentations that have ended
     bool tryPresented = false;
     bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
+    bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
     int answered = -1;
     std::optional<double> value;
     std::string spoiled;
     FidelitySample last;
+    std::uint32_t grazed = 0; ///< places in contact in this trial, one bit each
     TrialClock clock;
     Clock::time_point feedbackSince, breakSince, stopSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");

@@ -19,9 +19,7 @@ PartView partView(const psychophysics::Condition& condition, const psychophysics
     part.objects = part.apex() ? 1 : psychophysics::placesOf(condition.task);
     part.practice = rules.practiceTrials;
     part.trialsAtMost = trialsAtMost(condition);
-    part.trialsFixed = part.trialsAtMost > 0 && std::all_of(condition.procedures.begin(), condition.procedures.end(), [](const auto& spec) {
-        return std::holds_alternative<psychophysics::ConstantSpec>(spec);
-    });
+    part.trialsFixed = trialsAreFixed(condition);
     if (part.trialsAtMost > 0) {
         part.breaksAtMost = rules.breakEvery > 0 ? (part.trialsAtMost - 1) / rules.breakEvery : 0;
         part.minutesAtMost = psychophysics::minutesOf(condition, rules, part.trialsAtMost);
@@ -54,6 +52,12 @@ bool ParticipantView::anyBreak() const {
     return std::any_of(parts.begin(), parts.end(), [](const PartView& part) { return part.breaks; });
 }
 
+bool trialsAreFixed(const psychophysics::Condition& condition) {
+    return trialsAtMost(condition) > 0 && std::all_of(condition.procedures.begin(), condition.procedures.end(), [](const auto& spec) {
+        return std::holds_alternative<psychophysics::ConstantSpec>(spec);
+    });
+}
+
 ParticipantView participantView(const psychophysics::StudyDesign& design) {
     const psychophysics::TrialRules& rules = design.trial;
     ParticipantView view;
@@ -65,6 +69,7 @@ ParticipantView participantView(const psychophysics::StudyDesign& design) {
     view.breakAtLeast_s = rules.breakAtLeast_s;
     view.feedback = rules.feedback;
     view.mustTouchAll = rules.mustTouchAll;
+    view.probes = rules.mustTouchAll && rules.probeAtLeast_N > 0.0;
     view.maskingSound = rules.maskingSound;
     view.questionsBefore = questions(design, psychophysics::Questionnaire::When::before);
     view.questionsAfter = questions(design, psychophysics::Questionnaire::When::after);

@@ -34,6 +34,7 @@ struct ParticipantView {
     double breakAtLeast_s = 0.0;
     bool feedback = false;  ///< after trials that count, of parts where an answer is right or wrong (of an apex: how far from it)
     bool mustTouchAll = true;
+    bool probes = false;    ///< and with a smallest force: a graze is not enough
     bool maskingSound = false;
     int questionsBefore = 0;
     int questionsAfter = 0;
@@ -42,6 +43,8 @@ struct ParticipantView {
     double minutesAtMost() const; ///< of all parts, without questions; 0 where that is not known
     bool anyBreak() const;
 };
+/// Whether a condition has neither more nor fewer trials than it says.
+bool trialsAreFixed(const psychophysics::Condition& condition);
 ParticipantView participantView(const psychophysics::StudyDesign& design);
 
 } // namespace chiron::session

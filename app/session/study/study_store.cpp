@@ -53,6 +53,10 @@ core::Result<OpenedStudy> openStudy(database::Database& database, const database
     return study;
 }
 
+bool OpenedStudy::firstPart(const std::string& label) const {
+    return std::none_of(order.begin(), order.end(), [&](const std::string& other) { return other != label && hasRun(*this, other, database::StudyRunState::completed); });
+}
+
 std::string labelOf(const database::SealedCondition& condition) { return condition.condition.empty() ? condition.sealedCode : condition.condition; }
 
 std::string labelOf(const database::StudyRun& run) { return run.condition.empty() ? run.sealedCode : run.condition; }

@@ -16,6 +16,8 @@ namespace chiron::session {
 struct OpenedStudy {
     /// Whether conditions go by sealed codes now.
     bool blind() const { return record.blinding.on; }
+    /// Whether the participant has completed no other condition than the one of this label.
+    bool firstPart(const std::string& label) const;
 
     database::StudyRecord record;
     psychophysics::StudyDesign design; ///< masked where the record is, until a run of it is conducted

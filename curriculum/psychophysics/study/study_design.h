@@ -42,6 +42,10 @@ struct Condition {
     double criterion = 0.75; ///< proportion correct that the threshold is given for
 };
 
+/// What new studies begin with: three times the friction at the tip of the simulated device (0.1 N, models.md), which a hand cannot tell from an
+/// object, six times the force of which nobody notices more or less (0.05 N), and less than a tenth of the largest force of a trial. Our choice.
+inline constexpr double kUsualProbe_N = 0.3;
+
 struct TrialRules {
     double exploreLimit_s = 30.0;   ///< 0: none
     double answerLimit_s = 20.0;    ///< 0: none
@@ -53,6 +57,7 @@ struct TrialRules {
     int breakEvery = 40;            ///< trials; 0: none
     double breakAtLeast_s = 30.0;
     bool mustTouchAll = true;       ///< an answer is taken only once every place was touched
+    double probeAtLeast_N = 0.0;    ///< and its object answered with so much; 0: any touch counts, as in designs of earlier versions
 };
 
 /// A trial outside these is flagged, not scored and repeated.

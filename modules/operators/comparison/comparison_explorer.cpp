@@ -18,6 +18,7 @@ constexpr double kPull_N = 1.3;     ///< what it pulls a usual tube, and presses
 constexpr double kTooHard_N = 2.4;  ///< felt at a tube: the next trial's pulls are shorter ...
 constexpr double kEnough_N = 1.8;   ///< ... so that they come to about this: people pull to a force, not to a place
 constexpr double kShortestPull = 0.25; ///< of the usual way
+constexpr double kOverProbe = 1.5;     ///< so many times the smallest force that is asked for, it pulls at least: the grip gives way, too
 constexpr double kAbove_m = 0.014;  ///< over a pad on the way
 constexpr double kWaiting_m = 0.050; ///< between trials
 constexpr double kOverPads_m = 0.010; ///< the same where it strokes the air meanwhile: how an instrument runs depends on its depth
@@ -147,8 +148,9 @@ void ComparisonExplorer::nextWay() noexcept {
 
 /// From the trial before: the arm answers a fifth of a second after the hand has felt, too late for the pull it was felt in.
 void ComparisonExplorer::learnPull() noexcept {
+    const double shortest = std::clamp(kOverProbe * m_briefing.probe_N / kPull_N, kShortestPull, 1.0);
     if (m_hardest_N > kTooHard_N)
-        m_pull = std::max(kShortestPull, m_pull * kEnough_N / m_hardest_N);
+        m_pull = std::max(shortest, m_pull * kEnough_N / m_hardest_N);
     m_hardest_N = 0.0;
 }
 

@@ -22,6 +22,7 @@ struct ComparisonBriefing {
     double height_m = 0.030;       ///< of the rings
     double usualStiffness_N_per_m = 200.0; ///< of a tube or pad
     double padRadius_m = 0.009;    ///< of a pad's flat top: it sees it
+    double probe_N = 0.0;          ///< it was told to feel every object with so much at least; 0: nothing
     double share = 0.0;            ///< how much stiffer a quick press is: k₁/k
 };
 

@@ -17,6 +17,7 @@ ComparisonBriefing comparisonBriefing(const simulation::ComparisonParameters& p)
                                           ? p.values.front()[0]
                                           : p.object.stiffness_N_per_m;
     briefing.padRadius_m = p.padRadius_m;
+    briefing.probe_N = p.probeAtLeast_N;
     briefing.share = p.object.recoveryShare;
     return briefing;
 }

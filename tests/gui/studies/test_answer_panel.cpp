@@ -19,6 +19,7 @@ private slots:
     void everyTaskIsAnswered();
     void nothingIsTakenWhileClosed();
     void everyAnswerIsReadable();
+    void objectsGoByTheirNumbers();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -159,6 +160,24 @@ void TestAnswerPanel::everyAnswerIsReadable() {
             if (scale == 1.0 && width == 1240) // one line, in the middle
                 QVERIFY2(std::abs(left + right - width) < 12, qPrintable(QStringLiteral("%1 to %2").arg(left).arg(right)));
         }
+}
+
+/// One name for an object: its number is on the button, at the object and on the key.
+void TestAnswerPanel::objectsGoByTheirNumbers() {
+    QCOMPARE(desktop::AnswerPanel::placeNames(2), (QStringList{"1", "2"}));
+    QCOMPARE(desktop::AnswerPanel::placeNames(3), (QStringList{"1", "2", "3"}));
+    for (const Task task : {Task::twoAfc, Task::threeAfc, Task::oddity, Task::rank3, Task::rank3Ties}) {
+        desktop::AnswerPanel panel(m_theme, task, psychophysics::Attribute::stiffness);
+        const int places = psychophysics::placesOf(task);
+        for (int place = 0; place < places; ++place) {
+            const auto* button = panel.findChild<QPushButton*>(QStringLiteral("answer.%1").arg(place));
+            QVERIFY(button);
+            QCOMPARE(button->text(), QString::number(place + 1));
+            QVERIFY2(button->accessibleName().startsWith(QString::number(place + 1)), qPrintable(button->accessibleName()));
+        }
+        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.0"))->accessibleName().contains(QStringLiteral("left")));
+        QVERIFY(panel.findChild<QPushButton*>(QStringLiteral("answer.%1").arg(places - 1))->accessibleName().contains(QStringLiteral("right")));
+    }
 }
 
 QTEST_MAIN(TestAnswerPanel)

@@ -14,6 +14,7 @@
 #include <QMouseEvent>
 #include <QScreen>
 #include <QTemporaryDir>
+#include <cmath>
 
 using namespace chiron;
 using State = session::LiveStudyView::State;
@@ -36,7 +37,9 @@ private slots:
     void cleanupTestCase() { m_site.reset(); }
     void theControlsOfEveryTaskAndDeviceAreShown();
     void whatIsMissingIsNamed();
+    void aTooLightTouchIsTold();
     void theCardAndTheFreeMinuteComeFirst();
+    void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
     void theDeskTakesThePassword();
@@ -140,13 +143,83 @@ void TestParticipantPage::whatIsMissingIsNamed() {
     QVERIFY(screen && tests::beginTrials(screen));
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
-    QTRY_COMPARE(why->text(), QStringLiteral("Touch first: left, middle, right."));
+    QTRY_COMPARE(why->text(), QStringLiteral("Touch first: 1, 2, 3."));
     for (const char* name : {"answer.0", "answer.1", "answer.2", "answer.confirm"})
         QVERIFY2(!tests::sittingButton(screen, name)->isEnabled(), name);
     QTest::keyClick(m_site->window.get(), Qt::Key_1); // neither do keys answer
     QVERIFY(screen->findChild<desktop::AnswerPanel*>()->marks().join(QString()).isEmpty());
     const QWidget* first = tests::sittingButton(screen, "answer.0");
     QVERIFY(why->mapTo(screen, QPoint()).y() < first->mapTo(screen, QPoint()).y()); // above the answers
+}
+
+/// What was only grazed is named with the force that is missing; once it was felt, the next object is.
+void TestParticipantPage::aTooLightTouchIsTold() {
+    prepare("light", [](psychophysics::StudyDesign& design) {
+        design.trial.mustTouchAll = true;
+        design.trial.probeAtLeast_N = 0.3;
+        design.trial.exploreLimit_s = 0.0;
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
+    session::LiveSitting& live = *screen->live();
+    const auto reach = [&live](double x_m, double z_m) {
+        return QTest::qWaitFor(
+            [&] {
+                const auto& at = live.training().display().latest().tool[0].p_WT_m;
+                const double x = x_m - at[0], y = -at[1], z = z_m - at[2];
+                if (std::hypot(x, y, z) < 4e-5)
+                    return true;
+                live.training().pointer()->move(0.4 * x, 0.4 * y, 0.4 * z);
+                QTest::qWait(30);
+                return false;
+            },
+            kPatience_ms);
+    };
+    auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
+    QVERIFY(reach(-0.04, 0.060) && reach(-0.04, 0.027)); // in the ring of the first
+    QVERIFY(reach(-0.04, 0.03015));                      // 0.15 mm out: at most 0.14 N
+    QTRY_COMPARE(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."));
+    QCOMPARE(live.view().touched, 0U);
+    QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
+    QVERIFY(reach(-0.04, 0.0333)); // 1 N and more
+    QTRY_COMPARE(live.view().touched, 1U);
+    QTRY_VERIFY2(why->text().contains(QStringLiteral("Touch next: 2, 3")), qPrintable(why->text()));
+}
+
+/// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is a press away.
+void TestParticipantPage::aFurtherPartIsShort() {
+    prepare("parts", [](psychophysics::StudyDesign& design) {
+        design.blindParticipant = false;
+        design.instructions = {{"en", "The whole instruction of the study."}};
+        design.questionnaires.clear();
+        design.conditions[0].task = psychophysics::Task::twoAfc;
+        design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 1, true}};
+        design.conditions.push_back(design.conditions[0]);
+        design.conditions[1].id = "second";
+        design.conditions[1].title = {{"en", "Second"}};
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && screen->live()->view().firstPart);
+    const auto said = [&](const char* name) { return page(screen)->findChild<QLabel*>(QLatin1String(name))->text(); };
+    QCOMPARE(said("break.title"), QStringLiteral("Before you begin"));
+    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
+    QVERIFY(tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    QTRY_COMPARE(said("trials.strip"), QStringLiteral("Trial 1 of 1")); // neither more nor fewer
+    tests::sittingButton(screen, "answer.0")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QVERIFY(screen->live()->result() && screen->live()->result()->completed);
+    m_site->go(QStringLiteral("studies"));
+    screen = sit();
+    QVERIFY(screen && !screen->live()->view().firstPart);
+    QCOMPARE(said("break.title"), QStringLiteral("The next part"));
+    QVERIFY2(said("break.text").contains(QStringLiteral("as in the part before")), qPrintable(said("break.text")));
+    QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
+    tests::sittingButton(screen, "break.more")->click();
+    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
+    QVERIFY(tests::sittingButton(screen, "break.more")->isHidden());
+    QVERIFY(tests::beginTrials(screen));
 }
 
 /// Nothing counts, and nothing is presented, before the card was read and the minute is over; the minute can be ended at once.
@@ -223,7 +296,14 @@ void TestParticipantPage::practiceIsTakenBack() {
     tests::sittingButton(screen, "trials.enough")->click(); // enough of the feedback
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(2), kPatience_ms);
     QVERIFY(stored().back().practice && stored().back().answer >= 0);
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::practised, kPatience_ms); // nothing that counts comes before it was read
+    const auto* over = page(screen)->findChild<QLabel*>(QStringLiteral("break.text"));
+    QTRY_VERIFY2(over->text().contains(QStringLiteral("From now on every answer counts")), qPrintable(over->text()));
+    QVERIFY(!screen->live()->view().canAnswer);
+    tests::sittingButton(screen, "break.button")->click();
     QVERIFY(canAnswer(screen));
+    const auto* strip = page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"));
+    QTRY_COMPARE(strip->text(), QStringLiteral("Trial 1 of at most 40"));
     QVERIFY(!screen->live()->view().practice);
     for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
         tests::sittingButton(screen, button)->click();

@@ -70,6 +70,7 @@ private slots:
     void faultsStandAtTheirFields();
     void aTableOfNumbersIsPasted();
     void numbersAreReadAsTheyWereMeant();
+    void anUnreadNumberKeepsItsPage();
     void placeholdersAreNotFrozen();
     void aPilotIsKeptApart();
 
@@ -121,6 +122,13 @@ private:
         else
             QTest::keyClicks(field, words);
     }
+    /// Enter in the field that was typed into.
+    void enter(const char* name) {
+        ++m_actions;
+        QVERIFY2(shown<QWidget>(name), name);
+        QTest::keyClick(shown<QWidget>(name), Qt::Key_Return);
+    }
+    void pilotTried();
     bool inFocus(const char* field) const { return m_site->window->focusWidget() && m_site->window->focusWidget()->objectName() == QLatin1String(field); }
     QString faultAt(const char* field) {
         auto* fault = find<QWidget>((QByteArray(field) + ".fault").constData());
@@ -164,7 +172,29 @@ void TestStudyDesign::templatesCiteTheirSource() {
     click("new_study.cancel");
 }
 
-/// Two alternatives, two tubes: every press and every typed field is one action.
+/// One of those who design it tries it: the instructions, the controls, some of the free minute, and back to the design without a question.
+void TestStudyDesign::pilotTried() {
+    click("check.pilot");
+    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("pilot.accept")));
+    click("pilot.agreed");
+    click("pilot.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
+    const auto* trials = m_site->screen<desktop::TrialsScreen>();
+    using State = session::LiveStudyView::State;
+    click("break.button"); // the instructions
+    click("training.ready.go");
+    QTRY_COMPARE_WITH_TIMEOUT(trials->live()->view().state, State::trying, kPatience_ms);
+    click("trials.enough"); // of the free minute
+    QTRY_COMPARE_WITH_TIMEOUT(trials->live()->view().state, State::exploring, kPatience_ms);
+    click("trials.stop"); // asks nothing: a pilot is no data
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->finished() && !trials->isBusy(), kPatience_ms);
+    QTRY_VERIFY(text("break.title").contains(QStringLiteral("pilot")));
+    click("break.button"); // nor for a password
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
+}
+
+/// Two alternatives, two tubes of 0.3 and 0.6 N/mm, 15 trials of each, a look at the preview and a pilot: every press and every typed field is one
+/// action.
 void TestStudyDesign::fromNothingToFrozen() {
     m_site->go(QStringLiteral("studies"));
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
@@ -181,18 +211,32 @@ void TestStudyDesign::fromNothingToFrozen() {
     m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
     type("design.objective", QStringLiteral("Whether the Weber fraction of stiffness depends on the reference. We expect the same for both."));
     type("design.ethics", QStringLiteral("Ethics committee of the university, 17/2026"));
-    step("conditions.copy");
+    enter("design.ethics"); // as Next
+    QTRY_VERIFY(find<QWidget>("conditions.copy"));
+    type("condition.reference", QStringLiteral("0.3 N/mm")); // in the unit that people say it in
+    QCOMPARE(design().conditions.front().stimulus.reference, 300.0);
+    QCOMPARE(find<QLineEdit>("condition.title")->text(), QStringLiteral("Tube of 300 N/m")); // names that tell the reference follow it
+    QCOMPARE(design().conditions.front().id, std::string("tube_300"));
+    type("procedure.0.trials", QStringLiteral("15"));
+    QCOMPARE(find<QSpinBox>("procedure.0.minimum_trials")->value(), 15); // no run has more than its most
     click("conditions.copy");
     QTRY_COMPARE(design().conditions.size(), std::size_t{2});
     QTRY_VERIFY(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")));
-    type("condition.title", QStringLiteral("Tube of 120 N/m"));
-    type("condition.reference", QStringLiteral("120"));
-    QCOMPARE(design().conditions.back().stimulus.reference, 120.0);
-    step("trial.explore_limit");
-    step("questionnaires.add");
-    step("preview.start");
+    type("condition.reference", QStringLiteral("0.6 N/mm")); // the one field in which it differs
+    QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
+    QCOMPARE(design().conditions.back().title.at("en"), std::string("Tube of 600 N/m"));
+    QCOMPARE(design().conditions.back().title.at("de"), std::string("Schlauch mit 600 N/m"));
+    QCOMPARE(design().conditions.back().id, std::string("tube_600"));
+    ++m_actions; // a page is also reached by its name
+    find<QTabBar>("study.tabs")->setCurrentIndex(StudyScreen::previewTab);
+    QTRY_VERIFY(find<QPushButton>("preview.start"));
+    click("preview.start");
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start")->isEnabled(), 120000); // what it found was looked at
     step("check.freeze");
     QVERIFY(saved());
+    pilotTried();
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("check.freeze"), kPatience_ms);
+    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
     click("check.freeze");
     QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
     auto* list = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<desktop::CheckList*>();
@@ -211,7 +255,9 @@ void TestStudyDesign::fromNothingToFrozen() {
     const auto frozen = catalogue::readStudy(QByteArray::fromStdString(stored->designJson), "frozen");
     QVERIFY(frozen && frozen->conditions.size() == 2 && frozen->conditions.front().task == psychophysics::Task::twoAfc);
     QCOMPARE(stored->summary.sha256, catalogue::studySha256(QByteArray::fromStdString(stored->designJson)));
-    QVERIFY(frozen->instructions.at("en").find("at most 120 trials") != std::string::npos); // what participants read is frozen as they read it
+    QCOMPARE(frozen->conditions.back().stimulus.reference, 600.0);
+    QVERIFY(frozen->trial.practiceTrials > 0 && frozen->trial.probeAtLeast_N > 0.0); // without anybody asking for it
+    QVERIFY(frozen->instructions.at("en").find("at most 15 trials") != std::string::npos); // what participants read is frozen as they read it
     QVERIFY(!frozen->source.empty() && frozen->ethics == "Ethics committee of the university, 17/2026");
 }
 
@@ -229,7 +275,7 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
     QVERIFY(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong() != m_study);
     QCOMPARE(design().conditions.size(), original.conditions.size());
-    QCOMPARE(design().conditions.back().stimulus.reference, 120.0);
+    QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().instructions, original.instructions);
     QVERIFY(design().ethics.empty()); // an approval is of one study
     QVERIFY(find<QLineEdit>("design.title") && !find<QLineEdit>("design.title")->isReadOnly());
@@ -589,6 +635,23 @@ void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
     }
     QCOMPARE(desktop::readNumbers(QStringLiteral("0,5"), german).values, Values{0.5});
     QCOMPARE(desktop::readNumbers(QStringLiteral("5,10"), english).values, (Values{5.0, 10.0}));
+}
+
+/// What was typed and not taken is not left behind without a word: Next goes to it, and on from there.
+void TestStudyDesign::anUnreadNumberKeepsItsPage() {
+    openDraft(tests::smallStudy("unread"), StudyScreen::conditionsTab);
+    const double before = design().conditions.front().stimulus.reference;
+    type("condition.reference", QStringLiteral("0.5 kg"));
+    enter("condition.reference");
+    QVERIFY2(faultAt("condition.reference").contains(QStringLiteral("0.5 kg")), qPrintable(faultAt("condition.reference")));
+    QCOMPARE(design().conditions.front().stimulus.reference, before);
+    QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
+    QVERIFY(inFocus("condition.reference"));
+    type("condition.reference", QStringLiteral("0.25 N/mm"));
+    enter("condition.reference");
+    QTRY_COMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::trialsTab));
+    QCOMPARE(design().conditions.front().stimulus.reference, 250.0);
+    QVERIFY(saved());
 }
 
 void TestStudyDesign::placeholdersAreNotFrozen() {

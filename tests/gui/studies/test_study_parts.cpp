@@ -4,10 +4,12 @@
 #include "desktop/questionnaire/questionnaire_form.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
+#include "desktop/studies/freeze_checks.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
+#include "desktop/studies/quantity_text.h"
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/experimenter_panel.h"
@@ -18,6 +20,7 @@
 #include "session_report/study_warning_words.h"
 #include "support/made_study.h"
 
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -43,6 +46,9 @@ private slots:
     void fieldsTakeNoMoreRoomThanTheyNeed();
     void intervalsAreNoHalves();
     void namesOfPlacesStandApart();
+    void quantitiesAreReadWithTheirUnits();
+    void whatIsTypedIsTakenOrTold();
+    void soundAndForceAreCheckedBeforeFreezing();
 
 private:
     desktop::Theme m_theme = *desktop::Theme::load(desktop::ThemeName::light, 1.0);
@@ -287,6 +293,101 @@ void TestStudyParts::controlsOfALineAreLevel() {
     QCOMPARE(controls[0]->geometry(), QRect(0, 10, 100, 20));
     QCOMPARE(controls[1]->geometry(), QRect(110, 0, 100, 40));
     QCOMPARE(controls[2]->geometry(), QRect(0, 50, 150, 30));
+}
+
+void TestStudyParts::quantitiesAreReadWithTheirUnits() {
+    using Fault = desktop::ReadQuantity::Fault;
+    const QLocale german(QLocale::German);
+    struct Case {
+        const char* typed;
+        const char* unit;
+        Fault fault;
+        double value;
+    };
+    for (const Case& each : {Case{"0.3 N/mm", "N/m", Fault::none, 300.0}, Case{"0.3N/mm", "N/m", Fault::none, 300.0}, Case{"300", "N/m", Fault::none, 300.0},
+                             Case{"300 N/m", "N/m", Fault::none, 300.0}, Case{"2 kN/m", "N/m", Fault::none, 2000.0}, Case{"20 mm", "m", Fault::none, 0.02},
+                             Case{"1500 ms", "s", Fault::none, 1.5}, Case{"2 min", "s", Fault::none, 120.0}, Case{"0.05 kg", "g", Fault::none, 50.0},
+                             Case{"0.1 mm", "\u00B5m", Fault::none, 100.0}, Case{"100 \u03BCm", "\u00B5m", Fault::none, 100.0}, Case{"300 mN", "N", Fault::none, 0.3},
+                             Case{"200 mm/s", "m/s", Fault::none, 0.2}, Case{"4 Ns/m", "N\u00B7s/m", Fault::none, 4.0}, Case{"30 %", "", Fault::none, 0.3},
+                             Case{"5 %", "%", Fault::none, 5.0}, Case{"0.3 kg", "N/m", Fault::otherUnit, 0.0}, Case{"0.3 N", "N/m", Fault::otherUnit, 0.0},
+                             Case{"0.3 N/mmm", "N/m", Fault::otherUnit, 0.0}, Case{"3 N", "", Fault::otherUnit, 0.0}, Case{"abc", "N/m", Fault::noNumber, 0.0},
+                             Case{"", "N/m", Fault::empty, 0.0}}) {
+        const desktop::ReadQuantity read = desktop::readQuantity(QString::fromUtf8(each.typed), QString::fromUtf8(each.unit), m_locale);
+        QVERIFY2(read.fault == each.fault, each.typed);
+        QVERIFY2(each.fault != Fault::none || std::abs(read.value - each.value) < 1e-9 * std::max(1.0, each.value), each.typed);
+    }
+    QCOMPARE(desktop::readQuantity(QStringLiteral("0,3 N/mm"), QStringLiteral("N/m"), german).value, 300.0);
+    QCOMPARE(desktop::readQuantity(QStringLiteral("0.3 N/mm"), QStringLiteral("N/m"), german).value, 300.0);
+    QVERIFY(desktop::readQuantity(QStringLiteral("0,3"), QStringLiteral("N/m"), m_locale).fault == Fault::noNumber); // 0.3, or 0 and 3
+}
+
+/// A unit of the same dimension is converted and shown; anything else is told at the field, which keeps what it had.
+void TestStudyParts::whatIsTypedIsTakenOrTold() {
+    QWidget page;
+    auto* column = new QVBoxLayout(&page);
+    auto* grid = new desktop::FieldGrid(m_theme, m_locale, false);
+    double taken = 60.0;
+    int trials = 20;
+    auto* field = grid->number(QStringLiteral("Reference"), QStringLiteral("reference"), taken, {0, 1e9, 4, QStringLiteral("N/m"), 1}, [&](double now) { taken = now; });
+    auto* whole = grid->whole(QStringLiteral("Trials"), QStringLiteral("trials"), trials, 0, 100, [&](int now) { trials = now; });
+    column->addWidget(grid);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    const auto typeInto = [](QAbstractSpinBox* into, const QString& words) {
+        into->setFocus();
+        into->selectAll();
+        QTest::keyClicks(into, words);
+        QTest::keyClick(into, Qt::Key_Return);
+    };
+    typeInto(field, QStringLiteral("0.3 N/mm"));
+    QCOMPARE(taken, 300.0);
+    QCOMPARE(field->text(), QStringLiteral("300 N/m"));
+    QVERIFY(grid->faultOf(QStringLiteral("reference")).isEmpty());
+    for (const char* wrong : {"0.5 kg", "soft", "0.5 N"}) {
+        typeInto(field, QLatin1String(wrong));
+        QCOMPARE(taken, 300.0); // also where a beginning of it is a number
+        QCOMPARE(field->text(), QStringLiteral("300 N/m"));
+        const QString told = grid->faultOf(QStringLiteral("reference"));
+        QVERIFY2(told.contains(QLatin1String(wrong)) && told.contains(QStringLiteral("N/m")), qPrintable(told));
+        QCOMPARE(grid->firstUnread(), QStringLiteral("reference"));
+    }
+    typeInto(field, QStringLiteral("2000000000")); // more than it takes
+    QVERIFY2(grid->faultOf(QStringLiteral("reference")).contains(QStringLiteral("from 0")), qPrintable(grid->faultOf(QStringLiteral("reference"))));
+    QCOMPARE(taken, 300.0);
+    typeInto(field, QStringLiteral("120"));
+    QCOMPARE(taken, 120.0);
+    QVERIFY(grid->faultOf(QStringLiteral("reference")).isEmpty() && grid->firstUnread().isEmpty());
+    typeInto(whole, QStringLiteral("2.5")); // neither 2 nor 25
+    QCOMPARE(trials, 20);
+    QVERIFY(grid->faultOf(QStringLiteral("trials")).contains(QStringLiteral("2.5")));
+    typeInto(whole, QStringLiteral("15"));
+    QCOMPARE(trials, 15);
+    QVERIFY(grid->firstUnread().isEmpty());
+}
+
+/// Before anything is frozen: masking that nobody would hear, or that is off, and objects that count from a graze on.
+void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
+    using State = desktop::FreezeCheck::State;
+    psychophysics::StudyDesign design = desktop::plainStudy();
+    const auto stateOf = [&](const char* name, const desktop::FreezeFacts& facts) -> std::optional<State> {
+        for (const desktop::FreezeCheck& each : desktop::freezeChecks(design, facts, m_locale))
+            if (each.name == QLatin1String(name))
+                return each.state;
+        return std::nullopt;
+    };
+    desktop::FreezeFacts facts;
+    QVERIFY(!stateOf("masking", facts)); // nobody has looked
+    facts.hasSound = false;
+    QVERIFY(stateOf("masking", facts) == State::advice);
+    facts.hasSound = true;
+    QVERIFY(stateOf("masking", facts) == State::good);
+    design.trial.maskingSound = false;
+    QVERIFY(stateOf("masking", facts) == State::advice);
+    QVERIFY(stateOf("probe", facts) == State::good); // new studies have one
+    design.trial.probeAtLeast_N = 0.0;
+    QVERIFY(stateOf("probe", facts) == State::advice);
+    design.trial.mustTouchAll = false;
+    QVERIFY(!stateOf("probe", facts));
 }
 
 QTEST_MAIN(TestStudyParts)

@@ -13,13 +13,15 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRadioButton>
 #include <QScrollBar>
-#include <QTabBar>
 #include <QSlider>
+#include <QTabBar>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <algorithm>
 
 using namespace chiron;
@@ -46,6 +48,7 @@ private slots:
     void runsInOrder();
     void questionnaire();
     void dataAndUnblinding();
+    void everyWayOutOfAnExportIsTold();
     void theTableOfTrialsFits();
     void archivedWithUndo();
 
@@ -418,6 +421,38 @@ void TestStudyScreens::dataAndUnblinding() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.condition.0")) &&
                                  m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() == QStringLiteral("Stiffness of a tube"),
                              30000);
+}
+
+/// Closed, asked twice, done, there already, and left meanwhile: no export ends without a word.
+void TestStudyScreens::everyWayOutOfAnExportIsTold() {
+    go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
+    QStringList told;
+    QObject hears; // no longer than what it writes to
+    QObject::connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
+    const auto hasTold = [&](const char* words) { return told.join(QLatin1Char('|')).contains(QLatin1String(words)); };
+    click("data.csv");
+    QTRY_VERIFY(m_site->find<QFileDialog>(QStringLiteral("data.folder")));
+    m_site->find<QFileDialog>(QStringLiteral("data.folder"))->reject();
+    QVERIFY2(hasTold("Nothing was exported"), qPrintable(told.join(QLatin1Char('|'))));
+
+    const QTemporaryDir folder;
+    auto* screen = m_site->screen<desktop::StudyDataScreen>();
+    told.clear();
+    screen->exportCsvTo(folder.path());
+    click("data.csv"); // while it is written
+    QVERIFY2(hasTold("still being written"), qPrintable(told.join(QLatin1Char('|'))));
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), 30000);
+    QVERIFY(!QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
+    told.clear();
+    screen->exportCsvTo(folder.path()); // it is there already
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("could not be written"), qPrintable(told.join(QLatin1Char('|'))), 30000);
+
+    const QTemporaryDir other;
+    told.clear();
+    screen->exportCsvTo(other.path());
+    m_site->go(QStringLiteral("studies")); // and the screen is gone when it is done
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), 30000);
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.

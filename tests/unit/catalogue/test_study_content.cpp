@@ -2,6 +2,7 @@
 #include "study_samples.h"
 
 #include "catalogue/canonical_json.h"
+#include "catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
@@ -29,6 +30,7 @@ private slots:
     void shippedStudiesRoundTrip();
     void schemaKnowsEveryKey();
     void shippedStudiesAreComplete();
+    void aSmallestForceIsPartOfTheDesign();
 };
 
 void TestStudyContent::everyKeyIsRead() {
@@ -141,6 +143,41 @@ void TestStudyContent::shippedStudiesAreComplete() {
             QVERIFY(item.text.contains("de") && item.text.contains("el"));
         }
     QVERIFY(constructs.contains("face") && constructs.contains("content"));
+}
+
+/// Designs without it stay what they were, to the byte; new ones say it, and it goes into what a session stores.
+void TestStudyContent::aSmallestForceIsPartOfTheDesign() {
+    const auto without = readStudy(someStudy(), "without");
+    QVERIFY(without);
+    QCOMPARE(without->trial.probeAtLeast_N, 0.0);
+    QVERIFY(!studyJson(*without).contains("probe_at_least_N"));
+    auto parameters = comparisonOf(without->conditions[0], without->trial);
+    QVERIFY(parameters);
+    QCOMPARE(parameters->probeAtLeast_N, 0.0);
+
+    const auto read = [](double probe_N) {
+        return readStudy(QJsonDocument(changed(parsed(someStudy()), {"trial", "probe_at_least_N"}, probe_N).toObject()).toJson(), "with");
+    };
+    const auto with = read(0.3);
+    QVERIFY2(with, with ? "" : with.error().message.c_str());
+    QCOMPARE(with->trial.probeAtLeast_N, 0.3);
+    QVERIFY(studyJson(*with).contains("\"probe_at_least_N\":0.3"));
+    parameters = comparisonOf(with->conditions[0], with->trial);
+    QCOMPARE(parameters->probeAtLeast_N, 0.3);
+    const ExerciseLevel level = comparisonLevel(*parameters, "study", "a"); // as it is stored with a session, and read for its replay
+    QCOMPARE(std::get<simulation::ComparisonParameters>(level.parameters).probeAtLeast_N, 0.3);
+    psychophysics::TrialRules rules = with->trial;
+    rules.mustTouchAll = false;
+    QCOMPARE(comparisonOf(with->conditions[0], rules)->probeAtLeast_N, 0.0); // nothing has to be touched
+
+    const auto heavy = read(0.6); // the lightest object of 50 g weighs 0.49 N
+    QVERIFY(!heavy && QString::fromStdString(heavy.error().message).contains(QStringLiteral("lightest object")));
+    const auto beyond = read(3.0); // a trial with more than 3 N does not count
+    QVERIFY(!beyond && QString::fromStdString(beyond.error().message).contains(QStringLiteral("largest force")));
+    const auto catalogue = StudyCatalogue::load(kContent.toStdString());
+    for (const auto& study : catalogue->studies())
+        if (study.conditions.front().stimulus.attribute != psychophysics::Attribute::apex)
+            QVERIFY2(study.trial.probeAtLeast_N == psychophysics::kUsualProbe_N, study.id.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestStudyContent)

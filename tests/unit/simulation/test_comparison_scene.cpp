@@ -38,6 +38,9 @@ private slots:
     void controlsAreFaultsOfTheRendering();
     void trialsGoOnByCommand();
     void limitsOfATrial();
+    void aGrazeDoesNotCountAsTouched();
+    void noForceIsNotTouched();
+    void allThatIsDrawnOfARingTakesHold();
     void anAdjustedLevelIsNeverFeltAsAStep();
     void wordsThatDoNotExist();
     void notANumber();
@@ -103,6 +106,85 @@ void TestComparisonScene::objectsWeighAsTheirValueSays() {
         QVERIFY(std::abs(d.force().z() - 0.4) < 1e-9);
         d.moveTo(lies + Vec3(0.0, 0.0, 0.03), 0.3);
         QCOMPARE(d.force().norm(), 0.0); // lifted, pressed and released: let go
+    }
+}
+
+/// Where a smallest force is asked for an object counts from exactly that force on; where none is, as before, from the first touch.
+void TestComparisonScene::aGrazeDoesNotCountAsTouched() {
+    const auto pulled = [](double probe_N, double& force_N) {
+        ComparisonParameters p = lossless(ComparedAttribute::stiffness);
+        p.probeAtLeast_N = probe_N;
+        ComparisonDriver d(p);
+        d.startRunning();
+        d.moveTo(d.at(0, d.hook_m() - 0.002), 0.4);
+        d.moveTo(d.at(0, d.hook_m() + 0.002), 0.3);
+        d.ticks(5);
+        force_N = d.force().norm();
+        return d.quantity(q::kTouched) == 1.0;
+    };
+    double force_N = 0.0;
+    QVERIFY(pulled(0.0, force_N)); // designs and recordings of earlier versions
+    QVERIFY(force_N > 0.29 && force_N < 0.31);
+    const double reached_N = force_N;
+    QVERIFY(pulled(reached_N, force_N));           // at it
+    QVERIFY(pulled(0.5 * reached_N, force_N));     // above
+    QVERIFY(!pulled(1.001 * reached_N, force_N));  // below
+    QCOMPARE(force_N, reached_N);                  // what is felt is the same
+
+    ComparisonParameters all = lossless(ComparedAttribute::friction);
+    all.probeAtLeast_N = 1.0;
+    ComparisonDriver pads(all);
+    pads.startRunning();
+    pads.moveTo(pads.at(1, 0.01), 0.4);
+    pads.moveTo(pads.at(1, -0.001), 0.2); // 0.4 N
+    pads.ticks(3);
+    QCOMPARE(pads.quantity(q::kPlace), 2.0);
+    QCOMPARE(pads.quantity(q::kTouched), 0.0);
+    pads.moveTo(pads.at(1, -0.004), 0.2); // 1.6 N
+    QCOMPARE(pads.quantity(q::kTouched), 2.0);
+    pads.moveTo(pads.at(1, 0.02), 0.2);
+    QCOMPARE(pads.quantity(q::kTouched), 2.0); // once felt, felt
+}
+
+/// While the trial is paused force is not there, or not in full.
+void TestComparisonScene::noForceIsNotTouched() {
+    ComparisonParameters p = lossless(ComparedAttribute::stiffness);
+    p.probeAtLeast_N = 0.3;
+    ComparisonDriver d(p);
+    d.startRunning();
+    d.in.paused = true;
+    d.moveTo(d.at(0, d.hook_m() - 0.002), 0.4);
+    d.moveTo(d.at(0, d.hook_m() + 0.005), 0.3);
+    QCOMPARE(d.quantity(q::kTouched), 0.0);
+    d.in.paused = false;
+    d.ticks(1);
+    QCOMPARE(d.quantity(q::kTouched), 1.0);
+}
+
+/// The ring that is drawn is the zone in which the tool takes hold: the cue, the scene and gripZone() go by one number.
+void TestComparisonScene::allThatIsDrawnOfARingTakesHold() {
+    for (const ComparedAttribute attribute : {ComparedAttribute::stiffness, ComparedAttribute::mass}) {
+        const ComparisonParameters p = lossless(attribute);
+        const GripZone zone = gripZone(p);
+        QVERIFY(zone.radius_m > 0.0);
+        for (int place = 0; place < p.places; ++place)
+            for (const Vec3& way : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8), Vec3(0, -0.6, 0.8), Vec3(0, 0, 0)}) {
+                ComparisonDriver d(p);
+                d.startRunning();
+                const core::BodyCue& drawn = d.out.cues.laparoscopy.body[static_cast<std::size_t>(place)];
+                QCOMPARE(drawn.radius_m, zone.radius_m);
+                QCOMPARE(drawn.p_W[2], zone.height_m);
+                const Vec3 centre = d.at(place, zone.height_m);
+                d.tool().p_WT = centre + 0.999 * zone.radius_m * way;
+                d.ticks(2);
+                QCOMPARE(d.quantity(q::kPlace), place + 1.0);
+                QVERIFY(d.force().norm() < 1e-6); // taken without a step
+                ComparisonDriver beside(p);
+                beside.startRunning();
+                beside.tool().p_WT = centre + Vec3(0.0, p.hookReach_m + zone.radius_m, 0.0);
+                beside.ticks(2);
+                QCOMPARE(beside.quantity(q::kPlace), 0.0);
+            }
     }
 }
 

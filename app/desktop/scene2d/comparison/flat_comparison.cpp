@@ -5,8 +5,25 @@
 
 #include <QPainter>
 #include <QRadialGradient>
+#include <algorithm>
 
 namespace chiron::scene3d {
+
+namespace {
+
+void paintNumber(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const QPointF& at, int number) {
+    constexpr double kHigh = 16.0;
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, static_cast<int>(0.8 * kHigh * panel.unit())));
+    font.setBold(true);
+    painter.save();
+    painter.setFont(font);
+    painter.setPen(setup.colours.ink);
+    painter.drawText(QRectF(at.x() - kHigh * panel.unit(), at.y() - 0.5 * kHigh * panel.unit(), 2.0 * kHigh * panel.unit(), kHigh * panel.unit()), Qt::AlignCenter, QString::number(number));
+    painter.restore();
+}
+
+} // namespace
 
 QRectF FlatComparison::rangeAbove_mm() const { return FlatFloor::rangeAbove_mm(); }
 
@@ -31,6 +48,8 @@ void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const Scen
             painter.drawRect(QRectF(at.x() - radius, at.y(), 2.0 * radius, panel.pixels(4.0)));
         else
             painter.drawEllipse(at, radius, radius);
+        if (cues.bodies > 1) // the number that it goes by wherever it is answered or told of
+            paintNumber(painter, panel, setup, at + QPointF(0.0, -radius - 12.0 * panel.unit()), i + 1);
     }
 }
 

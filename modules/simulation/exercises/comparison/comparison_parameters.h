@@ -47,6 +47,7 @@ struct ComparisonParameters {
     double betweenTrials_s = 1.0;
     bool buttonAnswers = false;   ///< the tool's mark button at a place that is touched answers that place
     bool buttonNeedsAll = false;  ///< and only once every place was touched
+    double probeAtLeast_N = 0.0;  ///< a place counts as touched once its object answered with so much; 0: at any touch, as in earlier versions
     bool adjusts = false;         ///< a new `present` in a running trial changes the level
     ComparisonControl control = ComparisonControl::none;
     double maximumForce_N = 4.0;  ///< the exercise's cap for the supervisor
@@ -60,6 +61,23 @@ inline constexpr std::uint16_t kAnswerFinish = 0xFFFE;  ///< the sitting is over
 /// Whether the attribute is felt by taking hold of something (a tube, an object) instead of on a pad.
 constexpr bool isHooked(ComparedAttribute attribute) noexcept {
     return attribute == ComparedAttribute::stiffness || attribute == ComparedAttribute::mass;
+}
+
+/// Where a tip takes hold: a ball over the foot of a place, W.
+struct GripZone {
+    double height_m = 0.0; ///< of its centre
+    double radius_m = 0.0;
+};
+
+/// The zone that is drawn, and in all of which a tip takes hold (ComparedObject). An object is taken hold of as near to its ring as
+/// `hookReach_m`, all around. A tube only where it is slack, that is below its end: the largest ball that lies in that part. Where neither is
+/// taken hold of, a ball of no size.
+constexpr GripZone gripZone(const ComparisonParameters& p) noexcept {
+    if (!isHooked(p.attribute))
+        return {};
+    if (p.attribute == ComparedAttribute::mass)
+        return {p.hookHeight_m, p.hookReach_m};
+    return {p.hookHeight_m - 0.5 * p.hookReach_m, 0.5 * p.hookReach_m};
 }
 
 /// x of a place in W (m); y is 0.

@@ -12,6 +12,7 @@ namespace bits = core::event_bits;
 
 void ComparisonScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
     out = SceneOutput{};
+    m_paused = in.paused;
     hear(in);
     advance(in, out);
     touch(in, out);
@@ -189,6 +190,13 @@ void ComparisonScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
     fillQuantities(felt, usable ? tool : core::ToolState{}, out);
 }
 
+/// A graze does not: where the study asks for a force, it has to be reached, and while force is there to be felt.
+bool ComparisonScene::countsAsTouched(const ComparedResponse& response) const noexcept {
+    if (!response.touching || m_phase != TrialPhase::running)
+        return false;
+    return m_parameters.probeAtLeast_N <= 0.0 || (!m_paused && response.force.norm() >= m_parameters.probeAtLeast_N);
+}
+
 /// All places, their forces summed; the answer is that of the one felt most.
 ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept {
     DampingBudget budget(mostDamping_Ns_per_m);
@@ -207,7 +215,7 @@ ComparedResponse ComparisonScene::respondAll(const core::ToolState& tool, double
         felt = response;
         m_place = static_cast<int>(i);
         out.p_WProxy[0] = response.surfacePoint;
-        if (response.touching && m_phase == TrialPhase::running)
+        if (countsAsTouched(response))
             m_touched |= 1u << i;
     }
     out.damping_Ns_per_m[0] = budget.used_Ns_per_m();
@@ -245,9 +253,9 @@ void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     cues.laparoscopy.bodies = m_parameters.places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
         core::BodyCue& body = cues.laparoscopy.body[i]; // all alike, and where they are whatever is done to them
-        const double z_m = isHooked(m_parameters.attribute) ? m_parameters.hookHeight_m : 0.0;
-        body.p_W = {placeX_m(m_parameters, static_cast<int>(i)), 0.0, z_m};
-        body.radius_m = isHooked(m_parameters.attribute) ? m_parameters.hookReach_m : m_parameters.padRadius_m;
+        const GripZone grip = gripZone(m_parameters);
+        body.p_W = {placeX_m(m_parameters, static_cast<int>(i)), 0.0, grip.height_m};
+        body.radius_m = isHooked(m_parameters.attribute) ? grip.radius_m : m_parameters.padRadius_m;
         body.heldBy = m_place == static_cast<int>(i) ? 1 : 0;
     }
 }

@@ -18,7 +18,7 @@ inline constexpr std::size_t kPlace = 0;       ///< touched or held place, from 
 inline constexpr std::size_t kCandidate = 1;   ///< presented, from 1; 0: nothing yet
 inline constexpr std::size_t kArrangement = 2; ///< from 1
 inline constexpr std::size_t kAnswer = 3;      ///< of this trial, from 1; 0: none yet
-inline constexpr std::size_t kTouched = 4;     ///< places touched in this trial, one bit each
+inline constexpr std::size_t kTouched = 4;     ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
 inline constexpr std::size_t kDisplacement = 5; ///< of that place: ComparedResponse::displacement_m
 inline constexpr std::size_t kDepth = 6;       ///< ComparedResponse::depth_m, 0 out of contact
 inline constexpr std::size_t kVelocity = 7;    ///< x, y, z of the tool, m/s, as the laws use it
@@ -60,6 +60,7 @@ private:
     bool known(const core::PresentationWord& word) const noexcept;
     bool exploring() const noexcept;
     int buttonAnswer(const SceneInput& in) noexcept;
+    bool countsAsTouched(const ComparedResponse& response) const noexcept;
     void touch(const SceneInput& in, SceneOutput& out) noexcept;
     ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept;
     void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool, SceneOutput& out) const noexcept;
@@ -88,6 +89,7 @@ private:
     std::uint32_t m_touched = 0;
     int m_place = -1;
     bool m_touching = false;
+    bool m_paused = false;
     std::array<ComparedObject, ComparisonParameters::kMaxPlaces> m_objects;
     std::array<core::PresentationWord, ComparisonParameters::kMaxPlaces> m_set{}; ///< what each place is now
 };

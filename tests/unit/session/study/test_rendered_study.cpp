@@ -53,6 +53,22 @@ private slots:
         QVERIFY2(noise->pooledSd < 0.01, qPrintable(QString::number(noise->pooledSd)));
         QVERIFY(noise->seconds < 8.0);
     }
+    /// Simulated participants are told the smallest force as people are, and reach it at every place: no pilot, preview or demonstration is stuck.
+    void theSmallestForceIsReached() {
+        for (const Attribute attribute : {Attribute::stiffness, Attribute::mass, Attribute::deformation, Attribute::roughness, Attribute::friction, Attribute::viscosity}) {
+            session::RenderedRunRequest request = requestOf(5);
+            request.design = testing::rank3Study(attribute);
+            request.design.trial.probeAtLeast_N = psychophysics::kUsualProbe_N;
+            request.trialsAtMost = 6;
+            const auto run = session::runRendered(request);
+            QVERIFY2(run, run ? "" : run.error().message.c_str());
+            QVERIFY(!run->trials.empty());
+            QCOMPARE(spoiledBy(*run, "untouched"), 0);
+            for (const auto& trial : run->trials)
+                for (const QJsonValue& place : QJsonDocument::fromJson(QByteArray::fromStdString(trial.fidelityJson)).object()["places"].toArray())
+                    QVERIFY2(place.toObject()["peak_force_N"].toDouble() >= psychophysics::kUsualProbe_N, trial.fidelityJson.c_str());
+        }
+    }
     void weberFractionIsRecovered() {
         int inside = 0;
         const double sigma = psychophysics::sigmaOf({.weber = 0.12, .lapse = 0.02});
