@@ -247,10 +247,6 @@
         <translation>Vorschieben</translation>
     </message>
     <message>
-        <source>Roll the wheel away from you, or hold W. Towards you, or S, withdraws.</source>
-        <translation>Drehen Sie das Rad von sich weg oder halten Sie W. Zu sich hin oder S zieht zurück.</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Drehen</translation>
     </message>
@@ -271,20 +267,12 @@
         <translation>Bewegen</translation>
     </message>
     <message>
-        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
-        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Von sich weg oder Bild auf hebt an.</translation>
-    </message>
-    <message>
         <source>Lower</source>
         <translation>Senken</translation>
     </message>
     <message>
         <source>Close the jaw</source>
         <translation>Fasszange schließen</translation>
-    </message>
-    <message>
-        <source>Hold the left button, or G. With Shift, or H, it opens.</source>
-        <translation>Halten Sie die linke Taste oder G. Mit Umschalttaste oder H öffnet sie sich.</translation>
     </message>
     <message>
         <source>Press</source>
@@ -305,6 +293,18 @@
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
         <translation>Klicken Sie oder drücken Sie die Eingabetaste, während Sie die Stelle berühren.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.</source>
+        <translation>Drehen Sie das Rad von sich weg oder halten Sie W. Zum Zurückziehen drehen Sie es zu sich hin oder halten Sie S.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
+        <translation>Drehen Sie das Rad zu sich hin oder halten Sie Bild ab. Zum Anheben drehen Sie es von sich weg oder halten Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
+        <translation>Halten Sie die linke Taste oder G. Zum Öffnen halten Sie die Umschalttaste und die linke Taste oder H.</translation>
     </message>
 </context>
 <context>
@@ -360,6 +360,14 @@
     <message>
         <source>Another condition has the same name. Tables and figures could not tell them apart.</source>
         <translation>Eine andere Bedingung heißt ebenso. In Tabellen und Abbildungen wären sie nicht zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.</source>
+        <translation>Das leichteste Objekt wiegt nur %1 N, sodass es angehoben nicht als berührt gälte. Wählen Sie eine kleinere Kraft.</translation>
+    </message>
+    <message>
+        <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
+        <translation>Ein Durchgang mit mehr als %1 N zählt nicht, deshalb muss diese Kraft kleiner sein.</translation>
     </message>
 </context>
 <context>
@@ -791,6 +799,34 @@ Einzelheiten: %2</translation>
         <source>Nothing in the aim, the instructions or the titles contradicts the settings.</source>
         <translation>Nichts in Ziel, Anleitung und Titeln widerspricht den Einstellungen.</translation>
     </message>
+    <message>
+        <source>Smallest force</source>
+        <translation>Kleinste Kraft</translation>
+    </message>
+    <message>
+        <source>An object counts as touched from %1 N on.</source>
+        <translation>Ein Objekt gilt ab %1 N als berührt.</translation>
+    </message>
+    <message>
+        <source>Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.</source>
+        <translation>Jedes Streifen gilt als Berührung, sodass Teilnehmende antworten können, ohne etwas gefühlt zu haben. Üblich sind %1 N.</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Maskierungsgeräusch</translation>
+    </message>
+    <message>
+        <source>It is switched off. Participants may hear the device, and what they hear may tell objects apart.</source>
+        <translation>Es ist ausgeschaltet. Teilnehmende hören vielleicht das Gerät, und was sie hören, kann Objekte unterscheidbar machen.</translation>
+    </message>
+    <message>
+        <source>It is played during the trials.</source>
+        <translation>Es wird während der Durchgänge abgespielt.</translation>
+    </message>
+    <message>
+        <source>This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine.</source>
+        <translation>Dieser Rechner hat keine Tonausgabe, sodass Teilnehmende das Gerät hören würden. Schließen Sie Kopfhörer oder Lautsprecher an, oder führen Sie die Studie an einem anderen Rechner durch.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -817,6 +853,26 @@ Einzelheiten: %2</translation>
     <message>
         <source>%1: none</source>
         <translation>%1: keine</translation>
+    </message>
+    <message>
+        <source>%1: at most %2 N, with %3 % more for the time it takes to react</source>
+        <translation>%1: höchstens %2 N, mit %3 % Zugabe für die Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>Force limit: %1 N</source>
+        <translation>Kraftgrenze: %1 N</translation>
+    </message>
+    <message>
+        <source>Squeeze: %1 N at most</source>
+        <translation>Quetschkraft: höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>Force across the canal: %1 N at most</source>
+        <translation>Kraft quer zum Kanal: höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>Pull on the fold: %1 N at most</source>
+        <translation>Zug an der Falte: höchstens %1 N</translation>
     </message>
 </context>
 <context>
@@ -925,22 +981,6 @@ Einzelheiten: %2</translation>
         <translation>Anheben</translation>
     </message>
     <message>
-        <source>Is it the heaviest? Bring it over the dish; otherwise set it down</source>
-        <translation>Ist es das schwerste? Über die Schale bringen; sonst ablegen</translation>
-    </message>
-    <message>
-        <source>Bring it over the dish</source>
-        <translation>Über die Schale bringen</translation>
-    </message>
-    <message>
-        <source>Set it down in the dish and let go</source>
-        <translation>In die Schale legen und loslassen</translation>
-    </message>
-    <message>
-        <source>In the dish: let it lie still</source>
-        <translation>In der Schale: liegen lassen</translation>
-    </message>
-    <message>
         <source>Done: the next one follows</source>
         <translation>Fertig: Das nächste folgt</translation>
     </message>
@@ -999,6 +1039,22 @@ Einzelheiten: %2</translation>
     <message>
         <source>Holding: the fold</source>
         <translation>Gehalten: die Falte</translation>
+    </message>
+    <message>
+        <source>Is it the heaviest? Bring it over the ring; otherwise set it down</source>
+        <translation>Ist es das schwerste? Über den Ring bringen; sonst ablegen</translation>
+    </message>
+    <message>
+        <source>Bring it over the ring</source>
+        <translation>Über den Ring bringen</translation>
+    </message>
+    <message>
+        <source>Set it down inside the ring and let go</source>
+        <translation>Im Ring ablegen und loslassen</translation>
+    </message>
+    <message>
+        <source>In the ring: let it lie still</source>
+        <translation>Im Ring: liegen lassen</translation>
     </message>
 </context>
 <context>
@@ -1154,18 +1210,6 @@ Einzelheiten: %2</translation>
         <translation>Schlauch: %1 mm lang, reißt beim %2-Fachen seiner Länge</translation>
     </message>
     <message>
-        <source>Goal: put the heaviest of %1 identical-looking objects in the dish</source>
-        <translation>Ziel: das schwerste von %1 gleich aussehenden Objekten in die Schale legen</translation>
-    </message>
-    <message>
-        <source>Goal: lift the object by %1 mm and put it in the dish</source>
-        <translation>Ziel: das Objekt um %1 mm anheben und in die Schale legen</translation>
-    </message>
-    <message>
-        <source>Squeeze: %1 N at most</source>
-        <translation>Quetschkraft: höchstens %1 N</translation>
-    </message>
-    <message>
         <source>Surface: a soft organ that gives way</source>
         <translation>Unterlage: ein weiches Organ, das nachgibt</translation>
     </message>
@@ -1236,6 +1280,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
         <translation>Geräte mit Basis sind so aufgestellt, wie diese Stufe es vorgibt; was Sie unten einstellen, hat Vorrang</translation>
+    </message>
+    <message>
+        <source>Goal: put the heaviest of %1 identical-looking objects inside the ring</source>
+        <translation>Ziel: das schwerste von %1 gleich aussehenden Objekten in den Ring legen</translation>
+    </message>
+    <message>
+        <source>Goal: lift the object by %1 mm and put it inside the ring</source>
+        <translation>Ziel: das Objekt um %1 mm anheben und in den Ring legen</translation>
     </message>
 </context>
 <context>
@@ -2595,6 +2647,10 @@ Einzelheiten: %2</translation>
             <numerusform>Nach den Durchgängen beantworten Sie %n Frage dazu.</numerusform>
             <numerusform>Nach den Durchgängen beantworten Sie %n Fragen dazu.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
+        <translation>Berühren Sie jedes Objekt, bevor Sie antworten; ein Streifen genügt nicht, und der Bildschirm sagt, wenn mehr Kraft nötig ist.</translation>
     </message>
 </context>
 <context>
@@ -6733,18 +6789,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>hier</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
         <source>Same (1)</source>
         <translation>Gleich (1)</translation>
     </message>
@@ -6781,10 +6825,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>Abgeben (Enter)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Back (⌫)</source>
         <translation>Zurück (⌫)</translation>
     </message>
@@ -6811,6 +6851,22 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Equal to the last (=)</source>
         <translation>Gleich wie das letzte (=)</translation>
+    </message>
+    <message>
+        <source>the left one</source>
+        <translation>das linke</translation>
+    </message>
+    <message>
+        <source>the right one</source>
+        <translation>das rechte</translation>
+    </message>
+    <message>
+        <source>the middle one</source>
+        <translation>das mittlere</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8330,6 +8386,26 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <source>%1 to %2, usually %3; a template may begin with another.</source>
         <translation>%1 bis %2, meist %3; eine Vorlage beginnt vielleicht mit einem anderen Wert.</translation>
     </message>
+    <message>
+        <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
+        <translation>„%1“ wurde nicht übernommen: Geben Sie eine Zahl ohne Einheit ein. Es bleibt bei %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a value in %2. %3 is still set.</source>
+        <translation>„%1“ wurde nicht übernommen: Geben Sie einen Wert in %2 ein. Es bleibt bei %3.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: it has more decimals than are kept here. %2 is still set.</source>
+        <translation>„%1“ wurde nicht übernommen: Hier werden weniger Nachkommastellen gespeichert. Es bleibt bei %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: choose a value from %2 to %3. %4 is still set.</source>
+        <translation>„%1“ wurde nicht übernommen: Wählen Sie einen Wert von %2 bis %3. Es bleibt bei %4.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
+        <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von %2 bis %3 ein. Es bleibt bei %4.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
@@ -8976,18 +9052,6 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
         <translation>Start</translation>
     </message>
     <message>
-        <source>Your next step, depending on your role.
-
-Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
-
-The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
-        <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
-
-Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
-
-Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
-    </message>
-    <message>
         <source>Finding your next step …</source>
         <translation>Nächster Schritt wird gesucht …</translation>
     </message>
@@ -9096,6 +9160,38 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>Make one …</source>
         <translation>Erstellen …</translation>
+    </message>
+    <message>
+        <source>Try an exercise yourself</source>
+        <translation>Probieren Sie selbst eine Übung aus</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>It takes about a minute with mouse and keyboard, does not count, and ends with a debrief.</source>
+        <translation>Das dauert mit Maus und Tastatur etwa eine Minute, zählt nicht und endet mit einer Auswertung.</translation>
+    </message>
+    <message>
+        <source>Try it now</source>
+        <translation>Jetzt ausprobieren</translation>
+    </message>
+    <message>
+        <source>A few trials that do not count, with mouse and keyboard.</source>
+        <translation>Ein paar Durchgänge mit Maus und Tastatur, die nicht zählen.</translation>
+    </message>
+    <message>
+        <source>Your next step, depending on your role.
+
+If you have not trained yet, you can try an exercise here in about a minute. Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
+
+The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
+        <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
+
+Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
+
+Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
     </message>
 </context>
 <context>
@@ -12178,12 +12274,20 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
 •  %1</translation>
     </message>
     <message>
-        <source>Continue (Enter)</source>
-        <translation>Weiter (Eingabe)</translation>
-    </message>
-    <message>
         <source>Practise for another minute</source>
         <translation>Noch eine Minute üben</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Watch first</source>
+        <translation>Erst zusehen</translation>
+    </message>
+    <message>
+        <source>Watch a scripted expert at this level. Nothing is counted.</source>
+        <translation>Sehen Sie auf dieser Stufe einem programmierten Experten zu. Nichts davon wird gewertet.</translation>
     </message>
 </context>
 <context>
@@ -13111,6 +13215,18 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>After so many the run pauses and asks the experimenter.</source>
         <translation>Danach hält der Lauf an und fragt die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>Smallest force on an object</source>
+        <translation>Kleinste Kraft auf ein Objekt</translation>
+    </message>
+    <message>
+        <source>any touch</source>
+        <translation>jede Berührung</translation>
+    </message>
+    <message>
+        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
+        <translation>Ein Objekt gilt erst als berührt, wenn es mit dieser Kraft gedrückt, gezogen oder gehoben wurde, damit niemand nach einem bloßen Streifen antwortet. 0: jede Berührung zählt.</translation>
     </message>
 </context>
 <context>
@@ -14598,6 +14714,22 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <source>Comparison</source>
         <translation>Vergleich</translation>
     </message>
+    <message>
+        <source>The study is not on the screen yet, so nothing was exported. Try again once it is there.</source>
+        <translation>Die Studie ist noch nicht auf dem Bildschirm, deshalb wurde nichts exportiert. Versuchen Sie es noch einmal, sobald sie da ist.</translation>
+    </message>
+    <message>
+        <source>The export before is still being written. Try again once it says where it is.</source>
+        <translation>Der vorige Export wird noch geschrieben. Versuchen Sie es noch einmal, sobald gesagt wird, wo er liegt.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: no place was chosen.</source>
+        <translation>Es wurde nichts exportiert: Kein Ort wurde gewählt.</translation>
+    </message>
+    <message>
+        <source>There are no scored trials yet.</source>
+        <translation>Es gibt noch keine gewerteten Durchgänge.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyScreen</name>
@@ -15025,10 +15157,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>The clock is stopped. Press Resume or Space to go on.</source>
         <translation>Die Uhr steht. Drücken Sie „Weiter“ oder die Leertaste, um fortzufahren.</translation>
     </message>
-    <message>
-        <source>Force limit: %1 N. %2.</source>
-        <translation>Kraftgrenze: %1 N. %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Go or move the tool with a key.</source>
         <translation>
@@ -15048,13 +15176,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>All measurements, or those a trainee needs</source>
         <translation>Alle Messwerte oder die zum Üben nötigen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
-        <translation>
-            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
-            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken oder das Instrument mit einer Taste bewegen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
         <translation>Die Übungszeit ist vorbei. Die Eingewöhnung beginnt, wenn Sie „Weiter“ drücken; auch sie zählt nicht.</translation>
@@ -15066,6 +15187,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Practice ends in %1 s</source>
         <translation>Die Übungszeit endet in %1 s</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Continue.</source>
+        <translation>
+                <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
+                <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 Nothing counts yet.</source>
+        <translation>%1 Noch zählt nichts.</translation>
     </message>
 </context>
 <context>
@@ -15531,10 +15667,6 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Hier sind die Antworten. Sie zählen, sobald die Durchgänge beginnen.</translation>
     </message>
     <message>
-        <source>Not every object was touched in time, so these come again. Lift the tool off.</source>
-        <translation>Nicht jedes Objekt wurde rechtzeitig berührt, deshalb kommen diese noch einmal. Heben Sie das Werkzeug ab.</translation>
-    </message>
-    <message>
         <source>Touch the object first.</source>
         <translation>Berühren Sie zuerst das Objekt.</translation>
     </message>
@@ -15600,6 +15732,93 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>%1 These objects come again. Lift the tool off.</source>
         <translation>%1 Diese Objekte kommen noch einmal. Heben Sie das Werkzeug ab.</translation>
+    </message>
+    <message>
+        <source>The next part</source>
+        <translation>Der nächste Teil</translation>
+    </message>
+    <message>
+        <source>Read the whole instruction again</source>
+        <translation>Die ganze Anleitung noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.</source>
+        <translation>Was Sie tun, kann anders sein als im Teil davor: Die nächste Seite zeigt die Frage und wie Sie sie beantworten. Alles andere bleibt gleich.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the part before. Nothing changes in what you do.</source>
+        <translation>Sie erkunden und antworten wie im Teil davor. An dem, was Sie tun, ändert sich nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+                <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The pilot run is over</source>
+        <translation>Der Probelauf ist vorbei</translation>
+    </message>
+    <message>
+        <source>What was tried does not count as data of the study.</source>
+        <translation>Was ausprobiert wurde, gehört nicht zu den Daten der Studie.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Durchgang %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>Trial %1 of at most %2</source>
+        <translation>Durchgang %1 von höchstens %2</translation>
+    </message>
+    <message>
+        <source>Practice: nothing counts yet.</source>
+        <translation>Übung: Noch zählt nichts.</translation>
+    </message>
+    <message>
+        <source>Pull a little harder: at least %1 N.</source>
+        <translation>Ziehen Sie etwas fester: mindestens %1 N.</translation>
+    </message>
+    <message>
+        <source>Press a little harder: at least %1 N.</source>
+        <translation>Drücken Sie etwas fester: mindestens %1 N.</translation>
+    </message>
+    <message>
+        <source>Pull a little harder on %1: at least %2 N.</source>
+        <translation>Ziehen Sie etwas fester an %1: mindestens %2 N.</translation>
+    </message>
+    <message>
+        <source>Press a little harder on %1: at least %2 N.</source>
+        <translation>Drücken Sie etwas fester auf %1: mindestens %2 N.</translation>
+    </message>
+    <message>
+        <source>Not every object was felt with at least %1 N in time.</source>
+        <translation>Nicht jedes Objekt wurde rechtzeitig mit mindestens %1 N gefühlt.</translation>
+    </message>
+    <message>
+        <source>Not every object was touched in time.</source>
+        <translation>Nicht jedes Objekt wurde rechtzeitig berührt.</translation>
+    </message>
+    <message>
+        <source>Practice is over</source>
+        <translation>Die Übung ist vorbei</translation>
+    </message>
+    <message>
+        <source>From now on every answer counts. Press Continue when you are ready.</source>
+        <translation>Ab jetzt zählt jede Antwort. Drücken Sie „Weiter“, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N gefühlt. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
     </message>
 </context>
 <context>

@@ -247,10 +247,6 @@
         <translation>Προώθηση</translation>
     </message>
     <message>
-        <source>Roll the wheel away from you, or hold W. Towards you, or S, withdraws.</source>
-        <translation>Κυλήστε τον τροχό μακριά σας ή κρατήστε το W. Προς εσάς ή με S γίνεται απόσυρση.</translation>
-    </message>
-    <message>
         <source>Turn</source>
         <translation>Στροφή</translation>
     </message>
@@ -271,20 +267,12 @@
         <translation>Μετακίνηση</translation>
     </message>
     <message>
-        <source>Roll the wheel towards you, or hold Page Down. Away from you, or Page Up, raises.</source>
-        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Μακριά σας ή με Page Up ανεβαίνει.</translation>
-    </message>
-    <message>
         <source>Lower</source>
         <translation>Κατέβασμα</translation>
     </message>
     <message>
         <source>Close the jaw</source>
         <translation>Κλείσιμο σιαγόνων</translation>
-    </message>
-    <message>
-        <source>Hold the left button, or G. With Shift, or H, it opens.</source>
-        <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Με Shift ή με H ανοίγουν.</translation>
     </message>
     <message>
         <source>Press</source>
@@ -305,6 +293,18 @@
     <message>
         <source>Click, or press Enter, while you touch the place.</source>
         <translation>Κάντε κλικ ή πατήστε Enter ενώ αγγίζετε το σημείο.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.</source>
+        <translation>Κυλήστε τον τροχό μακριά σας ή κρατήστε το W. Για απόσυρση κυλήστε τον προς εσάς ή κρατήστε το S.</translation>
+    </message>
+    <message>
+        <source>Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.</source>
+        <translation>Κυλήστε τον τροχό προς εσάς ή κρατήστε το Page Down. Για ανέβασμα κυλήστε τον μακριά σας ή κρατήστε το Page Up.</translation>
+    </message>
+    <message>
+        <source>Hold the left button, or G. To open it, hold Shift and the left button, or H.</source>
+        <translation>Κρατήστε το αριστερό πλήκτρο ή το G. Για άνοιγμα κρατήστε το Shift και το αριστερό πλήκτρο, ή το H.</translation>
     </message>
 </context>
 <context>
@@ -360,6 +360,14 @@
     <message>
         <source>Another condition has the same name. Tables and figures could not tell them apart.</source>
         <translation>Μια άλλη συνθήκη έχει το ίδιο όνομα. Σε πίνακες και γραφήματα δεν θα ξεχώριζαν.</translation>
+    </message>
+    <message>
+        <source>The lightest object weighs only %1 N, so lifting it would not count as touching. Choose a smaller force.</source>
+        <translation>Το ελαφρύτερο αντικείμενο ζυγίζει μόνο %1 N, οπότε το σήκωμά του δεν θα μετρούσε ως άγγιγμα. Επιλέξτε μικρότερη δύναμη.</translation>
+    </message>
+    <message>
+        <source>A trial with more than %1 N does not count, so this force has to be smaller.</source>
+        <translation>Μια δοκιμή με περισσότερα από %1 N δεν μετρά, οπότε αυτή η δύναμη πρέπει να είναι μικρότερη.</translation>
     </message>
 </context>
 <context>
@@ -791,6 +799,34 @@ Details: %2</source>
         <source>Nothing in the aim, the instructions or the titles contradicts the settings.</source>
         <translation>Τίποτα στον σκοπό, στις οδηγίες και στους τίτλους δεν αντιφάσκει με τις ρυθμίσεις.</translation>
     </message>
+    <message>
+        <source>Smallest force</source>
+        <translation>Μικρότερη δύναμη</translation>
+    </message>
+    <message>
+        <source>An object counts as touched from %1 N on.</source>
+        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν από %1 N και πάνω.</translation>
+    </message>
+    <message>
+        <source>Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.</source>
+        <translation>Και το πιο ελαφρύ άγγιγμα μετρά, οπότε οι συμμετέχοντες μπορούν να απαντήσουν χωρίς να έχουν νιώσει τίποτα. Συνήθως ορίζονται %1 N.</translation>
+    </message>
+    <message>
+        <source>Masking sound</source>
+        <translation>Ήχος κάλυψης</translation>
+    </message>
+    <message>
+        <source>It is switched off. Participants may hear the device, and what they hear may tell objects apart.</source>
+        <translation>Είναι απενεργοποιημένος. Οι συμμετέχοντες ίσως ακούν τη συσκευή, και όσα ακούν μπορεί να ξεχωρίζουν τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>It is played during the trials.</source>
+        <translation>Ακούγεται κατά τις δοκιμές.</translation>
+    </message>
+    <message>
+        <source>This machine has no sound output, so participants would hear the device. Connect headphones or loudspeakers, or run the study on another machine.</source>
+        <translation>Αυτός ο υπολογιστής δεν έχει έξοδο ήχου, οπότε οι συμμετέχοντες θα άκουγαν τη συσκευή. Συνδέστε ακουστικά ή ηχεία ή διεξαγάγετε τη μελέτη σε άλλον υπολογιστή.</translation>
+    </message>
 </context>
 <context>
     <name>GateWords</name>
@@ -817,6 +853,26 @@ Details: %2</source>
     <message>
         <source>%1: none</source>
         <translation>%1: κανένα</translation>
+    </message>
+    <message>
+        <source>%1: at most %2 N, with %3 % more for the time it takes to react</source>
+        <translation>%1: το πολύ %2 N, με περιθώριο %3 % για τον χρόνο αντίδρασης</translation>
+    </message>
+    <message>
+        <source>Force limit: %1 N</source>
+        <translation>Όριο δύναμης: %1 N</translation>
+    </message>
+    <message>
+        <source>Squeeze: %1 N at most</source>
+        <translation>Σύσφιξη: έως %1 N</translation>
+    </message>
+    <message>
+        <source>Force across the canal: %1 N at most</source>
+        <translation>Πλάγια δύναμη στον αυλό: έως %1 N</translation>
+    </message>
+    <message>
+        <source>Pull on the fold: %1 N at most</source>
+        <translation>Έλξη της πτυχής: έως %1 N</translation>
     </message>
 </context>
 <context>
@@ -925,22 +981,6 @@ Details: %2</source>
         <translation>Σηκώστε το</translation>
     </message>
     <message>
-        <source>Is it the heaviest? Bring it over the dish; otherwise set it down</source>
-        <translation>Είναι το βαρύτερο; Φέρτε το πάνω από το δοχείο· αλλιώς αφήστε το κάτω</translation>
-    </message>
-    <message>
-        <source>Bring it over the dish</source>
-        <translation>Φέρτε το πάνω από το δοχείο</translation>
-    </message>
-    <message>
-        <source>Set it down in the dish and let go</source>
-        <translation>Ακουμπήστε το στο δοχείο και αφήστε το</translation>
-    </message>
-    <message>
-        <source>In the dish: let it lie still</source>
-        <translation>Στο δοχείο: αφήστε το ακίνητο</translation>
-    </message>
-    <message>
         <source>Done: the next one follows</source>
         <translation>Έτοιμο: ακολουθεί το επόμενο</translation>
     </message>
@@ -999,6 +1039,22 @@ Details: %2</source>
     <message>
         <source>Holding: the fold</source>
         <translation>Κρατά: την πτυχή</translation>
+    </message>
+    <message>
+        <source>Is it the heaviest? Bring it over the ring; otherwise set it down</source>
+        <translation>Είναι το βαρύτερο; Φέρτε το πάνω από τον δακτύλιο· αλλιώς αφήστε το κάτω</translation>
+    </message>
+    <message>
+        <source>Bring it over the ring</source>
+        <translation>Φέρτε το πάνω από τον δακτύλιο</translation>
+    </message>
+    <message>
+        <source>Set it down inside the ring and let go</source>
+        <translation>Ακουμπήστε το μέσα στον δακτύλιο και αφήστε το</translation>
+    </message>
+    <message>
+        <source>In the ring: let it lie still</source>
+        <translation>Στον δακτύλιο: αφήστε το ακίνητο</translation>
     </message>
 </context>
 <context>
@@ -1154,18 +1210,6 @@ Details: %2</source>
         <translation>Σωλήνας: μήκος %1 mm, σχίζεται στις %2 φορές του μήκους του</translation>
     </message>
     <message>
-        <source>Goal: put the heaviest of %1 identical-looking objects in the dish</source>
-        <translation>Στόχος: τοποθέτηση στο δοχείο του βαρύτερου από %1 όμοια αντικείμενα</translation>
-    </message>
-    <message>
-        <source>Goal: lift the object by %1 mm and put it in the dish</source>
-        <translation>Στόχος: ανύψωση του αντικειμένου κατά %1 mm και τοποθέτηση στο δοχείο</translation>
-    </message>
-    <message>
-        <source>Squeeze: %1 N at most</source>
-        <translation>Σύσφιξη: έως %1 N</translation>
-    </message>
-    <message>
         <source>Surface: a soft organ that gives way</source>
         <translation>Βάση: ένα μαλακό όργανο που υποχωρεί</translation>
     </message>
@@ -1236,6 +1280,14 @@ Details: %2</source>
     <message>
         <source>Devices with a base are mounted as this level specifies; your settings below override it</source>
         <translation>Οι συσκευές με βάση τοποθετούνται όπως ορίζει αυτό το επίπεδο· ό,τι ρυθμίσετε παρακάτω υπερισχύει</translation>
+    </message>
+    <message>
+        <source>Goal: put the heaviest of %1 identical-looking objects inside the ring</source>
+        <translation>Στόχος: τοποθέτηση μέσα στον δακτύλιο του βαρύτερου από %1 όμοια αντικείμενα</translation>
+    </message>
+    <message>
+        <source>Goal: lift the object by %1 mm and put it inside the ring</source>
+        <translation>Στόχος: ανύψωση του αντικειμένου κατά %1 mm και τοποθέτηση μέσα στον δακτύλιο</translation>
     </message>
 </context>
 <context>
@@ -2595,6 +2647,10 @@ Details: %2</source>
             <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερώτηση για αυτές.</numerusform>
             <numerusform>Μετά τις δοκιμές απαντάτε σε %n ερωτήσεις για αυτές.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Touch every object before you answer; a graze is not enough, and the screen says when more force is needed.</source>
+        <translation>Αγγίξτε κάθε αντικείμενο πριν απαντήσετε· ένα ελαφρύ άγγιγμα δεν αρκεί, και η οθόνη λέει πότε χρειάζεται περισσότερη δύναμη.</translation>
     </message>
 </context>
 <context>
@@ -6733,18 +6789,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>εδώ</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>αριστερά</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>δεξιά</translation>
-    </message>
-    <message>
-        <source>middle</source>
-        <translation>μέση</translation>
-    </message>
-    <message>
         <source>Same (1)</source>
         <translation>Ίδια (1)</translation>
     </message>
@@ -6781,10 +6825,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>Καταχώριση (Enter)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Back (⌫)</source>
         <translation>Πίσω (⌫)</translation>
     </message>
@@ -6811,6 +6851,22 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Equal to the last (=)</source>
         <translation>Ίσο με το τελευταίο (=)</translation>
+    </message>
+    <message>
+        <source>the left one</source>
+        <translation>το αριστερό</translation>
+    </message>
+    <message>
+        <source>the right one</source>
+        <translation>το δεξί</translation>
+    </message>
+    <message>
+        <source>the middle one</source>
+        <translation>το μεσαίο</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8330,6 +8386,26 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <source>%1 to %2, usually %3; a template may begin with another.</source>
         <translation>%1 έως %2, συνήθως %3· ένα πρότυπο μπορεί να ξεκινά με άλλη τιμή.</translation>
     </message>
+    <message>
+        <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε έναν αριθμό χωρίς μονάδα. Ισχύει ακόμη %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a value in %2. %3 is still set.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε μια τιμή σε %2. Ισχύει ακόμη %3.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: it has more decimals than are kept here. %2 is still set.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: έχει περισσότερα δεκαδικά από όσα αποθηκεύονται εδώ. Ισχύει ακόμη %2.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: choose a value from %2 to %3. %4 is still set.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: επιλέξτε τιμή από %2 έως %3. Ισχύει ακόμη %4.</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
+        <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από %2 έως %3. Ισχύει ακόμη %4.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::FindingsBox</name>
@@ -8976,18 +9052,6 @@ Press again to end the trial without it.</source>
         <translation>Αρχική</translation>
     </message>
     <message>
-        <source>Your next step, depending on your role.
-
-Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
-
-The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
-        <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
-
-Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
-
-Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
-    </message>
-    <message>
         <source>Finding your next step …</source>
         <translation>Αναζήτηση επόμενου βήματος …</translation>
     </message>
@@ -9096,6 +9160,38 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>Make one …</source>
         <translation>Δημιουργία …</translation>
+    </message>
+    <message>
+        <source>Try an exercise yourself</source>
+        <translation>Δοκιμάστε μόνοι σας μια άσκηση</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>It takes about a minute with mouse and keyboard, does not count, and ends with a debrief.</source>
+        <translation>Διαρκεί περίπου ένα λεπτό με ποντίκι και πληκτρολόγιο, δεν μετράει και τελειώνει με απολογισμό.</translation>
+    </message>
+    <message>
+        <source>Try it now</source>
+        <translation>Δοκιμή τώρα</translation>
+    </message>
+    <message>
+        <source>A few trials that do not count, with mouse and keyboard.</source>
+        <translation>Λίγες δοκιμές με ποντίκι και πληκτρολόγιο, που δεν μετρούν.</translation>
+    </message>
+    <message>
+        <source>Your next step, depending on your role.
+
+If you have not trained yet, you can try an exercise here in about a minute. Trainees continue with the next level at the press of a button, choose any level from the exercises, and see their latest results. Trainers see the sessions that need a review, interrupted or failed ones first, and who trained recently. Administrators see whether people, storage and station are in order.
+
+The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
+        <translation>Το επόμενο βήμα σας, ανάλογα με τον ρόλο σας.
+
+Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
+
+Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
     </message>
 </context>
 <context>
@@ -12178,12 +12274,20 @@ Press Tab to move from question to question, the arrow keys to move along a scal
 •  %1</translation>
     </message>
     <message>
-        <source>Continue (Enter)</source>
-        <translation>Συνέχεια (Enter)</translation>
-    </message>
-    <message>
         <source>Practise for another minute</source>
         <translation>Ακόμη ένα λεπτό εξάσκησης</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Watch first</source>
+        <translation>Δείτε πρώτα</translation>
+    </message>
+    <message>
+        <source>Watch a scripted expert at this level. Nothing is counted.</source>
+        <translation>Παρακολουθήστε σε αυτό το επίπεδο έναν προγραμματισμένο ειδικό. Τίποτα δεν βαθμολογείται.</translation>
     </message>
 </context>
 <context>
@@ -13111,6 +13215,18 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>After so many the run pauses and asks the experimenter.</source>
         <translation>Μετά από τόσες η εκτέλεση σταματά και ρωτά τον πειραματιστή.</translation>
+    </message>
+    <message>
+        <source>Smallest force on an object</source>
+        <translation>Μικρότερη δύναμη σε ένα αντικείμενο</translation>
+    </message>
+    <message>
+        <source>any touch</source>
+        <translation>κάθε άγγιγμα</translation>
+    </message>
+    <message>
+        <source>An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts.</source>
+        <translation>Ένα αντικείμενο θεωρείται ότι το άγγιξαν μόνο όταν πιέστηκε, τραβήχτηκε ή σηκώθηκε με αυτή τη δύναμη, ώστε κανείς να μην απαντά μετά από ένα απλό άγγιγμα. 0: μετρά κάθε άγγιγμα.</translation>
     </message>
 </context>
 <context>
@@ -14598,6 +14714,22 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <source>Comparison</source>
         <translation>Σύγκριση</translation>
     </message>
+    <message>
+        <source>The study is not on the screen yet, so nothing was exported. Try again once it is there.</source>
+        <translation>Η μελέτη δεν εμφανίζεται ακόμη στην οθόνη, γι’ αυτό δεν εξήχθη τίποτα. Δοκιμάστε ξανά μόλις εμφανιστεί.</translation>
+    </message>
+    <message>
+        <source>The export before is still being written. Try again once it says where it is.</source>
+        <translation>Η προηγούμενη εξαγωγή γράφεται ακόμη. Δοκιμάστε ξανά μόλις αναφερθεί πού βρίσκεται.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: no place was chosen.</source>
+        <translation>Δεν εξήχθη τίποτα: δεν επιλέχθηκε θέση.</translation>
+    </message>
+    <message>
+        <source>There are no scored trials yet.</source>
+        <translation>Δεν υπάρχουν ακόμη βαθμολογημένες δοκιμές.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyScreen</name>
@@ -15025,10 +15157,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>The clock is stopped. Press Resume or Space to go on.</source>
         <translation>Ο χρόνος έχει σταματήσει. Πατήστε «Συνέχεια» ή Διάστημα για να συνεχίσετε.</translation>
     </message>
-    <message>
-        <source>Force limit: %1 N. %2.</source>
-        <translation>Όριο δύναμης: %1 N. %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Go or move the tool with a key.</source>
         <translation>
@@ -15048,13 +15176,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <source>All measurements, or those a trainee needs</source>
         <translation>Όλες οι μετρήσεις ή όσες χρειάζονται στην εξάσκηση</translation>
     </message>
-    <message numerus="yes">
-        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
-        <translation>
-            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
-            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια» ή κινήσετε το εργαλείο με ένα πλήκτρο.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The practice is over. The familiarisation begins when you press Continue; it does not count either.</source>
         <translation>Η εξάσκηση τελείωσε. Η εξοικείωση αρχίζει όταν πατήσετε «Συνέχεια»· ούτε αυτή μετράει.</translation>
@@ -15066,6 +15187,21 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Practice ends in %1 s</source>
         <translation>Η εξάσκηση τελειώνει σε %1 s</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s). The clock starts when you press Continue.</source>
+        <translation>
+                <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
+                <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>%1 Nothing counts yet.</source>
+        <translation>%1 Τίποτα δεν μετράει ακόμη.</translation>
     </message>
 </context>
 <context>
@@ -15531,10 +15667,6 @@ F2 is for the experimenter.</source>
         <translation>Οι απαντήσεις βρίσκονται εδώ. Θα ισχύουν μόλις ξεκινήσουν οι δοκιμές.</translation>
     </message>
     <message>
-        <source>Not every object was touched in time, so these come again. Lift the tool off.</source>
-        <translation>Δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα, γι&apos; αυτό έρχονται ξανά. Σηκώστε το εργαλείο.</translation>
-    </message>
-    <message>
         <source>Touch the object first.</source>
         <translation>Αγγίξτε πρώτα το αντικείμενο.</translation>
     </message>
@@ -15600,6 +15732,93 @@ F2 is for the experimenter.</source>
     <message>
         <source>%1 These objects come again. Lift the tool off.</source>
         <translation>%1 Αυτά τα αντικείμενα θα παρουσιαστούν ξανά. Σηκώστε το εργαλείο.</translation>
+    </message>
+    <message>
+        <source>The next part</source>
+        <translation>Το επόμενο μέρος</translation>
+    </message>
+    <message>
+        <source>Read the whole instruction again</source>
+        <translation>Ανάγνωση όλων των οδηγιών ξανά</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.</source>
+        <translation>Αυτό που κάνετε μπορεί να διαφέρει από το προηγούμενο μέρος: η επόμενη σελίδα δείχνει την ερώτηση και πώς απαντάτε. Όλα τα άλλα μένουν ίδια.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the part before. Nothing changes in what you do.</source>
+        <translation>Εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος. Τίποτα δεν αλλάζει σε αυτό που κάνετε.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+                <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+            </translation>
+    </message>
+    <message>
+        <source>The pilot run is over</source>
+        <translation>Η πιλοτική δοκιμή τελείωσε</translation>
+    </message>
+    <message>
+        <source>What was tried does not count as data of the study.</source>
+        <translation>Όσα δοκιμάστηκαν δεν ανήκουν στα δεδομένα της μελέτης.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Συνέχεια</translation>
+    </message>
+    <message>
+        <source>Trial %1</source>
+        <translation>Δοκιμή %1</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Δοκιμή %1 από %2</translation>
+    </message>
+    <message>
+        <source>Trial %1 of at most %2</source>
+        <translation>Δοκιμή %1 από το πολύ %2</translation>
+    </message>
+    <message>
+        <source>Practice: nothing counts yet.</source>
+        <translation>Εξάσκηση: τίποτα δεν μετρά ακόμη.</translation>
+    </message>
+    <message>
+        <source>Pull a little harder: at least %1 N.</source>
+        <translation>Τραβήξτε λίγο πιο δυνατά: τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>Press a little harder: at least %1 N.</source>
+        <translation>Πιέστε λίγο πιο δυνατά: τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>Pull a little harder on %1: at least %2 N.</source>
+        <translation>Τραβήξτε λίγο πιο δυνατά το %1: τουλάχιστον %2 N.</translation>
+    </message>
+    <message>
+        <source>Press a little harder on %1: at least %2 N.</source>
+        <translation>Πιέστε λίγο πιο δυνατά το %1: τουλάχιστον %2 N.</translation>
+    </message>
+    <message>
+        <source>Not every object was felt with at least %1 N in time.</source>
+        <translation>Δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N.</translation>
+    </message>
+    <message>
+        <source>Not every object was touched in time.</source>
+        <translation>Δεν αγγίξατε εγκαίρως όλα τα αντικείμενα.</translation>
+    </message>
+    <message>
+        <source>Practice is over</source>
+        <translation>Η εξάσκηση τελείωσε</translation>
+    </message>
+    <message>
+        <source>From now on every answer counts. Press Continue when you are ready.</source>
+        <translation>Από εδώ και πέρα μετράει κάθε απάντηση. Πατήστε «Συνέχεια» όταν είστε έτοιμοι.</translation>
+    </message>
+    <message>
+        <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
+        <translation>Αρκετές φορές στη σειρά δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
 </context>
 <context>

@@ -782,11 +782,11 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s). The clock starts when you press Continue or move the tool with a key.</source>
+        <source>%n trial(s). The clock starts when you press Continue.</source>
         <translation>
-            <numerusform>%n trial. The clock starts when you press Continue or move the tool with a key.</numerusform>
-            <numerusform>%n trials. The clock starts when you press Continue or move the tool with a key.</numerusform>
-        </translation>
+                <numerusform>%n trial. The clock starts when you press Continue.</numerusform>
+                <numerusform>%n trials. The clock starts when you press Continue.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
@@ -811,6 +811,13 @@
             <numerusform>The free minute ends in %n second. Then you say when the trials begin.</numerusform>
             <numerusform>The free minute ends in %n seconds. Then you say when the trials begin.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>It begins with %n practice trial(s), which do not count.</source>
+        <translation>
+                <numerusform>It begins with %n practice trial, which does not count.</numerusform>
+                <numerusform>It begins with %n practice trials, which do not count.</numerusform>
+            </translation>
     </message>
 </context>
 <context>
