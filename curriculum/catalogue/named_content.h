@@ -19,7 +19,7 @@ namespace chiron::catalogue {
 class NamedContent {
 public:
     /// Failure (badInput): a fault in one of the files, with its place.
-    static core::Result<NamedContent> read(const QString& directory, const std::vector<std::string>& languages);
+    static core::Result<NamedContent> read(const QString& directory, const std::vector<std::string>& languages = core::languageIds());
 
     /// `parameters` with every one of them filled in: a member whose schema has a key "object" ("mesh", "tissue"), given as a
     /// name or as an object with that key, becomes the named one's numbers with the given ones over them. A member that is not
