@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/session_output.h"
 
+#include "catalogue/catalogue.h"
 #include "database/repositories/score_repository.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "database/repositories/session_reader.h"
@@ -107,6 +108,7 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     }
     json.insert("seed", text(std::to_string(record.setup.seed))); // a text: JSON numbers lose large seeds
     json.insert("content_sha256", text(record.contentSha256));
+    json.insert("task_sha256", text(catalogue::taskSha256(record.setup.contentJson)));
     json.insert("build", text(record.setup.buildId));
     json.insert("cpu_class", text(record.setup.cpuClass));
     json.insert("devices", devicesJson(record));

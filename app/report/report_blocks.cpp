@@ -338,8 +338,10 @@ void ReportBlocks::addIntegrity() {
              3);
     std::vector<std::pair<QString, QString>> digests{
         {Words::tr("Build"), facts.buildId},
-        {Words::tr("Content (SHA-256)"), facts.contentSha256},
-        {Words::tr("Recording (BLAKE2b)"), facts.recordingDigest}};
+        {Words::tr("Content (SHA-256)"), facts.contentSha256}};
+    if (!facts.taskSha256.isEmpty())
+        digests.emplace_back(Words::tr("Content without texts (SHA-256)"), facts.taskSha256);
+    digests.emplace_back(Words::tr("Recording (BLAKE2b)"), facts.recordingDigest);
     if (!facts.scoreSeal.isEmpty())
         digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.scoreSeal);
     addPairs(digests, 1);

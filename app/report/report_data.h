@@ -112,6 +112,7 @@ struct IntegrityFacts {
     std::uint64_t bytes = 0;
     QString buildId;
     QString contentSha256;   ///< of the resolved content, hex
+    QString taskSha256;      ///< of the resolved content without its texts, hex: the same for sessions that felt the same and were judged alike; may be empty
     QString recordingDigest; ///< BLAKE2b over the recording, hex
     QString scoreSeal;       ///< BLAKE2b over the stored scores, hex; empty if none are shown
 };

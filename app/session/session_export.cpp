@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_export.h"
 
+#include "catalogue/catalogue.h"
 #include "core/contact_bits.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
@@ -190,6 +191,7 @@ core::Result<void> exportJson(SessionView& session, const QJsonObject& summary, 
     };
     document.insert("content", embed(setup.contentJson));
     document.insert("content_sha256", QString::fromStdString(session.record().contentSha256));
+    document.insert("task_sha256", QString::fromStdString(catalogue::taskSha256(setup.contentJson)));
     document.insert("device", embed(setup.deviceJson));
     document.insert("mapping", embed(setup.mappingJson));
     document.insert("supervisor", embed(setup.supervisorJson));

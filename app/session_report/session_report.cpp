@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/session_report.h"
 
+#include "catalogue/catalogue.h"
 #include "database/repositories/score_repository.h"
 #include "recording/digest.h"
 #include "scoring/force_facts.h"
@@ -92,6 +93,7 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
     data.integrity.bytes = record.summary.recordingBytes;
     data.integrity.buildId = QString::fromStdString(record.setup.buildId);
     data.integrity.contentSha256 = QString::fromStdString(record.contentSha256);
+    data.integrity.taskSha256 = QString::fromStdString(catalogue::taskSha256(record.setup.contentJson));
 }
 
 /// BLAKE2b-256 over the chunks' digests of force, hex: what the footer of every page names the recording by.

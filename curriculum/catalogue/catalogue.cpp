@@ -5,8 +5,8 @@
 
 namespace chiron::catalogue {
 
-core::Result<Catalogue> Catalogue::load(const std::string& directory) {
-    ContentReader reader(QString::fromStdString(directory));
+core::Result<Catalogue> Catalogue::load(const std::string& directory, const std::vector<std::string>& languages) {
+    ContentReader reader(QString::fromStdString(directory), languages);
     auto exercises = reader.exercises();
     if (!exercises)
         return tl::unexpected(exercises.error());
@@ -16,6 +16,7 @@ core::Result<Catalogue> Catalogue::load(const std::string& directory) {
     catalogue.m_objects = reader.named().objects();
     catalogue.m_meshes = reader.named().meshes();
     catalogue.m_tissues = reader.named().tissues();
+    catalogue.m_missingTexts = reader.missing();
     return catalogue;
 }
 

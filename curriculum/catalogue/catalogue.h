@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/content_texts.h"
 #include "catalogue/exercise.h"
 #include "catalogue/object_content.h"
 #include "catalogue/tissue_content.h"
@@ -18,8 +19,8 @@ namespace chiron::catalogue {
 /// Thread: load on any thread; afterwards read-only.
 class Catalogue {
 public:
-    /// Reads `directory` (with exercises/ and schema/ in it).
-    static core::Result<Catalogue> load(const std::string& directory);
+    /// Reads `directory` (with exercises/ and schema/ in it), whose texts may be in `languages`, English first.
+    static core::Result<Catalogue> load(const std::string& directory, const std::vector<std::string>& languages = core::languageIds());
 
     const std::vector<Exercise>& exercises() const { return m_exercises; }
     const Exercise* find(std::string_view exercise) const;
@@ -31,6 +32,8 @@ public:
     const ContentMesh* findMesh(std::string_view id) const;
     const ContentTissue* findTissue(std::string_view id) const;
     const std::string& directory() const { return m_directory; }
+    /// Texts of exercises, objects, meshes and tissues that a language lacks: no fault, English is shown.
+    const std::vector<MissingText>& missingTexts() const { return m_missingTexts; }
 
 private:
     std::string m_directory;
@@ -38,6 +41,7 @@ private:
     std::vector<ContentObject> m_objects;
     std::vector<ContentMesh> m_meshes;
     std::vector<ContentTissue> m_tissues;
+    std::vector<MissingText> m_missingTexts;
 };
 
 /// The content folder: `explicitDirectory` if not empty, else the environment's CHIRON_CONTENT, else the
@@ -54,5 +58,10 @@ core::Result<ExerciseLevel> fromResolvedJson(std::string_view json);
 /// The level with no more than so many trials (at least 1): to be tried. Unchanged where it has no more, or has no trials to count. Failure:
 /// as fromResolvedJson. Thread: any.
 core::Result<ExerciseLevel> withTrials(const ExerciseLevel& level, int most);
+
+/// The task's digest: SHA-256 (lower-case hex) of a level's canonical JSON without its titles and other texts. Two levels with the same one feel
+/// the same and are judged alike, whatever their texts say in whichever languages. `resolvedJson` may be of any version, for a session stores its
+/// own: what was stored when texts stood in the level files has the task's digest of today's files. Empty: not the JSON of a level. Thread: any.
+std::string taskSha256(std::string_view resolvedJson);
 
 } // namespace chiron::catalogue

@@ -77,19 +77,19 @@ core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const
     return preset;
 }
 
-core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseKind& kind) {
+core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseKind& kind, ContentTexts& texts) {
     if (kind.presetKey.empty())
         return {};
     const auto parameterSchema = schema(QString::fromUtf8(kind.parametersSchema.data()));
     if (!parameterSchema)
         return tl::unexpected(parameterSchema.error());
     for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
-        if (auto preset = presetParameters(file.filePath(), presetKeyOf(kind), **parameterSchema); !preset)
+        if (auto preset = presetParameters(file.filePath(), presetKeyOf(kind), **parameterSchema, &texts); !preset)
             return tl::unexpected(preset.error());
     return {};
 }
 
-core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key, const Schema& parameterSchema) {
+core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, const QString& key, const Schema& parameterSchema, ContentTexts* texts) {
     const auto json = JsonFile::read(QDir::cleanPath(path));
     if (!json)
         return tl::unexpected(json.error());
@@ -107,15 +107,17 @@ core::Result<QJsonObject> ContentReader::presetParameters(const QString& path, c
                             QStringLiteral("none: a preset names no other")});
     if (parameters.isObject())
         preset["parameters"] = QJsonObject{}; // the preset's own schema knows only that it is an object
-    validated(preset, **presetSchema, QStringLiteral("$"), problems);
+    preset = validated(preset, **presetSchema, QStringLiteral("$"), problems).toObject();
     if (problems.empty())
         checkName(preset, QFileInfo(path).completeBaseName(), problems);
+    if (problems.empty() && texts)
+        texts->laid(preset, **presetSchema, {QStringLiteral("presets"), preset["id"].toString()}, json->name(), QStringLiteral("$"), problems);
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     return parameters.toObject();
 }
 
-core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise) {
+core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJsonObject& exercise, ContentTexts& texts) {
     const auto json = JsonFile::read(path);
     if (!json)
         return tl::unexpected(json.error());
@@ -140,10 +142,11 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
     const QJsonValue parameters = validated(given, **parameterSchema, QStringLiteral("$.parameters"), problems);
     resolved["parameters"] = QJsonObject{}; // the level's own schema knows only that it is an object
     resolved = validated(resolved, **levelSchema, QStringLiteral("$"), problems).toObject();
-    resolved["parameters"] = parameters;
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     checkName(resolved, QFileInfo(path).completeBaseName(), problems);
+    resolved = texts.laid(resolved, **levelSchema, {QStringLiteral("levels"), QFileInfo(path).completeBaseName()}, json->name(), QStringLiteral("$"), problems);
+    resolved["parameters"] = parameters;
     ExerciseLevel level = levelFromResolved(resolvedDocument(exercise, resolved), problems);
     checkLevel(level, resolved, problems);
     kind->check(level.parameters, QStringLiteral("$.parameters"), problems);
@@ -160,7 +163,7 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     if (!exerciseSchema)
         return tl::unexpected(exerciseSchema.error());
     Problems problems;
-    const QJsonObject resolved =
+    QJsonObject resolved =
         validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
     const QString id = resolved["id"].toString();
     checkName(resolved, QFileInfo(folder).fileName(), problems);
@@ -170,6 +173,10 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
             {QStringLiteral("$.id"), quoted(id), QStringLiteral("an exercise this program knows")});
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
+    auto texts = ContentTexts::read(folder, m_languages);
+    if (!texts)
+        return tl::unexpected(texts.error());
+    resolved = texts->laid(resolved, **exerciseSchema, {QStringLiteral("exercise")}, json->name(), QStringLiteral("$"), problems);
     Exercise out;
     const ObjectReader reader(resolved, QStringLiteral("$"), problems);
     out.id = reader.text("id");
@@ -191,27 +198,36 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     QJsonObject stored = resolved; // with a session; words about it are not part of what was done
     stored.remove(QStringLiteral("advice"));
     stored.remove(QStringLiteral("legend"));
-    if (auto presets = checkPresets(folder + "/presets", *kind); !presets)
+    if (auto presets = checkPresets(folder + "/presets", *kind, *texts); !presets)
         return tl::unexpected(presets.error());
+    if (auto levels = readLevels(folder, stored, *texts, out); !levels)
+        return tl::unexpected(levels.error());
+    if (auto finished = texts->finish(); !finished)
+        return tl::unexpected(finished.error());
+    out.textsSha256 = texts->digests();
+    m_missing.insert(m_missing.end(), texts->missing().begin(), texts->missing().end());
+    return out;
+}
+
+core::Result<void> ContentReader::readLevels(const QString& folder, const QJsonObject& exercise, ContentTexts& texts, Exercise& out) {
     for (const QFileInfo& file :
          QDir(folder + "/levels").entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
-        auto read = level(file.filePath(), stored);
+        auto read = level(file.filePath(), exercise, texts);
         if (!read)
             return tl::unexpected(read.error());
         out.levels.push_back(std::move(*read));
     }
     std::stable_sort(out.levels.begin(), out.levels.end(),
                      [](const ExerciseLevel& a, const ExerciseLevel& b) { return a.number < b.number; });
-    if (auto numbers = checkNumbers(out.levels, folder); !numbers)
-        return tl::unexpected(numbers.error());
-    return out;
+    return checkNumbers(out.levels, folder);
 }
 
 core::Result<std::vector<Exercise>> ContentReader::exercises() {
-    auto named = NamedContent::read(m_directory);
+    auto named = NamedContent::read(m_directory, m_languages);
     if (!named)
         return tl::unexpected(named.error());
     m_named = std::move(*named);
+    m_missing = m_named.missing();
     std::vector<Exercise> out;
     const QDir folder(m_directory + "/exercises");
     for (const QFileInfo& entry : folder.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/content_texts.h"
 #include "catalogue/exercise.h"
 #include "catalogue/exercise_kinds.h"
 #include "catalogue/json_file.h"
@@ -17,25 +18,31 @@ namespace chiron::catalogue {
 /// Reads the exercises of one content folder against its schemas.
 class ContentReader {
 public:
-    explicit ContentReader(QString directory) : m_directory(std::move(directory)) {}
+    /// `languages`: that the content may be in, English first.
+    ContentReader(QString directory, std::vector<std::string> languages) : m_directory(std::move(directory)), m_languages(std::move(languages)) {}
     ContentReader(const ContentReader&) = delete;
     ContentReader& operator=(const ContentReader&) = delete;
 
     core::Result<std::vector<Exercise>> exercises();
     const NamedContent& named() const { return m_named; } ///< after exercises()
+    const std::vector<MissingText>& missing() const { return m_missing; } ///< after exercises()
 
 private:
     core::Result<Exercise> exercise(const QString& folder);
-    core::Result<ExerciseLevel> level(const QString& path, const QJsonObject& exercise);
+    core::Result<ExerciseLevel> level(const QString& path, const QJsonObject& exercise, ContentTexts& texts);
+    core::Result<void> readLevels(const QString& folder, const QJsonObject& exercise, ContentTexts& texts, Exercise& out);
     core::Result<const Schema*> schema(const QString& name);
-    core::Result<void> checkPresets(const QString& folder, const ExerciseKind& kind);
+    core::Result<void> checkPresets(const QString& folder, const ExerciseKind& kind, ContentTexts& texts);
     /// `given` over the parameters of the preset that it names, or the schema's default one.
     core::Result<QJsonObject> withPreset(const QString& folder, const ExerciseKind& kind, const Schema& parameterSchema,
                                          const QJsonObject& given, Problems& problems);
-    /// Of a preset's file, checked against the parameters' schema; a fault is told with its place in that file.
-    core::Result<QJsonObject> presetParameters(const QString& path, const QString& key, const Schema& parameterSchema);
+    /// Of a preset's file, checked against the parameters' schema; a fault is told with its place in that file. Its translations are checked
+    /// too where `texts` are given.
+    core::Result<QJsonObject> presetParameters(const QString& path, const QString& key, const Schema& parameterSchema, ContentTexts* texts = nullptr);
 
     QString m_directory;
+    std::vector<std::string> m_languages;
+    std::vector<MissingText> m_missing;
     NamedContent m_named;
     std::map<QString, Schema> m_schemas;
 };

@@ -80,6 +80,7 @@ struct Exercise {
     std::map<std::string, Translated> advice; ///< by metric: what to do otherwise when its gate did not hold; may lack some
     std::vector<LegendLine> legend; ///< in the order told
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
+    std::map<std::string, std::string> textsSha256; ///< by language: SHA-256 of its texts and those of its levels and presets, lower-case hex
 };
 
 } // namespace chiron::catalogue

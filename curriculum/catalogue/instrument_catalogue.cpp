@@ -2,18 +2,21 @@
 #include "catalogue/instrument_catalogue.h"
 
 #include "catalogue/catalogue.h"
+#include "catalogue/content_texts.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "catalogue/study_parts.h"
 #include "catalogue/whole_file.h"
 
 #include <QDir>
+#include <QFileInfo>
+#include <optional>
 
 namespace chiron::catalogue {
 
 namespace {
 
-core::Result<Instrument> readInstrument(const QByteArray& text, const std::string& file, const QString& name) {
+core::Result<Instrument> readInstrument(const QByteArray& text, const std::string& file, const QString& name, const Schema* schema, ContentTexts& texts) {
     const auto json = JsonFile::parse(text, QString::fromStdString(file));
     if (!json)
         return tl::unexpected(json.error());
@@ -23,7 +26,11 @@ core::Result<Instrument> readInstrument(const QByteArray& text, const std::strin
     Instrument out;
     out.source = all.text("source");
     out.permission = all.text("permission");
-    out.questionnaire = readQuestionnaire(all.object("questionnaire"));
+    const ObjectReader questionnaire = all.object("questionnaire");
+    const QString id = QFileInfo(name).completeBaseName();
+    const QJsonObject translated =
+        schema ? texts.laid(questionnaire.json(), *schema, {id}, QString::fromStdString(file), questionnaire.path(), problems) : questionnaire.json();
+    out.questionnaire = readQuestionnaire({translated, questionnaire.path(), problems});
     if (out.questionnaire.id + ".json" != name.toStdString())
         problems.push_back({QStringLiteral("$.questionnaire.id"), QString::fromStdString(out.questionnaire.id), QStringLiteral("the name of its file")});
     if (problems.empty())
@@ -33,23 +40,35 @@ core::Result<Instrument> readInstrument(const QByteArray& text, const std::strin
 
 } // namespace
 
-core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory) {
+core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory, const std::vector<std::string>& languages) {
     constexpr qint64 kLargest_bytes = 1 << 20;
     const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
     if (!directory)
         return tl::unexpected(directory.error());
     const QDir folder(QString::fromStdString(*directory) + "/instruments");
+    auto texts = ContentTexts::read(folder.path(), languages);
+    if (!texts)
+        return tl::unexpected(texts.error());
+    std::optional<Schema> schema; // says which keys are texts; needed only where there are translations
+    if (!texts->empty()) {
+        auto read = readSchema(QString::fromStdString(*directory) + "/schema", QStringLiteral("study_questionnaire"));
+        if (!read)
+            return tl::unexpected(read.error());
+        schema = std::move(*read);
+    }
     std::vector<Instrument> out;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
         const std::string path = folder.filePath(name).toStdString();
         const auto text = readWholeFile(folder.filePath(name), kLargest_bytes);
         if (!text)
             return tl::unexpected(text.error());
-        auto read = readInstrument(*text, path, name);
+        auto read = readInstrument(*text, path, name, schema ? &*schema : nullptr, *texts);
         if (!read)
             return tl::unexpected(read.error());
         out.push_back(std::move(*read));
     }
+    if (const auto finished = texts->finish(); !finished)
+        return tl::unexpected(finished.error());
     return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/languages.h"
 #include "core/result.h"
 #include "psychophysics/study/study_design.h"
 
@@ -17,8 +18,9 @@ struct Instrument {
 };
 
 /// The instruments that come with the program (content/instruments/*.json), by name of file; the enrolment fields among them. From this
-/// content folder, or (empty) the one that findContentDirectory() finds; a folder without instruments has none. Any thread. Failure: notFound,
-/// badInput with every fault.
-core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory = {});
+/// content folder, or (empty) the one that findContentDirectory() finds; a folder without instruments has none. Their texts are in `languages`,
+/// English first; one that a language lacks is shown in English. Any thread. Failure: notFound, badInput with every fault.
+core::Result<std::vector<Instrument>> loadInstruments(const std::string& contentDirectory = {},
+                                                      const std::vector<std::string>& languages = core::languageIds());
 
 } // namespace chiron::catalogue

@@ -28,17 +28,17 @@ struct NamedContent::Kind {
     const char* contentSchema; ///< of those
 };
 
-core::Result<NamedContent> NamedContent::read(const QString& directory) {
+core::Result<NamedContent> NamedContent::read(const QString& directory, const std::vector<std::string>& languages) {
     NamedContent content;
     for (const Kind& kind : {Kind{"object", "objects", "attributes", "object_attributes"},
                              Kind{"mesh", "meshes", "shape", "mesh_source"},
                              Kind{"tissue", "tissues", "properties", "tissue_properties"}})
-        if (auto read = content.readFolder(directory, kind); !read)
+        if (auto read = content.readFolder(directory, languages, kind); !read)
             return tl::unexpected(read.error());
     return content;
 }
 
-core::Result<void> NamedContent::readFolder(const QString& directory, const Kind& kind) {
+core::Result<void> NamedContent::readFolder(const QString& directory, const std::vector<std::string>& languages, const Kind& kind) {
     const QDir folder(directory + '/' + QLatin1String(kind.folder));
     m_named[QLatin1String(kind.key)] = {};
     const QFileInfoList files = folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name);
@@ -49,13 +49,17 @@ core::Result<void> NamedContent::readFolder(const QString& directory, const Kind
     for (const auto* schema : {&file, &content})
         if (!*schema)
             return tl::unexpected(schema->error());
+    auto texts = ContentTexts::read(folder.path(), languages);
+    if (!texts)
+        return tl::unexpected(texts.error());
     for (const QFileInfo& path : files)
-        if (auto read = readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content); !read)
+        if (auto read = readNamed(QDir::cleanPath(path.filePath()), kind, *file, *content, *texts); !read)
             return read;
-    return {};
+    m_missing.insert(m_missing.end(), texts->missing().begin(), texts->missing().end());
+    return texts->finish();
 }
 
-core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content) {
+core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content, ContentTexts& texts) {
     const auto json = JsonFile::read(path, JsonFile::kMeshMebibytes);
     if (!json)
         return tl::unexpected(json.error());
@@ -72,7 +76,9 @@ core::Result<void> NamedContent::readNamed(const QString& path, const Kind& kind
     const QJsonObject full = validated(numbers, content, at, problems).toObject();
     if (root[member].isObject())
         root[member] = QJsonObject{}; // the file's own schema knows only that it is an object
-    validated(root, file, QStringLiteral("$"), problems);
+    root = validated(root, file, QStringLiteral("$"), problems).toObject();
+    if (problems.empty())
+        root = texts.laid(root, file, {id}, path, QStringLiteral("$"), problems);
     if (problems.empty() && root["id"].toString() != id)
         problems.push_back({QStringLiteral("$.id"), quoted(root["id"].toString()),
                             QStringLiteral("the name of its file, %1").arg(quoted(id))});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/content_texts.h"
 #include "catalogue/object_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/tissue_content.h"
@@ -18,7 +19,7 @@ namespace chiron::catalogue {
 class NamedContent {
 public:
     /// Failure (badInput): a fault in one of the files, with its place.
-    static core::Result<NamedContent> read(const QString& directory);
+    static core::Result<NamedContent> read(const QString& directory, const std::vector<std::string>& languages = core::languageIds());
 
     /// `parameters` with every one of them filled in: a member whose schema has a key "object" ("mesh", "tissue"), given as a
     /// name or as an object with that key, becomes the named one's numbers with the given ones over them. A member that is not
@@ -28,18 +29,20 @@ public:
     const std::vector<ContentObject>& objects() const { return m_objects; }
     const std::vector<ContentMesh>& meshes() const { return m_meshes; }
     const std::vector<ContentTissue>& tissues() const { return m_tissues; }
+    const std::vector<MissingText>& missing() const { return m_missing; }
 
 private:
     struct Kind; ///< objects, meshes or tissues: folder, schemas, keys
     using Named = std::map<QString, QJsonObject>;
 
-    core::Result<void> readFolder(const QString& directory, const Kind& kind);
-    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content);
+    core::Result<void> readFolder(const QString& directory, const std::vector<std::string>& languages, const Kind& kind);
+    core::Result<void> readNamed(const QString& path, const Kind& kind, const Schema& file, const Schema& content, ContentTexts& texts);
 
     std::map<QString, Named> m_named; ///< "object", "mesh", "tissue" → name → its numbers as given
     std::vector<ContentObject> m_objects;
     std::vector<ContentMesh> m_meshes;
     std::vector<ContentTissue> m_tissues;
+    std::vector<MissingText> m_missing;
 };
 
 } // namespace chiron::catalogue

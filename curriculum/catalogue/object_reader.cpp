@@ -44,6 +44,8 @@ bool ObjectReader::boolean(const QString& key) const {
 }
 
 Translated ObjectReader::translated(const QString& key) const {
+    if (m_object.value(key).isString())
+        return {{"en", text(key)}};
     Translated out;
     const ObjectReader texts = object(key);
     for (const QString& language : texts.json().keys())

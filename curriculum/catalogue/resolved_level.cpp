@@ -8,6 +8,9 @@
 #include "catalogue/object_reader.h"
 #include "core/units.h"
 
+#include <QJsonDocument>
+#include <initializer_list>
+
 namespace chiron::catalogue {
 
 namespace {
@@ -42,6 +45,27 @@ core::BaseMounting readMounting(const ObjectReader& json) {
 
 QJsonObject resolvedDocument(const QJsonObject& exercise, const QJsonObject& level) {
     return {{"format", kFormat}, {"exercise", exercise}, {"level", level}};
+}
+
+QJsonObject withoutTexts(QJsonObject document) {
+    const auto drop = [](QJsonObject& from, const char* member, std::initializer_list<const char*> texts) {
+        QJsonObject part = from[QLatin1String(member)].toObject();
+        for (const char* key : texts)
+            part.remove(QLatin1String(key));
+        if (from.contains(QLatin1String(member)))
+            from[QLatin1String(member)] = part;
+    };
+    drop(document, "exercise", {"title", "objective", "advice", "legend"});
+    QJsonObject level = document[QLatin1String("level")].toObject();
+    drop(level, "shown_force_variant", {"note"});
+    document[QLatin1String("level")] = level;
+    drop(document, "level", {"title", "goal", "objective", "measured"});
+    return document;
+}
+
+std::string taskSha256(std::string_view resolvedJson) {
+    const QJsonObject document = QJsonDocument::fromJson(QByteArray(resolvedJson.data(), static_cast<qsizetype>(resolvedJson.size()))).object();
+    return document[QLatin1String("level")].isObject() ? sha256Hex(canonicalJson(withoutTexts(document))) : std::string();
 }
 
 ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems) {

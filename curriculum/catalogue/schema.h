@@ -15,7 +15,8 @@
 namespace chiron::catalogue {
 
 /// What one value of a content file may be: a subset of JSON Schema (2020-12) with `unit` beside it.
-/// Keywords: type, title, description, unit, default, minimum, maximum, enum, format ("identifier"),
+/// Keywords: type, title, description, unit, default, minimum, maximum, enum, format ("identifier", "translated",
+/// "translated_paragraphs"),
 /// minLength, maxLength, properties, required, items, minItems, maxItems, uniqueItems, $ref (a file of the
 /// same folder), $schema, $id. Objects are closed: a key that is not in `properties` is refused. No patterns,
 /// so no regular expressions.
@@ -29,6 +30,10 @@ struct Schema {
     std::optional<double> minimum; ///< of the number, the text's length or the array's size; inclusive
     std::optional<double> maximum;
     bool identifier = false;    ///< string: lower-case letters, digits and _, a letter first
+    /// string: a text for people, in English (content_texts.h has its translations). An object with a text per language is read as well; either
+    /// becomes such an object.
+    bool translated = false;
+    bool paragraphs = false; ///< translated: it may have line breaks
     bool unique = false;        ///< array: no element twice
     std::vector<QString> oneOf; ///< string: the values allowed; empty = any
     std::map<QString, std::unique_ptr<Schema>> properties;

@@ -102,8 +102,38 @@ void checkText(const QString& text, const Schema& schema, const QString& path, P
         problems.push_back(
             {path, quoted(text), QStringLiteral("lower-case letters, digits and _, a letter first")});
     if (std::any_of(text.begin(), text.end(),
-                    [](QChar c) { return c.unicode() < 0x20 || c.unicode() == 0x7f; }))
+                    [&](QChar c) { return (c.unicode() < 0x20 && !(schema.paragraphs && c == u'\n')) || c.unicode() == 0x7f; }))
         problems.push_back({path, quoted(text), QStringLiteral("a text without control characters")});
+}
+
+bool looksLikeLanguage(const QString& key) {
+    return (key.size() == 2 || key.size() == 3) && std::all_of(key.begin(), key.end(), [](QChar c) { return c >= u'a' && c <= u'z'; });
+}
+
+/// A text in English or an object with a text per language, as the latter.
+QJsonValue checkedTranslation(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems) {
+    if (value.isString()) {
+        checkText(value.toString(), schema, path, problems);
+        return QJsonObject{{QStringLiteral("en"), value}};
+    }
+    const QJsonObject texts = value.toObject();
+    const QStringList keys = texts.keys();
+    if (std::none_of(keys.begin(), keys.end(), looksLikeLanguage)) {
+        problems.push_back({path, shown(value), range(schema, QStringLiteral("a text in English, of so many characters"))});
+        return value;
+    }
+    for (const QString& key : keys) {
+        const QString at = memberPath(path, key);
+        if (!looksLikeLanguage(key))
+            problems.push_back({at, QStringLiteral("unknown key"), QStringLiteral("a language, such as \"de\"")});
+        else if (!texts[key].isString())
+            problems.push_back({at, shown(texts[key]), typeName(Schema::Type::string)});
+        else
+            checkText(texts[key].toString(), schema, at, problems);
+    }
+    if (!texts.contains(QStringLiteral("en")))
+        problems.push_back({memberPath(path, QStringLiteral("en")), QStringLiteral("missing"), QStringLiteral("a text in English at least")});
+    return value;
 }
 
 QJsonValue checkedArray(const QJsonArray& array, const Schema& schema, const QString& path,
@@ -153,6 +183,8 @@ QJsonValue checkedObject(const QJsonObject& object, const Schema& schema, const 
 } // namespace
 
 QJsonValue validated(const QJsonValue& value, const Schema& schema, const QString& path, Problems& problems) {
+    if (schema.translated)
+        return checkedTranslation(value, schema, path, problems);
     if (!hasType(value, schema.type)) {
         problems.push_back({path, shown(value), range(schema, typeName(schema.type))});
         return value;

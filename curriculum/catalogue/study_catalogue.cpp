@@ -1,40 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/study_catalogue.h"
 
-#include "catalogue/whole_file.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/study_reader.h"
+#include "catalogue/whole_file.h"
 
 #include <QDir>
-#include <QFile>
+#include <QFileInfo>
 #include <algorithm>
+#include <optional>
 
 namespace chiron::catalogue {
 
-core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDirectory) {
+namespace {
+
+/// A study's file with the translations laid over it.
+core::Result<psychophysics::StudyDesign> readTemplate(const QString& path, const Schema* schema, ContentTexts& texts) {
+    constexpr qint64 kLargest_bytes = 1 << 20;
+    const auto bytes = readWholeFile(path, kLargest_bytes);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const auto json = JsonFile::parse(*bytes, path);
+    if (!json)
+        return tl::unexpected(json.error());
+    const QString id = QFileInfo(path).completeBaseName();
+    Problems problems;
+    const QJsonObject document = schema ? texts.laid(json->root(), *schema, {id}, path, QStringLiteral("$"), problems) : json->root();
+    auto study = readStudy(document, *json);
+    if (study && !problems.empty())
+        return tl::unexpected(json->error(problems));
+    if (study && QString::fromStdString(study->id) != id)
+        return core::fail(core::ErrorCode::badInput, path.toStdString() + ": $.id: \"" + study->id + "\": expected the name of its file");
+    return study;
+}
+
+} // namespace
+
+core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDirectory, const std::vector<std::string>& languages) {
     const auto directory = contentDirectory.empty() ? findContentDirectory() : core::Result<std::string>(contentDirectory);
     if (!directory)
         return tl::unexpected(directory.error());
     const QDir folder(QString::fromStdString(*directory) + "/studies");
+    auto texts = ContentTexts::read(folder.path(), languages);
+    if (!texts)
+        return tl::unexpected(texts.error());
+    std::optional<Schema> schema; // says which keys are texts; needed only where there are translations
+    if (!texts->empty()) {
+        auto read = readSchema(QString::fromStdString(*directory) + "/schema", QStringLiteral("study"));
+        if (!read)
+            return tl::unexpected(read.error());
+        schema = std::move(*read);
+    }
     StudyCatalogue out;
     std::string faults;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
-        constexpr qint64 kLargest_bytes = 1 << 20;
-        const QString path = folder.filePath(name);
-        const auto text = readWholeFile(path, kLargest_bytes);
-        if (!text)
-            return tl::unexpected(text.error());
-        auto study = readStudy(*text, path.toStdString());
-        if (study && name != QString::fromStdString(study->id) + ".json")
-            study = core::fail(core::ErrorCode::badInput, path.toStdString() + ": $.id: \"" + study->id +
-                                                              "\": expected the name of its file");
+        auto study = readTemplate(folder.filePath(name), schema ? &*schema : nullptr, *texts);
         if (study)
             out.m_studies.push_back(*std::move(study));
         else
             faults += (faults.empty() ? "" : "\n") + study.error().message;
     }
+    if (const auto finished = texts->finish(); !finished)
+        faults += (faults.empty() ? "" : "\n") + finished.error().message;
     if (!faults.empty())
         return core::fail(core::ErrorCode::badInput, faults);
+    out.m_missingTexts = texts->missing();
     return out;
 }
 

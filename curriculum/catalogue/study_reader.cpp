@@ -161,8 +161,12 @@ core::Result<StudyDesign> readStudy(const QByteArray& json, const std::string& f
     const auto parsed = JsonFile::parse(json, QString::fromStdString(file));
     if (!parsed)
         return tl::unexpected(parsed.error());
+    return readStudy(parsed->root(), *parsed);
+}
+
+core::Result<StudyDesign> readStudy(const QJsonObject& document, const JsonFile& file) {
     Problems problems;
-    const ObjectReader root(parsed->root(), QStringLiteral("$"), problems);
+    const ObjectReader root(document, QStringLiteral("$"), problems);
     StudyDesign out;
     readTexts(root, out);
     readConditions(root, out);
@@ -184,7 +188,7 @@ core::Result<StudyDesign> readStudy(const QByteArray& json, const std::string& f
     if (problems.empty())
         checkProbe(out, QStringLiteral("$.trial.probe_at_least_N"), problems);
     if (!problems.empty())
-        return tl::unexpected(parsed->error(problems));
+        return tl::unexpected(file.error(problems));
     return out;
 }
 

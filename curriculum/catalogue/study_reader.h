@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalogue/json_file.h"
 #include "core/result.h"
 #include "psychophysics/study/study_design.h"
 
@@ -12,6 +13,8 @@ namespace chiron::catalogue {
 /// A study from its JSON (content/schema/study.json documents every key). Strict: unknown keys are refused, everything wrong is told
 /// together. Failure (badInput): `file:line:column: $.path: found: expected ...`, a line each.
 core::Result<psychophysics::StudyDesign> readStudy(const QByteArray& json, const std::string& file);
+/// The same of `document`, which is what `file` holds with translations laid over it. Faults are told with their places in the file.
+core::Result<psychophysics::StudyDesign> readStudy(const QJsonObject& document, const JsonFile& file);
 
 /// The canonical JSON of a study: keys sorted, no spaces, every key that applies written out. Reading and writing it again gives the
 /// same bytes.

@@ -20,6 +20,7 @@ void makeSmall(const ContentCopy& content) {
     for (const QString& exercise : exercises.entryList(QDir::Dirs | QDir::NoDotAndDotDot))
         if (exercise != QLatin1String("sphere_apex"))
             QDir(exercises.filePath(exercise)).removeRecursively();
+    QDir(exercises.filePath(QStringLiteral("sphere_apex/texts"))).removeRecursively(); // translations of levels that are gone
     const QDir levels(exercises.filePath(QStringLiteral("sphere_apex/levels")));
     for (const QString& level : levels.entryList(QDir::Files)) {
         const QString file = QStringLiteral("exercises/sphere_apex/levels/") + level;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli_process.h"
+#include "support/content_copy.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -26,6 +27,7 @@ private slots:
     void palpationByHand();
     void polarForcesBothWays();
     void passMarksAsStored();
+    void textsThatALanguageLacks();
     void metricsOfAStraightLine();
     void brokenPipeIsAnError();
 
@@ -272,6 +274,26 @@ void TestCliPrints::metricsOfAStraightLine() {
     QCOMPARE(metrics[0]["unit"].toString(), QStringLiteral("mm"));
     QVERIFY(qAbs(metrics[0]["value"].toDouble() - 100.0) <
             1.0); // 100 mm, less what the 20 Hz filter does at the ends
+}
+
+// Missing translations are no fault: they are named, and English is shown. The task is the same with and without them.
+void TestCliPrints::textsThatALanguageLacks() {
+    const ContentCopy content;
+    const auto list = [&](const QStringList& more) {
+        return runCli(QStringList{"exercise", "list", "--language", "de", "--content", QString::fromStdString(content.directory())} + more);
+    };
+    const auto level = [](const CliRun& run) { return QJsonDocument::fromJson(run.out).array()[0].toObject()["levels"].toArray()[0].toObject(); };
+    QVERIFY(!list({}).out.contains("no text in"));
+    const QJsonObject whole = level(list({"--json"}));
+    QVERIFY(QFile::remove(content.path("exercises/sphere_apex/texts/de.json")));
+    const CliRun run = list({});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.out.contains(content.path("exercises/sphere_apex/exercise.json").toUtf8() + ": $.title: no text in de; English is shown\n"), run.out.constData());
+    QVERIFY(run.out.contains("Visible sphere") && !run.out.contains("no text in el"));
+    const QJsonObject lacking = level(list({"--json"}));
+    QCOMPARE(whole["task_sha256"].toString().size(), 64);
+    QCOMPARE(lacking["task_sha256"], whole["task_sha256"]);
+    QVERIFY(lacking["content_sha256"] != whole["content_sha256"] && lacking["title"] != whole["title"]);
 }
 
 void TestCliPrints::brokenPipeIsAnError() {

@@ -291,6 +291,13 @@ void TestCliQuestionnaires::workloadIsOfEachCondition() {
     QJsonObject design = contentOf("studies/stiffness_elastic_tube.json");
     QJsonObject workload = contentOf("instruments/nasa_tlx.json")["questionnaire"].toObject();
     workload["when"] = "after_condition";
+    QJsonArray items = workload["items"].toArray();
+    for (QJsonValueRef item : items) { // a study's file has each text in all its languages itself
+        QJsonObject asked = item.toObject();
+        asked["text"] = QJsonObject{{"en", asked["text"]}, {"de", QStringLiteral("Auf Deutsch")}};
+        item = asked;
+    }
+    workload["items"] = items;
     QJsonArray conditions = design["conditions"].toArray();
     QJsonObject again = conditions[0].toObject();
     again["id"] = "tube_again";

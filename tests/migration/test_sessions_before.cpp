@@ -4,6 +4,8 @@
 #include "support/looked_back.h"
 #include "stored_site.h"
 
+#include "catalogue/canonical_json.h"
+#include "catalogue/catalogue.h"
 #include "core/fp_environment.h"
 #include "database/accounts/account_service.h"
 #include "database/integrity/verifier.h"
@@ -125,6 +127,16 @@ void TestSessionsBefore::everySessionListsPlaysAndScores() {
     auto stored = session::SessionView::open(**connection, *opened.ada, SessionId{id});
     REQUIRE(stored);
     QCOMPARE((*stored)->record().summary.exercise, exercise.toStdString());
+
+    // Its content has the texts of its time in it: the digest is what it was, and the task is known without them.
+    const auto& record = (*stored)->record();
+    QCOMPARE(record.contentSha256, catalogue::sha256Hex(record.setup.contentJson));
+    QCOMPARE(catalogue::taskSha256(record.setup.contentJson).size(), std::size_t{64});
+    QVERIFY(catalogue::taskSha256(record.setup.contentJson) != record.contentSha256);
+    QByteArray reworded = QByteArray::fromStdString(record.setup.contentJson);
+    QVERIFY(reworded.contains("\"title\":{"));
+    reworded.replace("\"title\":{", "\"title\":{\"fr\":\"Un titre\",");
+    QCOMPARE(catalogue::taskSha256(reworded.toStdString()), catalogue::taskSha256(record.setup.contentJson));
 
     const auto track = tests::trackOf(**stored);
     REQUIRE(track);

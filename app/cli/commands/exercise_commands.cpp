@@ -4,6 +4,7 @@
 #include "cli/command_groups.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
+#include "core/languages.h"
 #include "core/units.h"
 #include "scoring/metric_catalogue.h"
 #include "session/exercise_kind.h"
@@ -111,7 +112,8 @@ QJsonObject levelJson(const catalogue::ExerciseLevel& level, const std::string& 
             {QStringLiteral("needs_force"), level.needsForce},
             {QStringLiteral("metrics"), metricsOf(level)},
             {QStringLiteral("gates"), gatesOf(level)},
-            {QStringLiteral("content_sha256"), text(level.resolvedSha256)}};
+            {QStringLiteral("content_sha256"), text(level.resolvedSha256)},
+            {QStringLiteral("task_sha256"), text(catalogue::taskSha256(level.resolvedJson))}};
 }
 
 QJsonObject exerciseJson(const catalogue::Exercise& exercise, const std::string& language) {
@@ -130,8 +132,12 @@ QJsonObject exerciseJson(const catalogue::Exercise& exercise, const std::string&
             gates.append(withLevel);
         }
     }
+    QJsonObject texts;
+    for (const auto& [id, sha256] : exercise.textsSha256)
+        texts[text(id)] = text(sha256);
     return {{QStringLiteral("id"), text(exercise.id)},
             {QStringLiteral("version"), exercise.version},
+            {QStringLiteral("texts_sha256"), texts},
             {QStringLiteral("title"), text(catalogue::textIn(exercise.title, language))},
             {QStringLiteral("objective"), text(catalogue::textIn(exercise.objective, language))},
             {QStringLiteral("levels"), levels},
@@ -139,11 +145,29 @@ QJsonObject exerciseJson(const catalogue::Exercise& exercise, const std::string&
             {QStringLiteral("gates"), gates}};
 }
 
+QStringList languageIds() {
+    QStringList ids;
+    for (const std::string& id : core::languageIds())
+        ids << text(id);
+    return ids;
+}
+
+core::Result<QString> chosenLanguage(const Arguments& arguments) {
+    return arguments.choice(QStringLiteral("language"), languageIds(), languageIds().first());
+}
+
+/// Texts of the content that a language lacks, and how many more there are.
+QString missingText(const std::vector<catalogue::MissingText>& missing) {
+    constexpr std::size_t kMost = 20;
+    QString lines;
+    for (std::size_t i = 0; i < std::min(kMost, missing.size()); ++i)
+        lines += QStringLiteral("%1: %2: no text in %3; English is shown\n").arg(text(missing[i].file), text(missing[i].path), text(missing[i].language));
+    return missing.size() > kMost ? lines + QStringLiteral("and %1 more\n").arg(missing.size() - kMost) : lines;
+}
+
 core::Result<CommandOutput> list(const Arguments& arguments) {
     const auto content = load(arguments);
-    const auto language = arguments.choice(QStringLiteral("language"),
-                                           {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")},
-                                           QStringLiteral("en"));
+    const auto language = chosenLanguage(arguments);
     if (!language)
         return tl::unexpected(language.error());
     if (!content)
@@ -159,7 +183,7 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
                        QString::number(factsOf(level).tools), level.needsForce ? QStringLiteral("yes") : QStringLiteral("no"),
                        QString::number(level.gates.size())});
     }
-    return CommandOutput{QJsonDocument(json), table.toText(), 0};
+    return CommandOutput{QJsonDocument(json), table.toText() + missingText(content->missingTexts()), 0};
 }
 
 /// Instruments, and what is recorded beside them; one line, and an empty one after it.
@@ -197,9 +221,7 @@ QString levelText(const catalogue::ExerciseLevel& level, const std::string& lang
 }
 
 core::Result<CommandOutput> show(const Arguments& arguments) {
-    const auto language = arguments.choice(QStringLiteral("language"),
-                                           {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")},
-                                           QStringLiteral("en"));
+    const auto language = chosenLanguage(arguments);
     if (!language)
         return tl::unexpected(language.error());
     const auto content = load(arguments);
@@ -230,7 +252,7 @@ std::vector<CommandSpec> exerciseCommands() {
     const std::vector<OptionSpec> options{
         {QStringLiteral("content"), QStringLiteral("FOLDER"),
          QStringLiteral("where the content lies; default: CHIRON_CONTENT, the installed folder")},
-        {QStringLiteral("language"), QStringLiteral("WORD"), QStringLiteral("en, de or el; default: en")}};
+        {QStringLiteral("language"), QStringLiteral("WORD"), languageIds().join(QStringLiteral(", ")) + QStringLiteral("; default: en")}};
     CommandSpec listing;
     listing.group = QStringLiteral("exercise");
     listing.verb = QStringLiteral("list");

@@ -122,7 +122,7 @@ core::Result<CommandOutput> import(const Arguments& arguments) {
                             {QStringLiteral("vertices_um"), wholes(stored->vertices_um)},
                             {QStringLiteral("triangles"), wholes(stored->triangles)}};
     const QJsonDocument json(QJsonObject{{QStringLiteral("id"), *id},
-                                         {QStringLiteral("title"), QJsonObject{{QStringLiteral("en"), title}}},
+                                         {QStringLiteral("title"), title},
                                          {QStringLiteral("source"), source},
                                          {QStringLiteral("shape"), shape}});
     return CommandOutput{json, QString::fromUtf8(json.toJson(QJsonDocument::Indented)), 0};

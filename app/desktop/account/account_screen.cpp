@@ -10,6 +10,7 @@
 #include "desktop/accounts/password_fields.h"
 #include "desktop/accounts/wait_countdown.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/languages.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -76,10 +77,8 @@ QWidget* AccountScreen::languageBox() {
     auto* group = new QButtonGroup(this);
     const QString own = context().ownLanguage();
     // Each language in its own words: who cannot read the present one must find theirs.
-    const std::vector<std::pair<QString, QString>> list{{QString(), tr("As on this station")},
-                                                        {QStringLiteral("en"), QStringLiteral("English")},
-                                                        {QStringLiteral("de"), QStringLiteral("Deutsch")},
-                                                        {QStringLiteral("el"), QStringLiteral("Ελληνικά")}};
+    std::vector<std::pair<QString, QString>> list = languageChoices();
+    list.insert(list.begin(), {QString(), tr("As on this station")});
     for (const auto& [id, text] : list) {
         auto* radio = new QRadioButton(text);
         radio->setObjectName(QStringLiteral("account.language.") + (id.isEmpty() ? QStringLiteral("station") : id));

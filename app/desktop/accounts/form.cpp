@@ -2,6 +2,7 @@
 #include "desktop/accounts/form.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/languages.h"
 #include "desktop/widgets/kit.h"
 
 #include <QComboBox>
@@ -45,8 +46,8 @@ QComboBox* languageChoice(AppContext& context) {
     auto* choice = new QComboBox;
     choice->setObjectName(QStringLiteral("accounts.language"));
     choice->setAccessibleName(QCoreApplication::translate("AccountForm", "Language"));
-    for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
-        choice->addItem(QString::fromUtf8(name), QString::fromLatin1(id));
+    for (const auto& [id, name] : languageChoices())
+        choice->addItem(name, id);
     choice->setCurrentIndex(choice->findData(context.language()));
     QObject::connect(
         choice, &QComboBox::activated, &context,

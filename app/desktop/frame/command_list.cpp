@@ -2,6 +2,7 @@
 #include "desktop/frame/command_list.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/languages.h"
 #include "desktop/screen_catalogue.h"
 
 #include <QCoreApplication>
@@ -52,8 +53,8 @@ void addLook(AppContext& context, std::vector<ScreenCommand>& list) {
     list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Larger text and controls")), QKeySequence::ZoomIn, scaleBy(0.25)});
     list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Smaller text and controls")), QKeySequence::ZoomOut, scaleBy(-0.25)});
     // Each language in its own words.
-    for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
-        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Language: %1")).arg(QString::fromUtf8(name)), {}, [&context, language = QLatin1String(id)] {
+    for (const auto& [id, name] : languageChoices())
+        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Language: %1")).arg(name), {}, [&context, language = id] {
                             context.setStationLanguage(language);
                         }});
 }

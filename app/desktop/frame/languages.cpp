@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/languages.h"
 
+#include "core/languages.h"
+
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -32,11 +34,18 @@ void installLanguage(QCoreApplication& application, const QString& language) {
 }
 
 QString languageName(const QString& language) {
-    if (language == QLatin1String("en"))
-        return QStringLiteral("English");
-    if (language == QLatin1String("de"))
-        return QStringLiteral("Deutsch");
-    return language == QLatin1String("el") ? QStringLiteral("Ελληνικά") : QLocale(language).nativeLanguageName();
+    for (const auto& [id, name] : languageChoices())
+        if (id == language)
+            return name;
+    return QLocale(language).nativeLanguageName();
+}
+
+std::vector<std::pair<QString, QString>> languageChoices() {
+    std::vector<std::pair<QString, QString>> choices;
+    for (const core::Language& language : core::kLanguages)
+        choices.emplace_back(QString::fromUtf8(language.id.data(), static_cast<qsizetype>(language.id.size())),
+                             QString::fromUtf8(language.name.data(), static_cast<qsizetype>(language.name.size())));
+    return choices;
 }
 
 } // namespace chiron::desktop

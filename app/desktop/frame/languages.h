@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <utility>
+#include <vector>
 
 class QCoreApplication;
 
@@ -12,5 +14,7 @@ namespace chiron::desktop {
 void installLanguage(QCoreApplication& application, const QString& language);
 /// In its own words, so that whoever reads it finds it: "English", "Deutsch", "Ελληνικά"; others as the system calls them.
 QString languageName(const QString& language);
+/// The languages that the interface can be in, each as its id ("de") and its name in its own words, English first.
+std::vector<std::pair<QString, QString>> languageChoices();
 
 } // namespace chiron::desktop

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/settings.h"
 
+#include "core/languages.h"
+
 #include <QDir>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace chiron::desktop {
 
 namespace {
 
-const QStringList kLanguages{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")};
 const QStringList kThemes{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("high_contrast")};
+
+QLatin1String asText(std::string_view token) { return {token.data(), static_cast<qsizetype>(token.size())}; }
 
 QString settingsFile(const QString& given) {
     if (!given.isEmpty())
         return given;
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation))
         .filePath(QStringLiteral("chiron/desktop.ini"));
+}
+
+/// The row of a language; English's where there is none.
+const core::Language& languageOf(const QString& id) {
+    const auto found = std::find_if(core::kLanguages.begin(), core::kLanguages.end(), [&](const core::Language& language) { return id == asText(language.id); });
+    return found == core::kLanguages.end() ? core::kLanguages.front() : *found;
 }
 
 QString personKey(qint64 person, const QString& key) {
@@ -28,10 +38,9 @@ Settings::Settings(const QString& file) : m_file(settingsFile(file), QSettings::
 
 QString Settings::language() const {
     const QString stored = m_file.value(QStringLiteral("language")).toString();
-    if (kLanguages.contains(stored))
+    if (isLanguage(stored))
         return stored;
-    const QString system = QLocale::system().name().section(QLatin1Char('_'), 0, 0);
-    return kLanguages.contains(system) ? system : kLanguages.first();
+    return asText(languageOf(QLocale::system().name().section(QLatin1Char('_'), 0, 0)).id);
 }
 
 void Settings::setLanguage(const QString& language) {
@@ -39,15 +48,11 @@ void Settings::setLanguage(const QString& language) {
 }
 
 bool Settings::isLanguage(const QString& language) {
-    return kLanguages.contains(language);
+    return language == asText(languageOf(language).id);
 }
 
 QLocale Settings::localeOf(const QString& language) {
-    if (language == QLatin1String("de"))
-        return QLocale(QLocale::German, QLocale::Germany);
-    if (language == QLatin1String("el"))
-        return QLocale(QLocale::Greek, QLocale::Greece);
-    return QLocale(QLocale::English, QLocale::UnitedKingdom);
+    return QLocale(asText(languageOf(language).locale));
 }
 
 ThemeName Settings::theme() const {

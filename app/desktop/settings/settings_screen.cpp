@@ -2,6 +2,7 @@
 #include "desktop/settings/settings_screen.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/languages.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 
@@ -62,9 +63,9 @@ QString SettingsScreen::help() const {
 
 QWidget* SettingsScreen::languageBox() {
     // Each language in its own words: who cannot read the present one must find theirs.
-    const std::vector<Choice> list{{QStringLiteral("en"), QStringLiteral("English")},
-                                   {QStringLiteral("de"), QStringLiteral("Deutsch")},
-                                   {QStringLiteral("el"), QStringLiteral("Ελληνικά")}};
+    std::vector<Choice> list;
+    for (const auto& [id, name] : languageChoices())
+        list.push_back({id, name});
     return choices(context().theme(), this, QStringLiteral("language"), tr("Language"), list, context().language(),
                    [this](const QString& id) { context().setStationLanguage(id); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/participant_sentences.h"
 
+#include "core/languages.h"
 #include "session/study/participant_view.h"
 
 #include <QLocale>
@@ -180,7 +181,7 @@ const StudyText& ownSentences(const StudyDesign& design) { return design.ownInst
 void renewInstructions(StudyDesign& design) {
     const StudyText own = ownSentences(design);
     std::set<std::string> languages{"en"};
-    for (const char* language : {"de", "el"})
+    for (const std::string& language : core::languageIds())
         if (!written(own) || (own.contains(language) && !own.at(language).empty()))
             languages.insert(language);
     StudyText all;

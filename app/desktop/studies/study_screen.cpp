@@ -2,6 +2,7 @@
 #include "desktop/studies/study_screen.h"
 
 #include "desktop/accounts/notice_area.h"
+#include "desktop/frame/languages.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/studies/check_page.h"
 #include "desktop/studies/consent_dialog.h"
@@ -191,8 +192,8 @@ QWidget* StudyScreen::toolRow() {
     auto* language = new QComboBox;
     language->setObjectName(QStringLiteral("study.language"));
     language->setAccessibleName(tr("Language of the texts"));
-    for (const auto& [id, name] : {std::pair{"en", "English"}, std::pair{"de", "Deutsch"}, std::pair{"el", "Ελληνικά"}})
-        language->addItem(QString::fromUtf8(name), QString::fromLatin1(id));
+    for (const auto& [id, name] : languageChoices())
+        language->addItem(name, id);
     language->setCurrentIndex(language->findData(m_language));
     language->setToolTip(tr("Language of the texts"));
     connect(language, &QComboBox::activated, this, [this, language] {

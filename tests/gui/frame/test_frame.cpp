@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/command_palette.h"
+#include "core/languages.h"
 #include "desktop/frame/instance_link.h"
+#include "desktop/frame/languages.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/background.h"
 #include "desktop/frame/message_bar.h"
@@ -101,9 +103,28 @@ private slots:
         broken.write("language=klingon\ntheme=pink\nscale=huge\nsound=\n");
         broken.close();
         const Settings settings(file);
-        QVERIFY(QStringList({QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("el")}).contains(settings.language()));
+        QVERIFY(Settings::isLanguage(settings.language()));
         QCOMPARE(settings.theme(), ThemeName::light);
         QCOMPARE(settings.scale(), 1.0);
+    }
+
+    /// A language of the list is offered under its own name, has a catalogue of texts, and writes numbers in its own way; no other is.
+    void everyLanguageOfTheListIsThere() {
+        const auto choices = languageChoices();
+        QCOMPARE(choices.size(), core::kLanguages.size());
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            const auto& [id, name] = choices[i];
+            QCOMPARE(id.toStdString(), std::string(core::kLanguages[i].id));
+            QVERIFY2(Settings::isLanguage(id), qPrintable(id));
+            QCOMPARE(languageName(id), name);
+            QCOMPARE(Settings::localeOf(id).name().toStdString(), std::string(core::kLanguages[i].locale));
+            installLanguage(*QCoreApplication::instance(), id);
+            QVERIFY2(QFile::exists(QStringLiteral(":/i18n/chiron_%1.qm").arg(id)), qPrintable(id));
+        }
+        installLanguage(*QCoreApplication::instance(), QStringLiteral("en"));
+        for (const char* stranger : {"", "xx", "EN", "en_GB"})
+            QVERIFY2(!Settings::isLanguage(QLatin1String(stranger)), stranger);
+        QCOMPARE(Settings::localeOf(QStringLiteral("xx")), Settings::localeOf(QStringLiteral("en")));
     }
 
     /// What one program has set the next one reads, each by its own name.

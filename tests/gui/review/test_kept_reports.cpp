@@ -153,6 +153,8 @@ void TestKeptReports::sessionIsPaintedAsItWas() {
     QVERIFY(!data->integrity.buildId.isEmpty() && data->integrity.contentSha256.size() == 64 && data->integrity.recordingDigest.size() == 64 && data->integrity.bytes > 0);
     data->integrity.buildId = QStringLiteral("0.1.0 gcc-12.2.0");
     data->integrity.contentSha256 = QString(64, QLatin1Char('c'));
+    QCOMPARE(data->integrity.taskSha256.size(), 64);
+    data->integrity.taskSha256 = QString(64, QLatin1Char('b'));
     data->integrity.recordingDigest = QString(64, QLatin1Char('d'));
     data->integrity.bytes = 3481220;
     OutlinePages pages;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/languages.h"
 #include "desktop/screen_catalogue.h"
 #include "support/every_place.h"
 #include "support/settled.h"
@@ -20,10 +21,10 @@ private slots:
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("theme");
         QTest::addColumn<double>("scale");
-        for (const char* language : {"en", "de", "el"})
+        for (const std::string& language : core::languageIds())
             for (int theme = 0; theme < 3; ++theme)
                 for (const double scale : {1.0, 2.0})
-                    QTest::addRow("%s, theme %d, %.0f %%", language, theme, scale * 100) << QString(QLatin1String(language)) << theme << scale;
+                    QTest::addRow("%s, theme %d, %.0f %%", language.c_str(), theme, scale * 100) << QString::fromStdString(language) << theme << scale;
     }
 
     void everyScreenFits() {

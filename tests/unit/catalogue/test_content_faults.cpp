@@ -68,8 +68,11 @@ void TestContentFaults::crossChecks_data() {
     row("cue twice", "\"cues\": [\"tool\", \"arrow\"", "\"cues\": [\"tool\", \"tool\"",
         "$.shown_force_variant.cues[1]: \"tool\"");
     row("name of another file", "\"id\": \"decoy_dimple\"", "\"id\": \"dimple\"", "$.id: \"dimple\"");
-    row("control character", "\"en\": \"Decoy dimple\"", "\"en\": \"Decoy\\u0007dimple\"",
-        "$.title.en: \"Decoy\\u0007dimple\"");
+    row("control character", "\"title\": \"Decoy dimple\"", "\"title\": \"Decoy\\u0007dimple\"",
+        "$.title: \"Decoy\\u0007dimple\"");
+    row("a text in no language", "\"title\": \"Decoy dimple\"", "\"title\": {}", "$.title: an object");
+    row("a text without English", "\"title\": \"Decoy dimple\"", "\"title\": {\"de\": \"Delle\"}", "$.title.en: missing");
+    row("a text with a stray key", "\"title\": \"Decoy dimple\"", "\"title\": {\"en\": \"Dimple\", \"German\": \"Delle\"}", "$.title.German: unknown key");
 }
 
 void TestContentFaults::crossChecks() {

@@ -2,6 +2,7 @@
 // The instruments that come with the program, and what a study keeps of them.
 #include "catalogue/instrument_catalogue.h"
 #include "catalogue/study_reader.h"
+#include "core/languages.h"
 #include "psychophysics/measures/instrument_score.h"
 #include "study_samples.h"
 
@@ -30,7 +31,7 @@ private slots:
             QVERIFY2(find(*all, id), id);
         for (const catalogue::Instrument& each : *all) {
             QVERIFY2(each.source.size() > 10 && each.permission.size() > 10, each.questionnaire.id.c_str());
-            for (const char* language : {"en", "de", "el"}) {
+            for (const std::string& language : core::languageIds()) {
                 QVERIFY2(each.questionnaire.title.count(language) == 1, each.questionnaire.id.c_str());
                 for (const auto& item : each.questionnaire.items)
                     QVERIFY2(item.text.count(language) == 1, item.id.c_str());

@@ -11,10 +11,12 @@
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "catalogue/schema.h"
+#include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "catalogue/whole_file.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -147,6 +149,7 @@ private:
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
     }
     catalogue::Catalogue m_catalogue = *Catalogue::load(kContent.toStdString());
+    catalogue::StudyCatalogue m_studies = *StudyCatalogue::load(kContent.toStdString());
     tests::KeptText m_kept{QStringLiteral(CHIRON_SOURCE_DIR "/tests/unit/catalogue/kept_checks.txt"), tests::sameFigures};
 };
 
@@ -201,9 +204,7 @@ void TestKeptChecks::studies_data() {
 
 void TestKeptChecks::studies() {
     QFETCH(QString, file);
-    QFile source(kContent + QStringLiteral("/studies/") + file);
-    QVERIFY(source.open(QIODevice::ReadOnly));
-    const auto design = readStudy(source.readAll(), "study.json");
+    const psychophysics::StudyDesign* design = m_studies.find(QFileInfo(file).completeBaseName().toStdString());
     QVERIFY(design);
     const QJsonObject given = shortened(QJsonDocument::fromJson(studyJson(*design)).object()).toObject();
     QVERIFY(readStudy(QJsonDocument(given).toJson(), "s"));
@@ -235,9 +236,7 @@ void TestKeptChecks::comparedObjects() {
         QVERIFY2(again && again->resolvedSha256 == of.resolvedSha256, qPrintable(name));
     };
     for (const QString& file : QDir(kContent + QStringLiteral("/studies")).entryList({QStringLiteral("*.json")})) {
-        QFile source(kContent + QStringLiteral("/studies/") + file);
-        QVERIFY(source.open(QIODevice::ReadOnly));
-        const auto design = readStudy(source.readAll(), "s");
+        const psychophysics::StudyDesign* design = m_studies.find(QFileInfo(file).completeBaseName().toStdString());
         QVERIFY(design);
         for (const psychophysics::Condition& condition : design->conditions) {
             const QString name = file + QLatin1Char(' ') + QString::fromStdString(condition.id);

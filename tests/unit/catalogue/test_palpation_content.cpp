@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
+#include "core/languages.h"
 #include "simulation/exercises/palpation/palpation_plan.h"
 #include "simulation/palpation/tissue_contact.h"
 #include "support/content_copy.h"
@@ -42,7 +43,7 @@ private slots:
         QCOMPARE(levels.size(), std::size_t{5});
         for (const ExerciseLevel& level : levels) {
             const Parameters& p = std::get<Parameters>(level.parameters);
-            for (const char* language : {"en", "de", "el"})
+            for (const std::string& language : core::languageIds())
                 QVERIFY(level.title.contains(language) && level.objective.contains(language) && level.measured.contains(language));
             QCOMPARE(hasCue(level, "object"), level.number == 1);
             QCOMPARE(level.needsForce, level.number != 1);
