@@ -15195,9 +15195,9 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue.</source>
         <translation>
-                <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
-                <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
-            </translation>
+            <numerusform>%n Durchgang. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
+            <numerusform>%n Durchgänge. Die Uhr läuft, sobald Sie „Weiter“ drücken.</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 Nothing counts yet.</source>
@@ -15752,9 +15752,9 @@ F2 ist für die Versuchsleitung.</translation>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
-                <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
-            </translation>
+            <numerusform>Am Anfang steht %n Übungsdurchgang, der nicht zählt.</numerusform>
+            <numerusform>Am Anfang stehen %n Übungsdurchgänge, die nicht zählen.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The pilot run is over</source>
@@ -17001,6 +17001,10 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>No trial was finished</source>
         <translation>Kein Durchgang wurde beendet</translation>
+    </message>
+    <message>
+        <source>Content without texts (SHA-256)</source>
+        <translation>Inhalt ohne Texte (SHA-256)</translation>
     </message>
 </context>
 </TS>

@@ -15195,9 +15195,9 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue.</source>
         <translation>
-                <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
-                <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
-            </translation>
+            <numerusform>%n δοκιμή. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
+            <numerusform>%n δοκιμές. Το χρονόμετρο ξεκινά όταν πατήσετε «Συνέχεια».</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 Nothing counts yet.</source>
@@ -15752,9 +15752,9 @@ F2 is for the experimenter.</source>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
-                <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
-            </translation>
+            <numerusform>Στην αρχή υπάρχει %n δοκιμή εξάσκησης, που δεν μετρά.</numerusform>
+            <numerusform>Στην αρχή υπάρχουν %n δοκιμές εξάσκησης, που δεν μετρούν.</numerusform>
+        </translation>
     </message>
     <message>
         <source>The pilot run is over</source>
@@ -17001,6 +17001,10 @@ F2 is for the experimenter.</source>
     <message>
         <source>No trial was finished</source>
         <translation>Καμία δοκιμή δεν ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>Content without texts (SHA-256)</source>
+        <translation>Περιεχόμενο χωρίς κείμενα (SHA-256)</translation>
     </message>
 </context>
 </TS>

@@ -784,9 +784,9 @@
     <message numerus="yes">
         <source>%n trial(s). The clock starts when you press Continue.</source>
         <translation>
-                <numerusform>%n trial. The clock starts when you press Continue.</numerusform>
-                <numerusform>%n trials. The clock starts when you press Continue.</numerusform>
-            </translation>
+            <numerusform>%n trial. The clock starts when you press Continue.</numerusform>
+            <numerusform>%n trials. The clock starts when you press Continue.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -815,9 +815,9 @@
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
-                <numerusform>It begins with %n practice trial, which does not count.</numerusform>
-                <numerusform>It begins with %n practice trials, which do not count.</numerusform>
-            </translation>
+            <numerusform>It begins with %n practice trial, which does not count.</numerusform>
+            <numerusform>It begins with %n practice trials, which do not count.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

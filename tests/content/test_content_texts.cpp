@@ -116,7 +116,8 @@ void TestContentTexts::everyTextIsInEveryLanguage() {
                 for (const auto& choice : item.choices)
                     QVERIFY2(choice.contains(language), item.id.c_str());
             }
-    for (const Exercise& exercise : loaded(copy).exercises()) // and no exercise's content was passed over
+    const Catalogue catalogue = loaded(copy);
+    for (const Exercise& exercise : catalogue.exercises()) // and no exercise's content was passed over
         for (const std::string& language : core::languageIds())
             QVERIFY2(exercise.textsSha256.contains(language), exercise.id.c_str());
 }
@@ -231,7 +232,8 @@ void TestContentTexts::filesOfStrangeLanguagesAreRefused() {
 
 void TestContentTexts::theTaskHasNoTexts() {
     const ContentCopy copy;
-    for (const Exercise& exercise : loaded(copy).exercises())
+    const Catalogue catalogue = loaded(copy);
+    for (const Exercise& exercise : catalogue.exercises())
         for (const ExerciseLevel& level : exercise.levels) {
             const QJsonObject document = QJsonDocument::fromJson(QByteArray::fromStdString(level.resolvedJson)).object();
             QVERIFY2(hasTextByLanguage(document), level.id.c_str());

@@ -109,6 +109,7 @@ ReportData sample(std::size_t samples) {
                       3481220,
                       "0.1.0 gcc-12.2.0",
                       "9f2c4e0f7ad1c7f6a0a3a54f0a98c9d6f1b3b2f4e5d60718293a4b5c6d7e8f90",
+                      {},
                       "0f1e2d3c4b5a69788796a5b4c3d2e1f00112233445566778899aabbccddeeff0",
                       {}};
     return data;

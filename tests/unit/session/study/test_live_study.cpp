@@ -21,6 +21,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -118,6 +119,7 @@ private slots:
     void pausesAndGoesOn();
     void noClockRunsWhilePaused();
     void theTrialAtHandIsTold();
+    void practiceTellsOfEveryObjectThatItWasRight();
     void anUnknownConditionIsRefused();
     void timeIsNeverUpWithoutAnAnswer();
     void whatIsShownIsNotInTheGroup();
@@ -288,6 +290,28 @@ void TestLiveStudy::theTrialAtHandIsTold() {
     QVERIFY(rest.state == View::breakDue && rest.trial == 1 && !rest.canAnswer && rest.timeLeft_s == 0.0);
     QVERIFY(rest.breakLeft_s > 0.0 && rest.breakLeft_s <= 40.0);
     QCOMPARE(live->numbers().practice, 1);
+}
+
+/// Whichever object is asked for: each of the three is told to be right where it is, the first one, too.
+void TestLiveStudy::practiceTellsOfEveryObjectThatItWasRight() {
+    constexpr int kTrials = 30; // that none of the three is ever asked for has a chance of 3 (2/3)^30
+    Site site(false, [](psychophysics::StudyDesign& design) {
+        design.trial.betweenTrials_s = 0.0;
+        design.trial.practiceTrials = kTrials;
+        design.fidelity.lateTicks = 1.0;
+    });
+    const auto live = site.sit();
+    std::array<int, 3> right{};
+    for (int trial = 0; trial < kTrials && *std::min_element(right.begin(), right.end()) == 0; ++trial) {
+        const int next = static_cast<int>(std::min_element(right.begin(), right.end()) - right.begin());
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().canAnswer), kPatience_ms);
+        QVERIFY(live->answer(next).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT((live->poll(), live->view().mayTakeBack), kPatience_ms);
+        QVERIFY(live->view().right.has_value());
+        right[static_cast<std::size_t>(next)] += *live->view().right ? 1 : 0;
+        live->goOn();
+    }
+    QVERIFY(*std::min_element(right.begin(), right.end()) > 0);
 }
 
 /// Objects that were not all touched when they go cannot be answered about: the trial ends at once and comes again, and nobody is asked for an answer.
