@@ -27,6 +27,7 @@ struct MetricRow {
     std::optional<double> bandHigh;
     QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
     std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
+    int trials = 0; ///< how many the value is of; 0: not known
 };
 
 /// Signed error of one mark, in % of the sphere's radius (models.md §2.3).

@@ -181,7 +181,7 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
-    const QString metric = metricTitle(QString::fromStdString(worst.reason));
+    const QString metric = momentTitle(QString::fromStdString(worst.reason));
     const QString into = clockText(worst.intoTrial_s, locale); // as the training screen counted it; playback's clock began before the trial
     const bool counted = worst.unit == "count"; // of the whole session: only one of them happened here
     const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
