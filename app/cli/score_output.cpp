@@ -79,10 +79,10 @@ QString metricsText(const std::vector<scoring::MetricValue>& metrics) {
 }
 
 QString scoreText(const ScoreView& view) {
-    return QStringLiteral("session %1: %2, %3, %4 trials\n\n")
+    return QStringLiteral("session %1: %2, %3, %4\n\n")
                .arg(view.sessionId)
                .arg(view.state, view.card.passed ? QStringLiteral("passed") : QStringLiteral("not passed"))
-               .arg(view.card.trials.size()) +
+               .arg(view.card.trials.size() == 1 ? QStringLiteral("1 trial") : QStringLiteral("%1 trials").arg(view.card.trials.size())) +
            metricsText(view.card.metrics) + flaggedText(view.trials);
 }
 

@@ -6,6 +6,7 @@
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "database/repositories/session_reader.h"
 #include "report/report_text.h"
+#include "session/person_json.h"
 #include "session/session_setup.h"
 #include "session/yield_cause.h"
 
@@ -85,6 +86,7 @@ QJsonObject summaryJson(const database::SessionSummary& summary) {
             {"person", text(summary.personName)},
             {"exercise", text(summary.exercise)},
             {"level", summary.level},
+            {"attempt", summary.attempt > 0 ? QJsonValue(summary.attempt) : QJsonValue()},
             {"operator", text(summary.operatorName)},
             {"state", QString::fromUtf8(state.data(), qsizetype(state.size()))},
             {"passed", summary.passed ? QJsonValue(*summary.passed) : QJsonValue()},
@@ -114,6 +116,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
     json.insert("devices", devicesJson(record));
     if (!record.voidReason.empty())
         json.insert("void_reason", text(record.voidReason));
+    if (!record.decisions.empty())
+        json.insert("decisions", session::decisionsJson(record.decisions));
     return json;
 }
 
@@ -157,6 +161,16 @@ QString yieldsText(const QJsonArray& yields) {
             lines += QStringLiteral(", %1 %2 %3").arg(cause["quantity"].toString(), report::formatNumber(cause["value"].toDouble(), QLocale::c()), cause["unit"].toString());
         lines += QLatin1Char('\n');
     }
+    return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;
+}
+
+QString decisionsText(const std::vector<database::SessionDecision>& decisions) {
+    QString lines;
+    for (const database::SessionDecision& decision : decisions)
+        lines += QStringLiteral("%1 on %2 by person %3: %4\n")
+                     .arg(decision.voiding ? QStringLiteral("voided") : QStringLiteral("counted again"), text(decision.utc))
+                     .arg(decision.person)
+                     .arg(decision.reason.empty() ? QStringLiteral("(erased)") : text(decision.reason));
     return lines.isEmpty() ? lines : QLatin1Char('\n') + lines;
 }
 

@@ -24,6 +24,8 @@ core::Result<QJsonArray> eventsJson(database::Connection& connection, const data
 QJsonArray yieldsOf(const QJsonArray& events);
 /// The same for people, a line each, tools from 1; empty where nothing gave way.
 QString yieldsText(const QJsonArray& yields);
+/// What was decided about the session and taken back since, a line each; empty: nothing.
+QString decisionsText(const std::vector<database::SessionDecision>& decisions);
 
 /// One line of a list of sessions.
 QJsonObject summaryJson(const database::SessionSummary& summary);

@@ -6,6 +6,7 @@
 #include "desktop/exercise_setup/exercise_setup_screen.h"
 #include "desktop/first_start/first_start_screen.h"
 #include "desktop/frame/screen.h"
+#include "desktop/home/comments_screen.h"
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
@@ -42,7 +43,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
     using enum database::Role;
     static const std::vector<database::Role> everybody{trainee, trainer, researcher, admin};
     // Parameters of their places: exercise_setup {exercise, level},
-    // training {plan}, debrief {session, just_ended}, playback {session, at_s, ghost}, restore {missing, detail}.
+    // training {plan}, debrief {session, just_ended}, playback {session, at_s, ghost}, comments {which}, restore {missing, detail}.
     static const std::vector<ScreenEntry> entries{
         {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},
@@ -62,6 +63,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},
         {"station", QT_TRANSLATE_NOOP("Screens", "Station"), "computer", everybody, true, &make<StationScreen>},
         {"results", QT_TRANSLATE_NOOP("Screens", "My results"), "office-chart-line", {trainee}, true, &make<ResultsScreen>},
+        {"comments", QT_TRANSLATE_NOOP("Screens", "Comments"), "edit-comment", {}, true, &make<CommentsScreen>},
         {"debrief", QT_TRANSLATE_NOOP("Screens", "Debrief"), "view-statistics", {}, true, &make<DebriefScreen>},
         {"playback", QT_TRANSLATE_NOOP("Screens", "Playback"), "media-playback-start", {}, true, &make<PlaybackScreen>},
         {"account", QT_TRANSLATE_NOOP("Screens", "My account"), "user-identity", {}, true, &make<AccountScreen>},

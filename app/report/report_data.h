@@ -28,6 +28,7 @@ struct MetricRow {
     QString bandSource; ///< where the band is from, e.g. "published, 5 subjects × 10"
     std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
     std::optional<double> limit{}; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
+    int trials = 0; ///< how many the value is of; 0: not known
 };
 
 /// Signed error of one mark, in % of the sphere's radius (models.md §2.3).

@@ -310,7 +310,7 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
             points.push_back({place - 0.14 + aside, group.values[i]});
             negative = negative || group.values[i] < 0.0;
         }
-        if (group.values.empty())
+        if (group.values.size() < 2) // one value is no mean: its point says it
             continue;
         const double centre = mean(group.values);
         means.push_back({place + 0.12, centre});
@@ -320,7 +320,8 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
     if (negative)
         view->setYAxis({data.metricName + unit, {}, {}});
     view->addMarkers(data.pointLabel.isEmpty() ? Words::tr("session") : data.pointLabel, points, PlotStyle::solidA);
-    view->addMeans(Words::tr("mean ± SD"), means, spreads);
+    if (!means.empty())
+        view->addMeans(Words::tr("mean ± SD"), means, spreads);
     if (data.reference)
         view->addReference(data.referenceLabel, *data.reference);
     view->setXCategories(names);

@@ -90,6 +90,10 @@ QJsonObject sessionJson(const database::PersonSession& session) {
         {QStringLiteral("trials"), trials},
         {QStringLiteral("events"), events},
         {QStringLiteral("comments"), commentsJson(session.comments)}};
+    if (summary.attempt > 0)
+        json[QStringLiteral("attempt")] = summary.attempt;
+    if (!session.record.decisions.empty())
+        json[QStringLiteral("decisions")] = decisionsJson(session.record.decisions);
     if (session.sealed) {
         json[QStringLiteral("sealed")] = true;
         json[QStringLiteral("recording")] = QJsonValue(); // how much it is tells the conditions of a blinded study apart
@@ -155,6 +159,16 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
 }
 
 } // namespace
+
+QJsonArray decisionsJson(const std::vector<database::SessionDecision>& decisions) {
+    QJsonArray array;
+    for (const database::SessionDecision& decision : decisions)
+        array.append(QJsonObject{{QStringLiteral("decision"), decision.voiding ? QStringLiteral("void") : QStringLiteral("reinstate")},
+                                 {QStringLiteral("person"), static_cast<qint64>(decision.person)},
+                                 {QStringLiteral("utc"), text(decision.utc)},
+                                 {QStringLiteral("reason"), text(decision.reason)}});
+    return array;
+}
 
 QJsonObject personJson(const database::Person& person) {
     return {{QStringLiteral("id"), static_cast<qint64>(person.id)},

@@ -11,9 +11,13 @@ namespace chiron::session_report {
 
 /// A metric's name in the program's language; its id with spaces where it has no name of its own. The one source of titles for
 /// screens, paper and the command line. Thread of the translator (GUI), as all of these.
-QString metricTitle(const QString& id);
-/// What it measures, in a sentence for people; empty for one that is not known.
-QString metricMeaning(const QString& id);
+/// `trials`: how many the value is of, where that is known (0: it is not); the value of a single one is no mean.
+QString metricTitle(const QString& id, int trials = 0);
+/// What it measures, in a sentence for people; empty for one that is not known. `trials`: as above.
+QString metricMeaning(const QString& id, int trials = 0);
+/// What the value at one moment is called that a metric led to (session::WorstMoment): at a moment there is a force or an error, and neither
+/// their mean nor their root mean square.
+QString momentTitle(const QString& id);
 /// A stored unit in the program's language: "% of R" has a word in it, "N" has none.
 QString unitText(const QString& unit);
 /// Why a metric has no value, from the stored reason (scoring::undefinedOf); a reason that is none of ours, of a later version, as it is.

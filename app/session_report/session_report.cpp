@@ -26,12 +26,13 @@ bool isJudged(const database::SessionRecord& record) {
     return record.summary.state == database::SessionState::completed || record.stateBeforeVoid == database::SessionState::completed;
 }
 
-std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt, bool judged) {
+std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::ExerciseLevel& level, bool felt, bool judged, int trials) {
     std::vector<MetricRow> rows;
     for (const scoring::MetricValue& metric : card.metrics) {
         MetricRow row;
         row.id = QString::fromStdString(metric.id);
-        row.name = metricTitle(row.id);
+        row.trials = trials;
+        row.name = metricTitle(row.id, trials);
         row.unit = QString::fromStdString(metric.unit);
         row.value = metric.value;
         row.reason = QString::fromStdString(metric.reason);
@@ -144,7 +145,7 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
     if (card) {
         const bool judged = isJudged(record);
         if (judged || data.trialsDone > 0) { // of trials that were all broken off nothing is said
-            data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged);
+            data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged, data.trialsDone);
             const auto seal = repository.scoreSeal(record.summary.id);
             if (!seal)
                 return tl::unexpected(seal.error());

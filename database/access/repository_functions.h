@@ -37,6 +37,7 @@
     X(SessionRepository, storeEvents)                                                                        \
     X(SessionRepository, finishSession)                                                                      \
     X(SessionRepository, voidSession)                                                                        \
+    X(SessionRepository, reinstateSession)                                                                   \
     X(SessionRepository, setArchived)                                                                        \
     X(SessionRepository, addComment)                                                                         \
     X(SessionReader, listSessions)                                                                           \
@@ -46,6 +47,7 @@
     X(SessionReader, events)                                                                                 \
     X(SessionReader, secondSummaries)                                                                        \
     X(SessionReader, comments)                                                                               \
+    X(SessionReader, commentedSessions)                                                                      \
     X(SessionReader, openChunks)                                                                             \
     X(ScoreRepository, storeScores)                                                                          \
     X(ScoreRepository, scores)                                                                               \

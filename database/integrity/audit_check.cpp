@@ -85,7 +85,7 @@ struct VouchedTable {
     std::string_view name;
     int since = 1;
 };
-constexpr std::array<VouchedTable, 13> kVouchedTables{{{"person"},
+constexpr std::array<VouchedTable, 14> kVouchedTables{{{"person"},
                                                        {"session"},
                                                        {"score_set"},
                                                        {"session_comment"},
@@ -97,7 +97,8 @@ constexpr std::array<VouchedTable, 13> kVouchedTables{{{"person"},
                                                        {"questionnaire_answer", 3},
                                                        {"participant_erasure", 3},
                                                        {"person_name", kNamesVersion},
-                                                       {"study_sitting", kSittingsVersion}}};
+                                                       {"study_sitting", kSittingsVersion},
+                                                       {"session_decision", kDecisionsVersion}}};
 
 // A row that was changed together with its digest by somebody without the key shows here.
 void checkVouchedRows(Connection& connection, const std::map<Target, std::string>& rows,

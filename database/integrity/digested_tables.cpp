@@ -40,6 +40,20 @@ DigestedTable sittingsTable() {
     return table;
 }
 
+// After all it asks: tombstones of people and participants are there since earlier versions.
+DigestedTable decisionsTable() {
+    DigestedTable table{"session_decision",
+                        {"id"},
+                        {"id", "session_id", "decision", "person_id", "utc", "reason_hash"},
+                        "reason",
+                        "reason_hash",
+                        "EXISTS (SELECT 1 FROM erasure WHERE person_id IN (session_decision.person_id, (SELECT person_id FROM session "
+                        "WHERE id = session_decision.session_id))) OR EXISTS (SELECT 1 FROM participant_erasure e JOIN study_run r ON "
+                        "r.participant_id = e.id JOIN recorded_sitting t ON t.run_id = r.id WHERE t.session_id = session_decision.session_id)"};
+    table.since = kDecisionsVersion;
+    return table;
+}
+
 DigestedTable sessionTable() {
     return {"session",
             {"id"},
@@ -147,6 +161,7 @@ std::vector<DigestedTable> makeTables() {
     }
     tables.push_back(namesTable());
     tables.push_back(sittingsTable());
+    tables.push_back(decisionsTable());
     return tables;
 }
 

@@ -36,6 +36,7 @@ struct DigestedTable {
 inline constexpr int kStudyVersion = 3; ///< the schema that brought studies
 inline constexpr int kNamesVersion = 4; ///< and the one that brought earlier names of people
 inline constexpr int kSittingsVersion = 5; ///< and the one that says what run a session was recorded for
+inline constexpr int kDecisionsVersion = 7; ///< and the one in which a voided session may be counted again
 /// The schema of a file that is verified; an older one lacks later tables.
 int schemaVersionOf(Connection& connection);
 

@@ -78,11 +78,12 @@ SeenRows checkRows(Connection& connection, VerifyReport& report, VerifySteps& st
 // read, the newest is assumed, so that every table is checked.
 int schemaVersionOf(Connection& connection) {
     const auto version = selectInteger(connection, "PRAGMA user_version");
-    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? WHEN 'study_sitting' THEN ? ELSE 0 END) "
+    const auto held = selectInteger(connection, "SELECT max(CASE name WHEN 'study_trial' THEN ? WHEN 'person_name' THEN ? WHEN 'study_sitting' THEN ? WHEN 'session_decision' THEN ? "
+                                    "ELSE 0 END) "
                                     "FROM sqlite_schema WHERE type = 'table'",
-                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}, std::int64_t{kSittingsVersion}});
+                                    {std::int64_t{kStudyVersion}, std::int64_t{kNamesVersion}, std::int64_t{kSittingsVersion}, std::int64_t{kDecisionsVersion}});
     if (!version || !held)
-        return kSittingsVersion;
+        return kDecisionsVersion;
     return static_cast<int>(std::max(version->value_or(0), held->value_or(0)));
 }
 

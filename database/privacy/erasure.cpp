@@ -63,9 +63,16 @@ core::Result<void> overwriteTexts(Connection& connection, const Actor& byWhom, P
                                {id, id});
     auto reasons = Query::run(
         connection, "UPDATE session SET void_reason = '' WHERE voided_by = ? OR person_id = ?", {id, id});
+    auto decisions = Query::run(connection,
+                                "UPDATE session_decision SET reason = '' WHERE person_id = ? OR session_id IN "
+                                "(SELECT id FROM session WHERE person_id = ?)",
+                                {id, id});
     auto names = Query::run(connection, "UPDATE person_name SET names_json = '' WHERE person_id = ?", {id});
-    if (!comments || !reasons || !names) {
-        return tl::unexpected(!comments ? comments.error() : !reasons ? reasons.error() : names.error());
+    if (!comments || !reasons || !decisions || !names) {
+        return tl::unexpected(!comments    ? comments.error()
+                              : !reasons   ? reasons.error()
+                              : !decisions ? decisions.error()
+                                           : names.error());
     }
     // A trace's name or the ring's folder may tell who it was; scripted operators' names do not, but one rule
     // is simpler.

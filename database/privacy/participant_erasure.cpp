@@ -47,8 +47,9 @@ core::Result<void> overwriteRemarks(Connection& connection, std::int64_t partici
                                  "r.participant_id = ?)";
     auto comments = Query::run(connection, "UPDATE session_comment SET text = '' WHERE session_id IN " + sittings, {participant});
     auto reasons = Query::run(connection, "UPDATE session SET void_reason = '' WHERE id IN " + sittings, {participant});
-    if (!comments || !reasons) {
-        return tl::unexpected(!comments ? comments.error() : reasons.error());
+    auto decisions = Query::run(connection, "UPDATE session_decision SET reason = '' WHERE session_id IN " + sittings, {participant});
+    if (!comments || !reasons || !decisions) {
+        return tl::unexpected(!comments ? comments.error() : !reasons ? reasons.error() : decisions.error());
     }
     return {};
 }

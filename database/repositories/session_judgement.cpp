@@ -52,12 +52,52 @@ core::Result<SessionState> sessionState(Connection& connection, SessionId sessio
                               "session " + std::to_string(session) + " has no valid state");
 }
 
+namespace {
+
+core::Result<void> checkReason(const std::string& reason) {
+    auto good = checkText("reason", reason, kMaximumFreeText);
+    return good && reason.empty() ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
+}
+
+// What the session's own row says of its voiding, until it is taken back.
+core::Result<std::vector<Column>> presentVoiding(Connection& connection, SessionId session) {
+    auto query = Query::run(connection,
+                            "SELECT voided_by, void_reason, void_reason_hash, (SELECT utc FROM audit WHERE target = 'session' AND target_id "
+                            "= session.id AND action = 'voidSession' ORDER BY sequence DESC LIMIT 1) FROM session WHERE id = ?",
+                            {session});
+    auto row = query ? query->next() : tl::unexpected(query.error());
+    if (!row || !*row || query->isNull(0) || query->isNull(2)) {
+        return row ? core::fail(core::ErrorCode::storage, "session " + std::to_string(session) + " does not say who voided it; run verify")
+                   : tl::unexpected(row.error());
+    }
+    return std::vector<Column>{{"decision", std::string("void")},
+                               {"person_id", query->integer(0)},
+                               {"utc", query->text(3)},
+                               {"reason", query->text(1)},
+                               {"reason_hash", query->blob(2)}};
+}
+
+core::Result<void> storeDecision(Connection& connection, const Actor& actor, SessionId session, std::vector<Column> decision) {
+    const auto last = selectInteger(connection, "SELECT max(id) FROM session_decision");
+    if (!last) {
+        return tl::unexpected(last.error());
+    }
+    const std::int64_t id = last->value_or(0) + 1;
+    decision.push_back({"id", id});
+    decision.push_back({"session_id", session});
+    const auto row = insertRow(connection, "session_decision", std::move(decision));
+    return row ? appendAudit(connection, actor, {"reinstateSession", "session_decision", id, *row, "{}"})
+               : core::Result<void>(tl::unexpected(row.error()));
+}
+
+} // namespace
+
 core::Result<void> SessionRepository::voidSession(SessionId session, const std::string& reason) {
     if (auto allowed = mayWriteSession(m_connection, m_actor, Action::voidSession, session); !allowed) {
         return allowed;
     }
-    if (auto good = checkText("reason", reason, kMaximumFreeText); !good || reason.empty()) {
-        return good ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
+    if (auto good = checkReason(reason); !good) {
+        return good;
     }
     const auto state = sessionState(m_connection, session);
     if (!state) {
@@ -77,6 +117,49 @@ core::Result<void> SessionRepository::voidSession(SessionId session, const std::
         return tl::unexpected(row.error());
     }
     return appendAudit(m_connection, m_actor, {"voidSession", "session", session, *row, "{}"});
+}
+
+core::Result<void> SessionRepository::reinstateSession(SessionId session, const std::string& reason) {
+    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::reinstateSession, session); !allowed) {
+        return allowed;
+    }
+    if (auto good = checkReason(reason); !good) {
+        return good;
+    }
+    const auto state = sessionState(m_connection, session);
+    if (!state) {
+        return tl::unexpected(state.error());
+    }
+    if (*state != SessionState::voided) {
+        return core::fail(core::ErrorCode::wrongUse,
+                          "session " + std::to_string(session) + " is " + std::string(token(*state)) + ", not voided");
+    }
+    auto voiding = presentVoiding(m_connection, session);
+    const auto before = selectText(m_connection, "SELECT state_before_void FROM session WHERE id = ?", {session});
+    if (!voiding || !before) {
+        return tl::unexpected(!voiding ? voiding.error() : before.error());
+    }
+    auto stored = storeDecision(m_connection, m_actor, session, std::move(*voiding));
+    stored = stored ? storeDecision(m_connection, m_actor, session,
+                                    {{"decision", std::string("reinstate")},
+                                     {"person_id", m_actor.personId()},
+                                     {"utc", core::utcNowIso8601()},
+                                     {"reason", reason},
+                                     {"reason_hash", toBlob(textDigest(reason))}})
+                    : stored;
+    if (!stored) {
+        return stored;
+    }
+    const auto row = updateRow(m_connection, "session", {{"id", session}},
+                               {{"state", before->value_or("")},
+                                {"state_before_void", Value()},
+                                {"void_reason", std::string()},
+                                {"void_reason_hash", Value()},
+                                {"voided_by", Value()}});
+    if (!row) {
+        return tl::unexpected(row.error());
+    }
+    return appendAudit(m_connection, m_actor, {"reinstateSession", "session", session, *row, "{}"});
 }
 
 core::Result<void> SessionRepository::setArchived(SessionId session, bool archived) {

@@ -4,6 +4,7 @@
 #include "database/access/authorise.h"
 #include "database/query.h"
 #include "database/repositories/chunk_store.h"
+#include "database/repositories/session_attempts.h"
 #include "database/repositories/study_blinding.h"
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 namespace chiron::database {
 namespace {
 
-constexpr const char* kSummaryColumns =
+std::string summaryColumns() {
+    return
     "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, "
     "s.utc_offset_min, "
     "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, "
@@ -21,10 +23,12 @@ constexpr const char* kSummaryColumns =
     "(SELECT count(c.passed) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
     "(SELECT coalesce(sum(c.passed), 0) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
     "(SELECT count(*) FROM session_comment m WHERE m.session_id = s.id), "
-    "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> s.person_id)";
+    "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> s.person_id), " +
+        attemptNumberSql() + ", " + awaitsReviewSql();
+}
 constexpr const char* kSummaryTables = " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN "
                                        "person_code k ON k.person_id = s.person_id";
-constexpr int kSummaryCount = 25;
+constexpr int kSummaryCount = 27;
 
 SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     SessionSummary summary;
@@ -52,6 +56,8 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     summary.gatesMet = static_cast<int>(row.integer(22));
     summary.comments = static_cast<int>(row.integer(23));
     summary.reviewed = row.integer(24) != 0;
+    summary.attempt = static_cast<int>(row.integer(25));
+    summary.toReview = row.integer(26) != 0 && summary.person != self;
     return summary;
 }
 
@@ -101,6 +107,19 @@ SessionRecord recordOf(const Query& row, bool names, PersonId self) {
     return record;
 }
 
+core::Result<std::vector<SessionDecision>> decisionsOn(Connection& connection, SessionId session) {
+    auto query = Query::run(connection, "SELECT decision, person_id, utc, reason FROM session_decision WHERE session_id = ? ORDER BY id", {session});
+    if (!query) {
+        return tl::unexpected(query.error());
+    }
+    std::vector<SessionDecision> decisions;
+    auto row = query->next();
+    for (; row && *row; row = query->next()) {
+        decisions.push_back({query->text(0) == "void", query->integer(1), query->text(2), query->text(3)});
+    }
+    return row ? core::Result<std::vector<SessionDecision>>(std::move(decisions)) : tl::unexpected(row.error());
+}
+
 // Names are for those who may list people; others read codes (and their own name).
 core::Result<bool> mayReadNames(Connection& connection, const Actor& actor) {
     const auto scope = authorise(connection, actor, Action::listPeople);
@@ -145,6 +164,9 @@ Conditions conditionsOf(const SessionFilter& filter, Scope scope, const Actor& a
     if (filter.state) {
         where.add("s.state = ?", std::string(token(*filter.state)));
     }
+    if (filter.toReview) {
+        where.add(awaitsReviewSql() + " AND s.person_id <> ?", actor.personId());
+    }
     if (!filter.includeArchived) {
         where.add("s.archived = ?", std::int64_t{0});
     }
@@ -157,20 +179,18 @@ Conditions conditionsOf(const SessionFilter& filter, Scope scope, const Actor& a
 } // namespace
 
 std::string SessionReader::listSql(const std::string& where, bool newestFirst) {
-    return std::string("SELECT ") + kSummaryColumns + kSummaryTables + where +
+    return "SELECT " + summaryColumns() + kSummaryTables + where +
            (newestFirst ? " ORDER BY s.id DESC LIMIT ?" : " ORDER BY s.id LIMIT ?");
 }
 
-core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const SessionFilter& filter) {
-    const auto scope = authorise(m_connection, m_actor, Action::listSessions);
+core::Result<std::vector<SessionSummary>> SessionReader::summaries(const std::string& where, const std::vector<Value>& values,
+                                                                   bool newestFirst) {
     const auto names = mayReadNames(m_connection, m_actor);
-    const auto sealed = scope ? sealedSittings(m_connection, m_actor) : tl::unexpected(scope.error());
-    if (!sealed || !names) {
-        return tl::unexpected(!sealed ? sealed.error() : names.error());
+    const auto sealed = names ? sealedSittings(m_connection, m_actor) : tl::unexpected(names.error());
+    if (!sealed) {
+        return tl::unexpected(sealed.error());
     }
-    Conditions where = conditionsOf(filter, *scope, m_actor);
-    where.values().push_back(std::int64_t{filter.limit > 0 ? filter.limit : -1});
-    auto query = Query::run(m_connection, listSql(where.sql(), filter.newestFirst), where.values());
+    auto query = Query::run(m_connection, listSql(where, newestFirst), values);
     if (!query) {
         return tl::unexpected(query.error());
     }
@@ -185,6 +205,41 @@ core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const Sess
     return row ? core::Result<std::vector<SessionSummary>>(std::move(sessions)) : tl::unexpected(row.error());
 }
 
+core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const SessionFilter& filter) {
+    const auto scope = authorise(m_connection, m_actor, Action::listSessions);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    Conditions where = conditionsOf(filter, *scope, m_actor);
+    where.values().push_back(std::int64_t{filter.limit > 0 ? filter.limit : -1});
+    return summaries(where.sql(), where.values(), filter.newestFirst);
+}
+
+core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions() {
+    const auto scope = authorise(m_connection, m_actor, Action::commentedSessions);
+    if (!scope) {
+        return tl::unexpected(scope.error());
+    }
+    SessionFilter filter;
+    filter.includeArchived = true;
+    Conditions where = conditionsOf(filter, *scope, m_actor);
+    where.add("EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND ? IN (m.author_id, s.person_id))", m_actor.personId());
+    where.values().push_back(std::int64_t{-1});
+    auto sessions = summaries(where.sql(), where.values(), true);
+    if (!sessions) {
+        return tl::unexpected(sessions.error());
+    }
+    std::vector<CommentedSession> commented;
+    for (SessionSummary& session : *sessions) {
+        auto written = comments(session.id);
+        if (!written) {
+            return tl::unexpected(written.error());
+        }
+        commented.push_back({std::move(session), std::move(*written)});
+    }
+    return commented;
+}
+
 core::Result<std::vector<SessionRecord>> SessionReader::records(const std::string& where,
                                                                 const std::vector<Value>& values) {
     const auto names = mayReadNames(m_connection, m_actor);
@@ -192,7 +247,7 @@ core::Result<std::vector<SessionRecord>> SessionReader::records(const std::strin
         return tl::unexpected(names.error());
     }
     auto query = Query::run(m_connection,
-                            std::string("SELECT ") + kSummaryColumns + kDetailColumns + kSummaryTables +
+                            "SELECT " + summaryColumns() + kDetailColumns + kSummaryTables +
                                 " JOIN content c ON c.id = s.content_id WHERE " + where + " ORDER BY s.id",
                             values);
     if (!query) {
@@ -233,8 +288,12 @@ core::Result<SessionRecord> SessionReader::session(SessionId id) {
         return tl::unexpected(allowed.error());
     }
     auto found = records("s.id = ?", {id});
-    if (!found) {
-        return tl::unexpected(found.error());
+    auto decisions = found ? decisionsOn(m_connection, id) : tl::unexpected(found.error());
+    if (!decisions) {
+        return tl::unexpected(decisions.error());
+    }
+    if (!found->empty()) {
+        found->front().decisions = std::move(*decisions);
     }
     return found->empty() ? core::fail(core::ErrorCode::storage,
                                        "session " + std::to_string(id) + " is damaged; run verify")

@@ -29,6 +29,8 @@ public:
     core::Result<std::vector<EventRecord>> events(SessionId id);
     core::Result<std::vector<recording::SecondSummary>> secondSummaries(SessionId id);
     core::Result<std::vector<SessionComment>> comments(SessionId id);
+    /// The reader's own sessions that somebody commented on, and others' that the reader commented on, newest first, archived ones too.
+    core::Result<std::vector<CommentedSession>> commentedSessions();
     /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound
     /// also where the recording was erased.
     core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);
@@ -37,6 +39,7 @@ public:
     static std::string listSql(const std::string& where, bool newestFirst);
 
 private:
+    core::Result<std::vector<SessionSummary>> summaries(const std::string& where, const std::vector<Value>& values, bool newestFirst);
     core::Result<std::vector<SessionRecord>> records(const std::string& where,
                                                      const std::vector<Value>& values);
 

@@ -40,6 +40,9 @@ public:
     /// Keeps everything, counts nothing; the reason is required. Audited. Failure: wrongUse when running or
     /// voided.
     core::Result<void> voidSession(SessionId session, const std::string& reason);
+    /// A voided session counts again, as it did before; a reason is required. Voiding and taking back stay on record, each with who, when
+    /// and why (SessionRecord::decisions). Audited. Failure: wrongUse when it is not voided.
+    core::Result<void> reinstateSession(SessionId session, const std::string& reason);
     core::Result<void> setArchived(SessionId session, bool archived); ///< out of the usual lists; audited
     /// To the session as a whole, or to a moment of its recording (executed tick). Audited. Failure:
     /// badInput, also when an ended session is shorter.

@@ -87,6 +87,14 @@ struct SessionComment {
     std::optional<std::uint64_t> tick{}; ///< executed tick it belongs to; absent: the session as a whole
 };
 
+/// What was decided about a session and taken back later: a voiding that holds no more, or that the session counts again.
+struct SessionDecision {
+    bool voiding = false; ///< else: that it counts again
+    PersonId person = 0;  ///< who decided
+    std::string utc;
+    std::string reason; ///< empty where erased
+};
+
 /// A line of the list of sessions, from stored summaries only.
 struct SessionSummary {
     SessionId id = 0; ///< the session number; the order of sessions
@@ -108,6 +116,8 @@ struct SessionSummary {
     int gatesMet = 0;
     int comments = 0;
     bool reviewed = false; ///< somebody else has commented on it
+    int attempt = 0;       ///< which of its person's attempts at this level, from 1; 0: none (session_attempts.h)
+    bool toReview = false; ///< it awaits a look by whoever reads this list: never one's own session (session_attempts.h)
     std::uint64_t ticks = 0;
     std::uint64_t frames = 0;
     std::uint64_t dropped = 0;
@@ -128,6 +138,13 @@ struct SessionRecord {
     std::string voidReason;
     PersonId voidedBy = 0;
     std::optional<SessionState> stateBeforeVoid;
+    std::vector<SessionDecision> decisions; ///< earlier ones, oldest first; a voiding that holds is in the fields above
+};
+
+/// A session about which the reader wrote, or on whose own session somebody wrote, with everything that was written about it.
+struct CommentedSession {
+    SessionSummary session;
+    std::vector<SessionComment> comments; ///< in the order of writing
 };
 
 /// Which sessions to list; absent means any.
@@ -136,6 +153,7 @@ struct SessionFilter {
     std::string exercise;
     std::optional<int> level;
     std::optional<SessionState> state;
+    bool toReview = false; ///< only those that await the reader's look (SessionSummary::toReview)
     bool includeArchived = false;
     bool newestFirst = false;
     int limit = 0;              ///< 0: all

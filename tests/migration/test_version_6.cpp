@@ -76,7 +76,7 @@ void TestVersion6::answersOfVersion5AreKept() {
     QVERIFY(!before.empty());
     REQUIRE(f.reopen());
     QCOMPARE(textIn(digests), before);
-    QVERIFY(QFile::exists(QString::fromStdString(f.path() + ".before-v6")));
+    QVERIFY(QFile::exists(QString::fromStdString(f.path() + ".before-v" + std::to_string(MigrationRunner().newest()))));
     auto reader = f.database->openReader();
     const auto answers = StudyReader(**reader, *ruth).questionnaireAnswers(made->frozen);
     REQUIRE(answers);

@@ -47,12 +47,12 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
     if (!sessions)
         return tl::unexpected(sessions.error());
     QJsonArray array;
-    TextTable table({">id", "person", "exercise", ">level", "operator", "state", "passed", "started (UTC)", ">frames", ">bytes"});
+    TextTable table({">id", "person", "exercise", ">level", ">attempt", "operator", "state", "passed", "started (UTC)", ">frames", ">bytes"});
     for (const database::SessionSummary& session : *sessions) {
         const QJsonObject json = summaryJson(session);
         array.append(json);
         table.add({QString::number(session.id), json["person"].toString(), json["exercise"].toString(),
-                   QString::number(session.level), json["operator"].toString(), json["state"].toString(),
+                   QString::number(session.level), session.attempt > 0 ? QString::number(session.attempt) : QString(), json["operator"].toString(), json["state"].toString(),
                    session.passed ? (*session.passed ? "yes" : "no") : "", json["started_utc"].toString(),
                    session.sealed ? QStringLiteral("sealed") : QString::number(session.frames), session.sealed ? QStringLiteral("sealed") : QString::number(session.recordingBytes)});
     }
@@ -78,7 +78,7 @@ core::Result<CommandOutput> show(const Arguments& arguments) {
     const QJsonArray yields = yieldsOf(*events);
     QJsonObject json = sessionJson(*view, *record);
     json.insert("yields", yields);
-    return CommandOutput{QJsonDocument(json), scoreText(*view) + yieldsText(yields), 0};
+    return CommandOutput{QJsonDocument(json), scoreText(*view) + yieldsText(yields) + decisionsText(record->decisions), 0};
 }
 
 core::Result<void> writeFormat(const QString& format, session::SessionView& session, const QJsonObject& summary,

@@ -73,6 +73,8 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     if (!comments)
         return tl::unexpected(comments.error());
     head.comments = std::move(*comments);
+    if (!head.record.decisions.empty())
+        head.deciders = shownNames(connection);
     return head;
 }
 

@@ -26,6 +26,7 @@ struct DebriefHead {
     /// The same person's attempt at this level before this one, on a device of the same class: its values by metric. Empty: none.
     std::map<std::string, double> before;
     std::vector<NamedComment> comments; ///< as written; there without a recording, too
+    std::map<database::PersonId, std::string> deciders; ///< what those are called who voided it and counted it again
 };
 
 /// What somebody wrote about a session, and when in it.

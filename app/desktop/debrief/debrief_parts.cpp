@@ -6,10 +6,13 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/results/results_place.h"
+#include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/report_text.h"
 
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <algorithm>
 
@@ -28,7 +31,13 @@ QWidget* DebriefScreen::headBox() {
     column->setSpacing(theme.px(2));
     const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, context().language());
     const QString level = QString::fromStdString(catalogue::textIn(m_head->setup.level.title, context().language().toStdString()));
-    column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise, context().locale().toString(summary.level), level), TextStyle::heading));
+    const QString number = context().locale().toString(summary.level);
+    auto* heading = kit::label(theme,
+                               summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4").arg(exercise, context().locale().toString(summary.attempt), number, level)
+                                                   : tr("%1, level %2: %3").arg(exercise, number, level),
+                               TextStyle::heading);
+    heading->setObjectName(QStringLiteral("debrief.title"));
+    column->addWidget(heading);
     const QString device = deviceText(m_head->setup.devices.front());
     auto* facts = kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), device, forceText(summary)),
                              TextStyle::body, "muted");
@@ -87,6 +96,28 @@ QWidget* DebriefScreen::verdictBox() {
     return box.frame;
 }
 
+// A session that was void and counts again, or was void before: who decided what, and why.
+QWidget* DebriefScreen::decisionsBox() {
+    const std::vector<database::SessionDecision>& decisions = m_head->record.decisions;
+    if (decisions.empty())
+        return nullptr;
+    const Theme& theme = context().theme();
+    const kit::Box box = kit::box(theme);
+    box.frame->setObjectName(QStringLiteral("debrief.decisions"));
+    box.layout->addWidget(kit::label(theme, tr("What was decided about this session"), TextStyle::title));
+    for (const database::SessionDecision& decision : decisions) {
+        const auto name = m_head->deciders.find(decision.person);
+        const QString who = name == m_head->deciders.end() ? tr("somebody whose account is closed") : QString::fromStdString(name->second);
+        const QDateTime when = QDateTime::fromString(QString::fromStdString(decision.utc), Qt::ISODateWithMs);
+        const QString why = decision.reason.empty() ? tr("(erased)") : QString::fromStdString(decision.reason);
+        const QString day = context().locale().toString(when.toLocalTime(), QLocale::ShortFormat);
+        auto* line = kit::label(theme, decision.voiding ? tr("Voided on %1 by %2: %3").arg(day, who, why) : tr("Counted again on %1 by %2: %3").arg(day, who, why));
+        line->setObjectName(QStringLiteral("debrief.decision"));
+        box.layout->addWidget(line);
+    }
+    return box.frame;
+}
+
 std::map<std::string, QString> DebriefScreen::adviceNow() const {
     std::map<std::string, QString> advice;
     if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_head->record.summary.exercise))
@@ -97,26 +128,27 @@ std::map<std::string, QString> DebriefScreen::adviceNow() const {
 
 QWidget* DebriefScreen::actionRow() {
     const Theme& theme = context().theme();
-    auto* row = new ResponsiveRow(theme.px(620), theme.px(8));
+    auto* bar = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), bar); // more buttons than some windows are wide
     const bool passed = m_head->report.passed.value_or(false) && m_head->record.summary.state == database::SessionState::completed;
     const int level = m_head->record.summary.level;
     if (isMine() && passed && hasNextLevel()) {
         auto* next = kit::button(theme, tr("Next level"), "primary", QStringLiteral("go-next"));
         next->setObjectName(QStringLiteral("debrief.next"));
         connect(next, &QPushButton::clicked, this, [this, level] { openSetup(level + 1); });
-        row->add(next, 0);
+        row->addWidget(next);
     }
     if (mayTryNow()) {
         auto* now = kit::button(theme, tr("Now you"), "primary", QStringLiteral("go-next"));
         now->setObjectName(QStringLiteral("debrief.now_you"));
         connect(now, &QPushButton::clicked, this, [this, level] { openSetup(level); });
-        row->add(now, 0);
+        row->addWidget(now);
     }
     if (isMine()) {
         auto* again = kit::button(theme, tr("Try again"), passed ? "" : "primary", QStringLiteral("view-refresh"));
         again->setObjectName(QStringLiteral("debrief.again"));
         connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
-        row->add(again, 0);
+        row->addWidget(again);
     }
     if (const auto expert = demonstration(); expert && isMine() && !passed) {
         auto* watch = kit::button(theme, tr("Watch an expert"), "", QStringLiteral("view-visible"));
@@ -124,26 +156,31 @@ QWidget* DebriefScreen::actionRow() {
         connect(watch, &QPushButton::clicked, this, [this, plan = *expert] {
             context().navigator().go(QStringLiteral("training"), plan.toMap());
         });
-        row->add(watch, 0);
+        row->addWidget(watch);
     }
     const bool erased = m_head->record.summary.recordingErased;
     m_worst = kit::button(theme, tr("Watch the worst moment"), "", QStringLiteral("go-jump"));
     m_worst->setObjectName(QStringLiteral("debrief.worst"));
     m_worst->setEnabled(false); // until the recording was looked through
     connect(m_worst, &QPushButton::clicked, this, &DebriefScreen::openWorst);
-    row->add(m_worst, 0);
+    row->addWidget(m_worst);
     auto* playback = kit::button(theme, tr("Playback"), "", QStringLiteral("media-playback-start"));
     playback->setObjectName(QStringLiteral("debrief.playback"));
     playback->setEnabled(!erased);
     connect(playback, &QPushButton::clicked, this, [this] { openPlayback(); });
-    row->add(playback, 0);
+    row->addWidget(playback);
+    if (const QString words = resultsCommand(context(), m_head->record.summary); !words.isEmpty()) {
+        auto* results = kit::button(theme, words, "", QStringLiteral("office-chart-line"));
+        results->setObjectName(QStringLiteral("debrief.results"));
+        connect(results, &QPushButton::clicked, this, &DebriefScreen::openResults);
+        row->addWidget(results);
+    }
     m_report = kit::button(theme, tr("Report (PDF)"), "", QStringLiteral("document-save"));
     m_report->setObjectName(QStringLiteral("debrief.report"));
     m_report->setEnabled(!erased);
     connect(m_report, &QPushButton::clicked, this, &DebriefScreen::askReport);
-    row->add(m_report, 0);
-    row->add(new QWidget, 1); // takes what is left
-    return row;
+    row->addWidget(m_report);
+    return bar;
 }
 
 // What a trainer wrote is what its reader came for: above the numbers, each with the way to its moment.

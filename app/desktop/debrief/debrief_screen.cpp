@@ -7,6 +7,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/results/results_place.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
@@ -50,8 +51,11 @@ QString DebriefScreen::help() const {
 }
 
 std::vector<ScreenCommand> DebriefScreen::commands() {
-    return {{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback(); }},
-            {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
+    std::vector<ScreenCommand> list{{tr("Open the playback"), QKeySequence(QStringLiteral("Ctrl+P")), [this] { openPlayback(); }},
+                                    {tr("Write the report (PDF)"), QKeySequence(QStringLiteral("Ctrl+S")), [this] { askReport(); }}};
+    if (const QString results = m_head ? resultsCommand(context(), m_head->record.summary) : QString(); !results.isEmpty())
+        list.push_back({results, {}, [this] { openResults(); }});
+    return list;
 }
 
 database::SessionId DebriefScreen::sessionId() const {
@@ -85,6 +89,8 @@ void DebriefScreen::showHead(DebriefHead head) {
         row.unit = unitText(row.unit);
     m_column->addWidget(headBox());
     m_column->addWidget(verdictBox());
+    if (QWidget* decisions = decisionsBox())
+        m_column->addWidget(decisions);
     m_comments = new QVBoxLayout;
     m_column->addLayout(m_comments);
     std::vector<CommentAtMoment> comments;
@@ -186,7 +192,7 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
-    const QString metric = metricTitle(QString::fromStdString(worst.reason));
+    const QString metric = momentTitle(QString::fromStdString(worst.reason));
     const QString into = clockText(worst.intoTrial_s, locale); // as the training screen counted it; playback's clock began before the trial
     const bool counted = worst.unit == "count"; // of the whole session: only one of them happened here
     const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
@@ -238,6 +244,10 @@ void DebriefScreen::openSetup(int level) {
     context().navigator().go(QStringLiteral("exercise_setup"),
                              {{QStringLiteral("exercise"), QString::fromStdString(m_head->record.summary.exercise)},
                               {QStringLiteral("level"), level}});
+}
+
+void DebriefScreen::openResults() {
+    context().navigator().go(resultsPlace(m_head->record.summary));
 }
 
 void DebriefScreen::askReport() {

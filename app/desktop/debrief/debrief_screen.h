@@ -46,6 +46,7 @@ private:
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
+    QWidget* decisionsBox(); ///< null where nothing was decided and taken back
     QWidget* actionRow();
     QWidget* headlineRow(); ///< null where nothing is judged
     QWidget* forceBox();
@@ -55,6 +56,7 @@ private:
     void openWorst(); ///< some seconds before it, to see how it came about
     void openComment(double at_s, const QString& words);
     void openSetup(int level);
+    void openResults();
     std::map<std::string, QString> adviceNow() const; ///< of the exercise, in the person's language
     bool isMine() const;
     bool mayTryNow() const;       ///< a script has shown this person how it is done

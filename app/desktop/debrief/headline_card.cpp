@@ -16,7 +16,7 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
     const int padding = theme.px(16);
     column->setContentsMargins(padding, theme.px(12), padding, theme.px(12));
     column->setSpacing(theme.px(4));
-    column->addWidget(kit::label(theme, metricTitle(row.id), TextStyle::label, "muted"));
+    column->addWidget(kit::label(theme, metricTitle(row.id, row.trials), TextStyle::label, "muted"));
     auto* value = kit::label(theme, report::formatValue(row.value, row.unit, locale), TextStyle::display);
     value->setObjectName(QStringLiteral("headline.value"));
     column->addWidget(value);
@@ -45,8 +45,8 @@ HeadlineCard::HeadlineCard(const Theme& theme, const report::MetricRow& row, con
     if (row.chance)
         column->addWidget(kit::label(theme, report::chanceWords(row, locale), TextStyle::small, "muted"));
     column->addStretch();
-    bar->setToolTip(metricMeaning(row.id));
-    setToolTip(metricMeaning(row.id));
+    bar->setToolTip(metricMeaning(row.id, row.trials));
+    setToolTip(metricMeaning(row.id, row.trials));
 }
 
 } // namespace chiron::desktop

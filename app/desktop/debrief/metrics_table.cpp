@@ -32,8 +32,8 @@ void MetricsTable::fill(const Theme& theme, const std::vector<report::MetricRow>
     m_table->setRowCount(static_cast<int>(rows.size()));
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
         const report::MetricRow& row = rows[static_cast<std::size_t>(i)];
-        const QString meaning = metricMeaning(row.id);
-        put(i, 0, metricTitle(row.id), meaning);
+        const QString meaning = metricMeaning(row.id, row.trials);
+        put(i, 0, metricTitle(row.id, row.trials), meaning);
         put(i, 1, row.value ? report::formatValue(row.value, row.unit, locale) : metricReason(row.reason), meaning);
         put(i, 2, report::formatGate(row, locale), meaning);
         const QString band = report::formatBand(row, locale);

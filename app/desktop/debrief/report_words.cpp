@@ -10,7 +10,7 @@ void translateReport(report::ReportData& data, const ReportNames& names) {
     data.exerciseTitle = names.exercise;
     data.device = names.device;
     for (report::MetricRow& row : data.metrics) {
-        row.name = metricTitle(row.id);
+        row.name = metricTitle(row.id, row.trials);
         if (row.unit != QLatin1String("count")) // a token by which numbers are written whole
             row.unit = unitText(row.unit);
         if (!row.reason.isEmpty())

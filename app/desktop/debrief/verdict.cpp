@@ -104,7 +104,7 @@ double overBy(const report::MetricRow& row) {
 } // namespace
 
 QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
-    const QString name = metricTitle(row.id);
+    const QString name = metricTitle(row.id, row.trials);
     const QString gate = report::formatGate(row, locale);
     if (!row.value)
         return Words::tr("%1: no value (%2), but the pass mark is %3").arg(name, metricReason(row.reason), gate);
@@ -132,7 +132,7 @@ QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
             const Tells tells = !*row.passed ? Tells::fails : missedBefore ? Tells::failedBefore : Tells::other;
             const QString was = report::formatValue(before->second, row.unit, locale), is = report::formatValue(row.value, row.unit, locale);
             if (tells == wanted && (was != is || tells != Tells::other)) // what was well and is the same says nothing
-                changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id), was, is);
+                changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id, row.trials), was, is);
         }
     if (changes.isEmpty())
         return {};

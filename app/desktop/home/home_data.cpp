@@ -12,13 +12,12 @@
 #include "session/withdrawn_participants.h"
 
 #include <algorithm>
-#include <map>
 
 namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNewest = 300;        // among them the trainer's list is made
+constexpr int kNewest = 300;        // among them those who trained lately are found
 constexpr std::size_t kShown = 8;   // lines of a list on the home screen
 constexpr std::size_t kOwnShown = 5;
 constexpr std::size_t kLookedThrough = 50; // of the person's own sessions, for comments
@@ -96,15 +95,16 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& que
     if (!newest)
         return tl::unexpected(newest.error());
     data.people = recentPeople(*newest);
-    // Scripts' sessions need nobody's eye, and of somebody's earlier tries at a level only the latest does.
-    std::map<std::tuple<std::int64_t, std::string, int>, bool> seen;
-    std::erase_if(*newest, [&seen](const database::SessionSummary& s) {
-        return s.person == database::Actor::kSimulatedPerson || s.state == database::SessionState::running ||
-               s.state == database::SessionState::voided || s.reviewed || !seen.emplace(std::tuple{s.person, s.exercise, s.level}, true).second;
-    });
-    std::stable_sort(newest->begin(), newest->end(),
+    SessionFilter waiting;
+    waiting.newestFirst = true;
+    waiting.toReview = true;
+    auto toReview = reader.listSessions(waiting);
+    if (!toReview)
+        return tl::unexpected(toReview.error());
+    data.toReview = static_cast<int>(toReview->size());
+    std::stable_sort(toReview->begin(), toReview->end(),
                      [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
-    data.toLook = rowsOf(std::move(*newest), question.titles, kShown);
+    data.toLook = rowsOf(std::move(*toReview), question.titles, kShown);
     return {};
 }
 

@@ -43,7 +43,8 @@ struct HomeData {
     std::vector<session::LevelStanding> standings; ///< of the person
     std::vector<SessionRow> own;                   ///< latest first, some
     std::vector<CommentedSession> commented;       ///< of the person's latest sessions those that others commented on, latest first
-    std::vector<SessionRow> toLook;                ///< for a trainer: what asks for attention first
+    std::vector<SessionRow> toLook;                ///< for a trainer: what asks for attention first, some
+    int toReview = 0;                              ///< for a trainer: how many await a review in all
     std::vector<RecentPerson> people;              ///< for a trainer, latest first
     std::vector<RecoveredRow> recovered;
     int accounts = 0;                              ///< for an administrator: enabled ones

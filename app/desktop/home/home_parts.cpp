@@ -155,15 +155,26 @@ QWidget* HomeScreen::progressCard(const HomeData& home) {
 void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, tr("Sessions to review"), TextStyle::title));
+    auto* title = kit::label(theme, home.toReview > 0 ? tr("%n session(s) to review", nullptr, home.toReview) : tr("Sessions to review"), TextStyle::title);
+    title->setObjectName(QStringLiteral("home.to_review_count"));
+    box.layout->addWidget(title);
     if (home.toLook.empty())
-        box.layout->addWidget(kit::label(theme, tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first."),
+        box.layout->addWidget(kit::label(theme, home.people.empty() ? tr("Nobody has trained yet. Trainees' sessions will appear here, interrupted ones first.")
+                                                                    : tr("Everything is reviewed. Of each level, a trainee's latest attempt will appear here."),
                                          TextStyle::body, "muted"));
     else
         box.layout->addWidget(new SessionLines(context(), home.toLook, true));
-    auto* all = opener(tr("All sessions"), QStringLiteral("sessions"), {}, home.toLook.empty() ? "" : "primary");
+    auto* buttons = new QWidget;
+    auto* row = new FlowLayout(theme.px(8), buttons);
+    if (home.toReview > 0) {
+        auto* waiting = opener(tr("List of sessions to review"), QStringLiteral("sessions"), {{QStringLiteral("review"), QStringLiteral("to_review")}}, "primary");
+        waiting->setObjectName(QStringLiteral("home.to_review"));
+        row->addWidget(waiting);
+    }
+    auto* all = opener(tr("All sessions"), QStringLiteral("sessions"));
     all->setObjectName(QStringLiteral("home.sessions"));
-    box.layout->addWidget(all, 0, Qt::AlignLeft);
+    row->addWidget(all);
+    box.layout->addWidget(buttons);
     column.addWidget(box.frame);
     if (!home.people.empty())
         column.addWidget(peopleCard(home));

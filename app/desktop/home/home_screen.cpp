@@ -33,7 +33,10 @@ QString HomeScreen::help() const {
 std::vector<ScreenCommand> HomeScreen::commands() {
     if (!m_first)
         return {};
-    return {{m_first->text(), {}, [this] { m_first->click(); }}};
+    std::vector<ScreenCommand> list{{m_first->text(), {}, [this] { m_first->click(); }}};
+    if (findChild<QPushButton*>(QStringLiteral("home.comments")))
+        list.push_back({tr("Comments"), {}, [this] { context().navigator().go(QStringLiteral("comments")); }});
+    return list;
 }
 
 void HomeScreen::enter() {
@@ -71,6 +74,8 @@ void HomeScreen::show(const HomeData& home) {
         addOwnTraining(column, home);
     if (context().has(database::Role::trainer))
         addTrainer(column, home);
+    if (context().has(database::Role::trainee) || context().has(database::Role::trainer))
+        addComments(column);
     if (context().has(database::Role::researcher))
         addResearcher(column);
     if (context().has(database::Role::admin))
@@ -128,6 +133,14 @@ void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
         column.addWidget(notice);
     }
     context().setUnread(unread);
+}
+
+void HomeScreen::addComments(QVBoxLayout& column) {
+    const int unread = context().unread();
+    auto* open = opener(unread > 0 ? tr("Comments: unread on %n session(s)", nullptr, unread) : tr("Comments, received and written"), QStringLiteral("comments"), {}, "");
+    open->setObjectName(QStringLiteral("home.comments"));
+    open->setIcon(context().theme().icon(QStringLiteral("edit-comment")));
+    column.addWidget(open, 0, Qt::AlignLeft);
 }
 
 void HomeScreen::addRecovered(QVBoxLayout& column, const HomeData& home) {

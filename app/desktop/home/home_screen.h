@@ -30,6 +30,7 @@ private:
     void addRecovered(QVBoxLayout& column, const HomeData& home);
     void addRecoveryCode(QVBoxLayout& column, const HomeData& home);
     void addCommented(QVBoxLayout& column, const HomeData& home);
+    void addComments(QVBoxLayout& column); ///< the way to all of them, read ones too
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);

@@ -21,8 +21,8 @@ SessionLines::SessionLines(AppContext& context, const std::vector<SessionRow>& r
 QWidget* SessionLines::line(const SessionRow& row, bool names) {
     const Theme& theme = m_context.theme();
     const database::SessionSummary& session = row.summary;
-    const QString level = m_context.locale().toString(session.level);
-    const QString what = names ? tr("%1: %2, level %3").arg(row.person, row.exercise, level) : tr("%1, level %2").arg(row.exercise, level);
+    const QString attempt = SessionWords::what(session, row.exercise, m_context.locale());
+    const QString what = names ? tr("%1: %2").arg(row.person, attempt) : attempt;
     const QString when = SessionWords::ago(SessionWords::timeOf(session.startedUtc), QDateTime::currentDateTimeUtc(), m_context.locale());
     // What did not come to its end says why; the rest says whether it was passed.
     const QString came = SessionWords::cameTo(session);

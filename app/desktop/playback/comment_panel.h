@@ -13,6 +13,7 @@ class QLabel;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace chiron::desktop {
 
@@ -38,7 +39,7 @@ signals:
     void addAsked(const QString& text);
 
 private:
-    void buildDraft(class QVBoxLayout& column);
+    void buildDraft(QVBoxLayout& column);
     QString headOf(const NamedComment& comment, database::PersonId reader, double t_s) const;
 
     const Theme& m_theme;

@@ -120,16 +120,20 @@ core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& conne
     return own;
 }
 
+std::map<database::PersonId, std::string> shownNames(database::Connection& connection) {
+    std::map<database::PersonId, std::string> names;
+    if (auto people = database::AccountRepository(connection, database::Actor::anonymous()).listLoginNames())
+        for (const database::LoginName& person : *people)
+            names[person.id] = person.displayName.empty() ? person.name : person.displayName;
+    return names;
+}
+
 core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
                                                      database::SessionId session) {
     auto comments = database::SessionReader(connection, actor).comments(session);
     if (!comments)
         return tl::unexpected(comments.error());
-    // Names as the login screen of this site shows them: nothing that is not seen there anyway.
-    std::map<database::PersonId, std::string> names;
-    if (auto people = database::AccountRepository(connection, database::Actor::anonymous()).listLoginNames())
-        for (const database::LoginName& person : *people)
-            names[person.id] = person.displayName.empty() ? person.name : person.displayName;
+    std::map<database::PersonId, std::string> names = shownNames(connection);
     std::vector<NamedComment> named;
     for (const database::SessionComment& comment : *comments)
         named.push_back({comment, names.count(comment.author) ? names[comment.author] : std::string()});

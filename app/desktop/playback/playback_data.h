@@ -10,6 +10,7 @@
 #include "session/session_setup.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,8 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
 core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection, const database::Actor& actor,
                                                      const database::SessionRecord& record, const std::string& mainMetric,
                                                      bool lowerIsBetter);
+/// What people are called as the login screen of this site shows them: nothing that is not seen there anyway. Empty where that fails.
+std::map<database::PersonId, std::string> shownNames(database::Connection& connection);
 core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
                                                      database::SessionId session);
 

@@ -8,6 +8,7 @@
 #include "desktop/playback/transport_bar.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/results/results_place.h"
 #include "desktop/scene3d/scene_view.h"
 #include "desktop/training/endoscopy.h"
 #include "desktop/training/stage_words.h"
@@ -19,6 +20,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QTabWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 
 // The parts that a playback is put together from.
@@ -32,6 +34,8 @@ void PlaybackScreen::build() {
     const database::SessionRecord& record = m_data->record;
     if (record.summary.state == database::SessionState::voided)
         page->column()->addWidget(kit::notice(theme, "warning", tr("Declared void: %1").arg(QString::fromStdString(record.voidReason))));
+    else if (!record.decisions.empty())
+        page->column()->addWidget(kit::notice(theme, "info", tr("This session was void and counts again. The debrief says who decided it and why.")));
     auto* row = new ResponsiveRow(theme.px(820), theme.px(14));
     row->add(stageColumn(), 3);
     row->add(sideColumn(), 2);
@@ -51,8 +55,11 @@ QWidget* PlaybackScreen::headBox() {
     column->setSpacing(0);
     const QString language = context().language();
     const QString level = QString::fromStdString(catalogue::textIn(m_data->setup.level.title, language.toStdString()));
-    column->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exerciseTitle(context().site().catalogue(), summary.exercise, language),
-                                                                   context().locale().toString(summary.level), level),
+    const QString exercise = exerciseTitle(context().site().catalogue(), summary.exercise, language);
+    const QString number = context().locale().toString(summary.level);
+    column->addWidget(kit::label(theme,
+                                 summary.attempt > 0 ? tr("%1, attempt %2 at level %3: %4").arg(exercise, context().locale().toString(summary.attempt), number, level)
+                                                     : tr("%1, level %2: %3").arg(exercise, number, level),
                                  TextStyle::title));
     column->addWidget(kit::label(theme, tr("%1 · %2 · %3 · %4").arg(whoText(summary), whenText(summary, context().locale()), outcomeText(summary), forceText(summary)),
                                  TextStyle::small, "muted"));
@@ -63,12 +70,19 @@ QWidget* PlaybackScreen::headBox() {
         context().navigator().go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(sessionId())}});
     });
     row->add(debrief, 0);
+    if (const QString command = resultsCommand(context(), summary); !command.isEmpty()) {
+        auto* results = kit::button(theme, command, "", QStringLiteral("office-chart-line"));
+        results->setObjectName(QStringLiteral("playback.results"));
+        connect(results, &QPushButton::clicked, this, &PlaybackScreen::openResults);
+        row->add(results, 0);
+    }
     const bool offers = context().has(database::Role::trainer) || context().has(database::Role::admin);
-    const bool voidable = summary.state != database::SessionState::voided && summary.state != database::SessionState::running;
-    if (offers && voidable) {
-        auto* button = kit::button(theme, tr("Declare void …"), "", QStringLiteral("dialog-cancel"));
-        button->setObjectName(QStringLiteral("playback.void"));
-        connect(button, &QPushButton::clicked, this, &PlaybackScreen::askVoid);
+    if (offers && summary.state != database::SessionState::running) {
+        const bool voided = summary.state == database::SessionState::voided;
+        auto* button = voided ? kit::button(theme, tr("Count it again …"), "", QStringLiteral("edit-undo"))
+                              : kit::button(theme, tr("Declare void …"), "", QStringLiteral("dialog-cancel"));
+        button->setObjectName(voided ? QStringLiteral("playback.reinstate") : QStringLiteral("playback.void"));
+        connect(button, &QPushButton::clicked, this, &PlaybackScreen::askDecision);
         row->add(button, 0);
     }
     return row;

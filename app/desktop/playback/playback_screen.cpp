@@ -9,6 +9,7 @@
 #include "desktop/playback/scrubber.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/results/results_place.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
@@ -20,6 +21,10 @@
 #include <QVBoxLayout>
 
 namespace chiron::desktop {
+
+namespace {
+constexpr double kPlaybackLeadIn_s = 3.0; // to see how a commented moment came about
+}
 
 PlaybackScreen::PlaybackScreen(AppContext& context, const Place& place) : Screen(context, place) {
     auto* column = new QVBoxLayout(this);
@@ -50,7 +55,8 @@ QString PlaybackScreen::help() const {
 }
 
 std::vector<ScreenCommand> PlaybackScreen::commands() {
-    return {{tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
+    std::vector<ScreenCommand> list{
+            {tr("Play or pause"), QKeySequence(Qt::Key_Space), [this] { m_clock.toggle(); }, false},
             {tr("One frame forward"), QKeySequence(Qt::Key_Right), [this] { m_clock.step(1); }, false},
             {tr("One frame back"), QKeySequence(Qt::Key_Left), [this] { m_clock.step(-1); }, false},
             {tr("Next event"), QKeySequence(Qt::CTRL | Qt::Key_Right), [this] { seekMark(1); }, false},
@@ -61,6 +67,9 @@ std::vector<ScreenCommand> PlaybackScreen::commands() {
             {tr("The whole session in the plots"), QKeySequence(Qt::Key_0), [this] { zoomPlots(Qt::Key_0); }, false},
             {tr("To the beginning"), QKeySequence(Qt::Key_Home), [this] { m_clock.seek(0.0); }, false},
             {tr("To the end"), QKeySequence(Qt::Key_End), [this] { m_clock.seek(m_clock.duration_s()); }, false}};
+    if (const QString results = m_data ? resultsCommand(context(), m_data->record.summary) : QString(); !results.isEmpty())
+        list.push_back({results, {}, [this] { openResults(); }});
+    return list;
 }
 
 database::SessionId PlaybackScreen::sessionId() const {
@@ -102,14 +111,22 @@ void PlaybackScreen::showData(PlaybackData loaded) {
     if (loaded.track.empty())
         return m_panel->showEmpty(tr("Nothing was recorded"), tr("This session ended before its first sample. It is kept and listed."), tr("Open the debrief"), toDebrief);
     m_data = std::move(loaded);
+    readMoment();
     build();
     m_panel->showContent();
     m_clock.setDuration(m_data->track.duration_s);
-    m_clock.seek(place().parameters.value(QStringLiteral("at_s"), 0.0).toDouble());
+    const double begin_s = place().parameters.contains(QStringLiteral("at_tick")) ? std::max(0.0, m_moment_s - kPlaybackLeadIn_s) : 0.0;
+    m_clock.seek(place().parameters.value(QStringLiteral("at_s"), begin_s).toDouble());
     m_scrubber->setFocus();
     QMetaObject::invokeMethod(this, &PlaybackScreen::makeScene, Qt::QueuedConnection); // after this page is painted
     loadComments();
     loadGhosts();
+}
+
+void PlaybackScreen::readMoment() {
+    const QVariantMap& asked = place().parameters;
+    m_moment_s = asked.contains(QStringLiteral("at_tick")) ? m_data->track.timeOfTick(asked.value(QStringLiteral("at_tick")).toULongLong())
+                                                            : asked.value(QStringLiteral("caption_s"), -1.0).toDouble();
 }
 
 void PlaybackScreen::makeScene() {
@@ -123,9 +140,8 @@ void PlaybackScreen::makeScene() {
     m_scene->inputSource()->installEventFilter(this);
     showMoment(m_clock.position_s());
     // Who was led to a moment sees how it came about, and the picture stops there.
-    const double moment_s = place().parameters.value(QStringLiteral("caption_s"), -1.0).toDouble();
-    if (moment_s > m_clock.position_s()) {
-        m_stopAt_s = moment_s;
+    if (m_moment_s > m_clock.position_s()) {
+        m_stopAt_s = m_moment_s;
         m_clock.play();
     }
 }
@@ -159,7 +175,7 @@ scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
     QString caption = place().parameters.value(QStringLiteral("caption")).toString().simplified();
     if (caption.size() > kLongest)
         caption = caption.left(kLongest - 1).trimmed() + QStringLiteral("…");
-    const double from_s = place().parameters.value(QStringLiteral("caption_s")).toDouble();
+    const double from_s = m_moment_s;
     if (caption.isEmpty() || t_s < from_s - 0.5 * PlaybackClock::kStep_s || t_s > from_s + kSaid_s)
         return {};
     return {scene3d::SceneNote::Kind::said, caption, {}};
@@ -320,13 +336,19 @@ void PlaybackScreen::addComment(const QString& text) {
         });
 }
 
-void PlaybackScreen::askVoid() {
+void PlaybackScreen::openResults() {
+    context().navigator().go(resultsPlace(m_data->record.summary));
+}
+
+void PlaybackScreen::askDecision() {
     m_clock.pause();
     const database::SessionSummary& session = m_data->record.summary;
+    const bool voided = session.state == database::SessionState::voided;
     auto* dialog = new VoidSessionDialog(context().theme(), session.id, QString::fromStdString(session.personName),
-                                         SessionWords::which(session, exerciseTitle(context().site().catalogue(), session.exercise, context().language()), context().locale()), this);
+                                         SessionWords::which(session, exerciseTitle(context().site().catalogue(), session.exercise, context().language()), context().locale()), this,
+                                         voided ? VoidSessionDialog::Decision::countAgain : VoidSessionDialog::Decision::voidIt);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { declareVoid(dialog->reason()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog, voided] { voided ? countAgain(dialog->reason()) : declareVoid(dialog->reason()); });
     dialog->open();
 }
 
@@ -340,12 +362,32 @@ void PlaybackScreen::declareVoid(const QString& reason) {
             });
         },
         [this](core::Result<void> stored) {
-            if (!stored)
-                return context().messages().error(tr("Session %1 was not voided; nothing was changed.").arg(sessionId()), stored.error());
-            context().messages().done(tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()));
-            m_clock.pause();
-            context().navigator().replace(context().navigator().current()); // shown anew, as it is now
+            decided(std::move(stored), tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()),
+                    tr("Session %1 was not voided; nothing was changed.").arg(sessionId()));
         });
+}
+
+void PlaybackScreen::countAgain(const QString& reason) {
+    database::Database& database = context().site().database();
+    context().background().run(
+        this,
+        [&database, actor = context().actor(), id = sessionId(), words = reason.toStdString()](WorkToken&) {
+            return database.write([&](database::WriteContext& write) {
+                return database::SessionRepository(write.connection(), actor).reinstateSession(id, words);
+            });
+        },
+        [this](core::Result<void> stored) {
+            decided(std::move(stored), tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
+                    tr("Session %1 is still void; nothing was changed.").arg(sessionId()));
+        });
+}
+
+void PlaybackScreen::decided(core::Result<void> stored, const QString& done, const QString& failed) {
+    if (!stored)
+        return context().messages().error(failed, stored.error());
+    context().messages().done(done);
+    m_clock.pause();
+    context().navigator().replace(context().navigator().current()); // shown anew, as it is now
 }
 
 } // namespace chiron::desktop

@@ -28,7 +28,8 @@ class StatePanel;
 class WorkToken;
 
 /// A stored session played back: scene, scrubber, force and speed under one cursor, what happened, comments at a moment, a second
-/// session as a ghost. Trainers declare a session void here. Place: {session, at_s, ghost}, and a caption with its moment. GUI thread.
+/// session as a ghost. Trainers declare a session void here, or count it again. Place: {session, at_s, ghost}, and a caption with its
+/// moment: {caption, caption_s}, or {caption, at_tick} for the executed tick that a comment belongs to. GUI thread.
 class PlaybackScreen final : public Screen {
     Q_OBJECT
 public:
@@ -45,6 +46,7 @@ public:
     scene3d::SceneNote captionAt(double t_s) const;
     /// Stores the session as void; what is permitted is decided there. Tells how it went.
     void declareVoid(const QString& reason);
+    void countAgain(const QString& reason); ///< the opposite, as above
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -82,11 +84,15 @@ private:
     void loadComments();
     void writeComment(); ///< at the moment shown: the clock stops, the field has the focus
     void addComment(const QString& text);
-    void askVoid();
+    void askDecision(); ///< void it, or count it again where it is void
+    void decided(core::Result<void> stored, const QString& done, const QString& failed);
+    void openResults();
+    void readMoment(); ///< from the place: in seconds, or as an executed tick
 
     PlaybackClock m_clock;
     StatePanel* m_panel = nullptr;
     std::optional<PlaybackData> m_data;
+    double m_moment_s = -1.0;         ///< to which somebody was led; negative: to none
     std::optional<double> m_stopAt_s; ///< playing pauses here, once
     PalpationLook m_palpationLook;
     std::optional<session::PlaybackTrack> m_ghost;

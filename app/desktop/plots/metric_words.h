@@ -9,6 +9,7 @@ using session_report::bandSourceText;
 using session_report::metricMeaning;
 using session_report::metricReason;
 using session_report::metricTitle;
+using session_report::momentTitle;
 using session_report::unitText;
 
 } // namespace chiron::desktop

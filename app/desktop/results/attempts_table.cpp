@@ -3,6 +3,7 @@
 
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/session_words.h"
+#include "desktop/sessions/session_words.h"
 #include "report/report_text.h"
 
 #include <QKeyEvent>
@@ -37,7 +38,7 @@ void AttemptsTable::put(int row, int column, const QString& text, const QString&
 }
 
 void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& metric) {
-    setHorizontalHeaderLabels({tr("When"), tr("Level"), tr("Force"), metric.isEmpty() ? tr("Value") : metricTitle(metric), tr("Outcome")});
+    setHorizontalHeaderLabels({tr("When"), tr("Attempt"), tr("Force"), metric.isEmpty() ? tr("Value") : metricTitle(metric), tr("Outcome")});
     setRowCount(static_cast<int>(attempts.size()));
     for (int row = 0; row < rowCount(); ++row) {
         const Attempt& attempt = attempts[attempts.size() - 1 - static_cast<std::size_t>(row)];
@@ -45,7 +46,9 @@ void AttemptsTable::show(const std::vector<Attempt>& attempts, const QString& me
         put(row, 0, whenText(summary, m_locale));
         item(row, 0)->setData(Qt::UserRole, qlonglong(summary.id));
         const QString level = m_locale.toString(summary.level);
-        put(row, 1, summary.familiarisation ? tr("Level %1, familiarisation").arg(level) : tr("Level %1").arg(level));
+        put(row, 1, summary.familiarisation ? tr("Level %1, familiarisation").arg(level)
+                    : summary.attempt > 0   ? SessionWords::attempt(summary, m_locale)
+                                            : tr("Level %1").arg(level));
         put(row, 2, feltText(summary.felt));
         put(row, 4, outcomeText(summary), outcomeIcon(summary), outcomeColour(summary));
         const scoring::MetricValue* value = attempt.metric(metric.toStdString());

@@ -15,7 +15,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(LearningCurve)
 };
 
-constexpr std::size_t kMostNames = 25; // more attempts than this are numbered by the axis itself
+constexpr double kMostNames = 25; // more attempts than this are numbered by the axis itself
 
 struct Curve {
     std::vector<double> x;
@@ -24,16 +24,14 @@ struct Curve {
 
 Curve curveOf(const std::vector<Attempt>& attempts, const std::string& metric, bool felt) {
     Curve curve;
-    double number = 0.0;
     for (const Attempt& attempt : attempts) {
         if (!attempt.onCurve() || attempt.summary.felt != felt)
             continue;
         const scoring::MetricValue* value = attempt.metric(metric);
         if (value && value->value) {
-            curve.x.push_back(number);
+            curve.x.push_back(attempt.summary.attempt); // as lists number it: what is not on the curve leaves a gap
             curve.y.push_back(*value->value);
         }
-        number += 1.0; // an attempt without a value still is one
     }
     return curve;
 }
@@ -58,8 +56,16 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
     view->setTitle(Words::tr("%1 over the attempts").arg(title));
     const bool bare = row.unit.isEmpty() || row.unit == QLatin1String("count");
     view->setYAxis({bare ? title : Words::tr("%1 (%2)").arg(title, row.unit), {}, {}});
-    const Curve felt = curveOf(attempts, row.id.toStdString(), true);
-    const Curve shown = curveOf(attempts, row.id.toStdString(), false);
+    Curve felt = curveOf(attempts, row.id.toStdString(), true);
+    Curve shown = curveOf(attempts, row.id.toStdString(), false);
+    double last = 0.0;
+    for (const Curve* curve : {&felt, &shown})
+        if (!curve->x.empty())
+            last = std::max(last, curve->x.back());
+    const bool named = last <= kMostNames;
+    for (Curve* curve : {&felt, &shown})
+        for (double& x : curve->x)
+            x -= named ? 1.0 : 0.0; // categories begin at 0
     if (row.bandLow && row.bandHigh && !felt.x.empty())
         view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow, *row.bandHigh);
     draw(*view, Words::tr("felt"), felt, report::PlotStyle::solidA);
@@ -67,16 +73,13 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
     for (const auto& gate : {row.gateMinimum, row.gateMaximum})
         if (gate)
             view->addLimit(Words::tr("pass mark %1").arg(report::formatGate(row, theme.locale)), *gate);
-    double last = 0.0;
-    for (const Curve* curve : {&felt, &shown})
-        if (!curve->x.empty())
-            last = std::max(last, curve->x.back());
-    std::vector<QString> names;
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(last); ++i)
-        names.push_back(theme.locale.toString(static_cast<int>(i) + 1));
     view->setXAxis({Words::tr("Attempt"), {}, {}});
-    if (names.size() <= kMostNames)
+    if (named) {
+        std::vector<QString> names;
+        for (int i = 1; i <= std::max(1, static_cast<int>(last)); ++i)
+            names.push_back(theme.locale.toString(i));
         view->setXCategories(names);
+    }
     if (felt.x.empty() && shown.x.empty())
         view->setNote(Words::tr("No completed attempt yet"));
     return view;

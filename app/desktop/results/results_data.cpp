@@ -56,7 +56,7 @@ const scoring::MetricValue* Attempt::metric(const std::string& id) const {
 }
 
 bool Attempt::onCurve() const {
-    return summary.state == database::SessionState::completed && !summary.familiarisation;
+    return summary.state == database::SessionState::completed && summary.attempt > 0;
 }
 
 core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection, const database::Actor& actor,

@@ -20,7 +20,7 @@ struct Attempt {
     std::vector<scoring::MetricValue> metrics; ///< empty where it was never scored
 
     const scoring::MetricValue* metric(const std::string& id) const;
-    /// Whether it is a point of a learning curve: completed, and not a familiarisation.
+    /// Whether it is a point of a learning curve: completed, and an attempt of its person (SessionSummary::attempt).
     bool onCurve() const;
 };
 

@@ -188,12 +188,24 @@ QWidget* ResultsScreen::filterRow() {
         if (m_exercise->findData(id) < 0)
             m_exercise->addItem(exerciseTitle(context().site().catalogue(), attempt->summary.exercise, context().language()), id);
     }
-    const int wanted = m_exercise->findData(place().parameters.value(QStringLiteral("exercise")));
-    m_exercise->setCurrentIndex(std::max(0, wanted));
+    const int asked = m_exercise->findData(place().parameters.value(QStringLiteral("exercise")));
+    const Attempt* last = lastScored({});
+    m_exercise->setCurrentIndex(std::max(0, asked >= 0 || !last ? asked : m_exercise->findData(QString::fromStdString(last->summary.exercise))));
     connect(m_exercise, &QComboBox::activated, this, &ResultsScreen::fillLevels);
     connect(m_level, &QComboBox::activated, this, &ResultsScreen::fillMetrics);
     connect(m_metric, &QComboBox::activated, this, &ResultsScreen::showSelection);
     return row;
+}
+
+const Attempt* ResultsScreen::lastScored(const std::string& exercise) const {
+    const auto found = std::find_if(m_attempts.rbegin(), m_attempts.rend(), [&exercise](const Attempt& attempt) {
+        return attempt.summary.attempt > 0 && !attempt.metrics.empty() && (exercise.empty() || attempt.summary.exercise == exercise);
+    });
+    return found == m_attempts.rend() ? nullptr : &*found;
+}
+
+bool ResultsScreen::asksFor(const QString& exercise) const {
+    return place().parameters.value(QStringLiteral("exercise")).toString() == exercise;
 }
 
 void ResultsScreen::fillLevels() {
@@ -211,8 +223,9 @@ void ResultsScreen::fillLevels() {
     std::sort(levels.begin(), levels.end());
     for (const int level : levels)
         m_level->addItem(levelTitle(context().site().catalogue(), exercise, level, context().language()), level);
-    const int wanted = m_level->findData(place().parameters.value(QStringLiteral("level"), newest).toInt());
-    m_level->setCurrentIndex(wanted >= 0 ? wanted : m_level->findData(newest));
+    const int asked = asksFor(m_exercise->currentData().toString()) ? m_level->findData(place().parameters.value(QStringLiteral("level")).toInt()) : -1;
+    const Attempt* last = lastScored(exercise);
+    m_level->setCurrentIndex(asked >= 0 ? asked : m_level->findData(last ? last->summary.level : newest));
     fillMetrics();
 }
 
@@ -270,9 +283,13 @@ void ResultsScreen::showSelection() {
     m_curveHolder->addWidget(m_curve);
     m_table->show(attempts, row.id);
     showDetection(attempts);
-    context().navigator().note({{QStringLiteral("exercise"), m_exercise->currentData()},
-                                {QStringLiteral("level"), m_level->currentData()},
-                                {QStringLiteral("metric"), row.id}});
+    if (context().navigator().current().screen != place().screen)
+        return; // already on the way elsewhere
+    QVariantMap shown = place().parameters; // whose they are stays
+    shown.insert(QStringLiteral("exercise"), m_exercise->currentData());
+    shown.insert(QStringLiteral("level"), m_level->currentData());
+    shown.insert(QStringLiteral("metric"), row.id);
+    context().navigator().note(shown);
 }
 
 void ResultsScreen::openSession(database::SessionId session) {

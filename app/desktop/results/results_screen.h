@@ -24,7 +24,8 @@ class StatePanel;
 class WorkToken;
 
 /// Somebody's sessions: by exercise and level, a learning curve, every attempt a step away; of one's own a copy of all data, of others (for
-/// trainers) the way to all their sessions. Place: {exercise, level, metric; person, name: of somebody else}. GUI thread.
+/// trainers) the way to all their sessions. Opens at what the place asks for, else at the last scored attempt.
+/// Place: {exercise, level, metric; person, name: of somebody else}. GUI thread.
 class ResultsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -53,6 +54,8 @@ private:
     void showSelection();
     void showDetection(const std::vector<Attempt>& attempts); ///< palpations: how right at which confidence
     std::vector<Attempt> selected() const;
+    const Attempt* lastScored(const std::string& exercise) const; ///< at any exercise where that is empty; null: none was scored
+    bool asksFor(const QString& exercise) const;                  ///< the place names this exercise, and so its level
     report::MetricRow metricRow(const std::vector<Attempt>& attempts) const;
     void askExport();
     void openSession(database::SessionId session);

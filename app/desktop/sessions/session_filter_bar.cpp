@@ -56,6 +56,10 @@ SessionFilterBar::SessionFilterBar(const Theme& theme, const catalogue::Catalogu
     flow->addWidget(m_search);
     buildChoices(catalogue, language);
     buildPeriod(theme);
+    m_commented = new QCheckBox(tr("Has comments"));
+    m_commented->setObjectName(QStringLiteral("sessions.commented"));
+    connect(m_commented, &QCheckBox::toggled, this, &SessionFilterBar::read);
+    flow->addWidget(m_commented);
     m_archived = new QCheckBox(tr("Include archived"));
     m_archived->setObjectName(QStringLiteral("sessions.archived"));
     connect(m_archived, &QCheckBox::toggled, this, &SessionFilterBar::read);
@@ -101,6 +105,9 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
     m_outcome = choice(QStringLiteral("outcome"), tr("All results"), tr("Result"));
     for (const Outcome outcome : {Outcome::passed, Outcome::notPassed, Outcome::notScored, Outcome::practice})
         m_outcome->addItem(SessionWords::outcome(outcome), static_cast<int>(outcome));
+    m_review = choice(QStringLiteral("review"), tr("Reviewed or not"), tr("Review"));
+    m_review->addItem(tr("To review"), static_cast<int>(ReviewState::toReview));
+    m_review->addItem(tr("Reviewed"), static_cast<int>(ReviewState::reviewed));
     m_device = choice(QStringLiteral("device"), tr("Felt and shown"), tr("Force"));
     m_device->addItem(SessionWords::device(true), true);
     m_device->addItem(SessionWords::device(false), false);
@@ -182,6 +189,9 @@ void SessionFilterBar::read() {
     } else if (period != anyTime) {
         filter.from = firstDayOf(period);
     }
+    if (m_review->currentIndex() > 0)
+        filter.review = static_cast<ReviewState>(m_review->currentData().toInt());
+    filter.commented = m_commented->isChecked();
     filter.archived = m_archived->isChecked();
     m_clear->setEnabled(!filter.isEmpty());
     if (filter == m_filter)
@@ -201,6 +211,8 @@ void SessionFilterBar::setFilter(const SessionListFilter& filter) {
     select(m_state, filter.state ? QVariant(static_cast<int>(*filter.state)) : QVariant());
     select(m_device, filter.felt ? QVariant(*filter.felt) : QVariant());
     select(m_outcome, filter.outcome ? QVariant(static_cast<int>(*filter.outcome)) : QVariant());
+    select(m_review, filter.review ? QVariant(static_cast<int>(*filter.review)) : QVariant());
+    m_commented->setChecked(filter.commented);
     select(m_period, periodOf(filter));
     if (periodOf(filter) == chosen) {
         makeDates();

@@ -53,10 +53,12 @@ private:
     QComboBox* m_state = nullptr;
     QComboBox* m_device = nullptr;
     QComboBox* m_outcome = nullptr;
+    QComboBox* m_review = nullptr;
     QComboBox* m_period = nullptr;
     QWidget* m_dates = nullptr;
     QDateEdit* m_from = nullptr; ///< made when days are first chosen
     QDateEdit* m_to = nullptr;
+    QCheckBox* m_commented = nullptr;
     QCheckBox* m_archived = nullptr;
     QPushButton* m_clear = nullptr;
 };

@@ -48,6 +48,10 @@ QVariantMap SessionListFilter::toMap() const {
         map.insert(QStringLiteral("from"), from.toString(Qt::ISODate));
     if (to.isValid())
         map.insert(QStringLiteral("to"), to.toString(Qt::ISODate));
+    if (review)
+        map.insert(QStringLiteral("review"), *review == ReviewState::toReview ? QStringLiteral("to_review") : QStringLiteral("reviewed"));
+    if (commented)
+        map.insert(QStringLiteral("commented"), true);
     if (archived)
         map.insert(QStringLiteral("archived"), true);
     return map;
@@ -69,6 +73,10 @@ SessionListFilter SessionListFilter::fromMap(const QVariantMap& map) {
             filter.outcome = static_cast<Outcome>(i);
     filter.from = QDate::fromString(map.value(QStringLiteral("from")).toString(), Qt::ISODate);
     filter.to = QDate::fromString(map.value(QStringLiteral("to")).toString(), Qt::ISODate);
+    const QString review = map.value(QStringLiteral("review")).toString();
+    if (review == QLatin1String("to_review") || review == QLatin1String("reviewed"))
+        filter.review = review == QLatin1String("to_review") ? ReviewState::toReview : ReviewState::reviewed;
+    filter.commented = map.value(QStringLiteral("commented")).toBool();
     filter.archived = map.value(QStringLiteral("archived")).toBool();
     return filter;
 }
@@ -89,7 +97,8 @@ bool SessionMatcher::matchesDay(const database::SessionSummary& session) const {
 
 bool SessionMatcher::matches(const SessionRow& row) const {
     const database::SessionSummary& session = row.summary;
-    if ((session.archived && !m_filter.archived) || (m_filter.person != 0 && session.person != m_filter.person) ||
+    const bool inReview = !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
+    if (!inReview || (m_filter.commented && session.comments == 0) || (session.archived && !m_filter.archived) || (m_filter.person != 0 && session.person != m_filter.person) ||
         (!m_exercise.empty() && session.exercise != m_exercise) || (m_filter.level != 0 && session.level != m_filter.level) ||
         (m_filter.state && session.state != *m_filter.state) || (m_filter.felt && session.felt != *m_filter.felt) ||
         (m_filter.outcome && SessionWords::outcomeOf(session) != *m_filter.outcome) || !matchesDay(session))

@@ -11,6 +11,9 @@
 
 namespace chiron::desktop {
 
+/// Whether a session was looked at by somebody else, or is to be.
+enum class ReviewState { toReview, reviewed };
+
 /// What the list of sessions is narrowed to. A value; travels in a Place as a map, so that going back returns to it.
 struct SessionListFilter {
     QString text;            ///< every word of it must occur in number, person, exercise or operator
@@ -23,6 +26,8 @@ struct SessionListFilter {
     QDate from;              ///< days where the session was recorded; invalid: open
     QDate to;
     bool archived = false;   ///< archived ones too
+    std::optional<ReviewState> review;
+    bool commented = false;  ///< only those that somebody commented on
 
     bool operator==(const SessionListFilter&) const = default;
     bool isEmpty() const { return *this == SessionListFilter{}; }

@@ -22,6 +22,8 @@ std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int colum
         return byText(a.exercise, b.exercise);
     case SessionTableModel::level:
         return a.summary.level <=> b.summary.level;
+    case SessionTableModel::attempt:
+        return a.summary.attempt <=> b.summary.attempt;
     case SessionTableModel::operatorName:
         return a.summary.operatorName <=> b.summary.operatorName;
     case SessionTableModel::result:
@@ -31,7 +33,7 @@ std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int colum
     case SessionTableModel::comments:
         return a.summary.comments <=> b.summary.comments;
     case SessionTableModel::review:
-        return a.summary.reviewed <=> b.summary.reviewed;
+        return std::pair(!a.summary.toReview, a.summary.reviewed) <=> std::pair(!b.summary.toReview, b.summary.reviewed); // what is to be done first
     case SessionTableModel::device:
         return b.summary.felt <=> a.summary.felt;
     case SessionTableModel::length:
@@ -66,7 +68,7 @@ QVariant SessionTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return tip(row);
     case Qt::TextAlignmentRole:
-        if (index.column() == number || index.column() == level || index.column() == length || index.column() == comments)
+        if (index.column() == number || index.column() == level || index.column() == attempt || index.column() == length || index.column() == comments)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
         return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::ForegroundRole:
@@ -89,6 +91,8 @@ QString SessionTableModel::text(const SessionRow& row, int column) const {
         return row.exercise;
     case level:
         return session.exercise == SessionWords::kComparison ? QStringLiteral("–") : m_locale.toString(session.level);
+    case attempt:
+        return session.attempt > 0 ? m_locale.toString(session.attempt) : QString();
     case operatorName:
         return SessionWords::moved(session);
     case result:
@@ -112,7 +116,9 @@ QString SessionTableModel::tip(const SessionRow& row) const {
     const QString took = row.summary.sealed ? tr("The length of a session in a blinded study is shown once the study is unblinded.")
                                             : tr("Length: %1.").arg(SessionWords::length(row.summary.ticks, m_locale));
     const QString gates = SessionWords::gates(row.summary, m_locale);
-    return (gates.isEmpty() ? QString() : tr("Pass marks met: %1.").arg(gates) + QLatin1Char('\n')) +
+    const QString which = SessionWords::attempt(row.summary, m_locale);
+    return (which.isEmpty() ? QString() : which + QLatin1Char('\n')) +
+           (gates.isEmpty() ? QString() : tr("Pass marks met: %1.").arg(gates) + QLatin1Char('\n')) +
            tr("Session %1. %2").arg(m_locale.toString(static_cast<qlonglong>(row.summary.id)), took);
 }
 
@@ -140,6 +146,8 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
         return tr("Exercise");
     case level:
         return tr("Level");
+    case attempt:
+        return tr("Attempt");
     case operatorName:
         return tr("Operator");
     case result:
@@ -190,14 +198,21 @@ void SessionTableModel::append(std::vector<SessionRow> rows) {
     endInsertRows();
 }
 
-void SessionTableModel::replace(SessionRow row) {
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) { return r.summary.id == row.summary.id; });
-    if (found == m_rows.end())
-        return;
-    beginResetModel(); // it may leave the list, or move in it
-    *found = std::move(row);
+void SessionTableModel::replace(std::vector<SessionRow> rows) {
+    beginResetModel(); // they may leave the list, or move in it
+    for (SessionRow& row : rows) {
+        const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) { return r.summary.id == row.summary.id; });
+        if (found != m_rows.end())
+            *found = std::move(row);
+    }
     show();
     endResetModel();
+}
+
+void SessionTableModel::replace(SessionRow row) {
+    std::vector<SessionRow> one;
+    one.push_back(std::move(row));
+    replace(std::move(one));
 }
 
 void SessionTableModel::setFilter(const SessionListFilter& filter) {

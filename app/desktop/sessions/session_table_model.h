@@ -17,7 +17,7 @@ class SessionTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
     /// The person first; what a narrow window leaves out comes last.
-    enum Column { person, operatorName, exercise, level, started, result, score, comments, review, device, length, number, columns };
+    enum Column { person, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, number, columns };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
 
@@ -30,6 +30,7 @@ public:
     void setRows(std::vector<SessionRow> rows); ///< newest first
     void append(std::vector<SessionRow> rows);  ///< older ones
     void replace(SessionRow row);               ///< the one with its number
+    void replace(std::vector<SessionRow> rows); ///< those with their numbers
     void setFilter(const SessionListFilter& filter);
     const SessionListFilter& filter() const noexcept { return m_filter; }
 

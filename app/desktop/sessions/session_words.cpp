@@ -101,15 +101,28 @@ QString SessionWords::gates(const database::SessionSummary& session, const QLoca
     return session.gates > 0 ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
 }
 
+QString SessionWords::attempt(const database::SessionSummary& session, const QLocale& locale) {
+    return session.attempt > 0 ? tr("Attempt %1 at level %2").arg(locale.toString(session.attempt), locale.toString(session.level)) : QString();
+}
+
+QString SessionWords::what(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
+    if (session.exercise == kComparison)
+        return exercise;
+    const QString level = locale.toString(session.level);
+    return session.attempt > 0 ? tr("%1, attempt %2 at level %3").arg(exercise, locale.toString(session.attempt), level)
+                               : tr("%1, level %2").arg(exercise, level);
+}
+
 QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
-    const QString what = session.exercise == kComparison ? exercise : tr("%1, level %2").arg(exercise, locale.toString(session.level));
     const QDateTime begun = timeOf(session.startedUtc).toOffsetFromUtc(session.utcOffset_min * 60);
     // With seconds: several attempts may have begun in one minute.
     const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) + begun.time().toString(QStringLiteral(" HH:mm:ss")) : QString();
-    return QStringList{what, when, cameTo(session)}.join(QStringLiteral(" · "));
+    return QStringList{what(session, exercise, locale), when, cameTo(session)}.join(QStringLiteral(" · "));
 }
 
-QString SessionWords::review(const database::SessionSummary& session) { return session.reviewed ? tr("Reviewed") : QStringLiteral("–"); }
+QString SessionWords::review(const database::SessionSummary& session) {
+    return session.reviewed ? tr("Reviewed") : session.toReview ? tr("To review") : QStringLiteral("–");
+}
 
 QDateTime SessionWords::timeOf(const std::string& utc) {
     return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);

@@ -35,7 +35,11 @@ public:
     static QString moved(const database::SessionSummary& session); ///< who moved the tool
     static QString device(bool felt);
     static QString gates(const database::SessionSummary& session, const QLocale& locale); ///< "3 of 5"; empty where there are none
-    /// "Find the apex, level 2 · 28/11/2026 09:46 · Not passed"; `exercise`: its title.
+    /// "Attempt 3 at level 2"; empty for what is no attempt (SessionSummary::attempt).
+    static QString attempt(const database::SessionSummary& session, const QLocale& locale);
+    /// "Find the apex, attempt 3 at level 2", or "Find the apex, level 2" for what is no attempt; `exercise`: its title.
+    static QString what(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
+    /// "Find the apex, attempt 3 at level 2 · 28/11/2026 09:46:12 · Not passed".
     static QString which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
     static QString review(const database::SessionSummary& session);
     /// Date and time where it was recorded; empty where the label cannot be read.

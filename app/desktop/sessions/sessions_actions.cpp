@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/repositories/session_repository.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/results/results_place.h"
 #include "desktop/sessions/session_filter_bar.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/session_words.h"
@@ -42,8 +43,13 @@ std::vector<ScreenCommand> SessionsScreen::commands() {
         {m_open->text(), QKeySequence(Qt::Key_Return), [this] { open(QStringLiteral("debrief")); }, false},
         {m_play->text(), QKeySequence(Qt::CTRL | Qt::Key_P), [this] { open(QStringLiteral("playback")); }},
         {tr("Save the list …"), QKeySequence(QKeySequence::Save), [this] { exportList(); }}};
-    if (!m_void->isHidden()) {
-        list.push_back({m_void->text(), {}, [this] { askVoid(); }});
+    if (m_results->isEnabled())
+        list.push_back({m_results->text(), {}, [this] { openResults(); }});
+    if (!m_archive->isHidden()) {
+        if (m_reinstate->isHidden())
+            list.push_back({m_void->text(), {}, [this] { askVoid(); }});
+        else
+            list.push_back({m_reinstate->text(), {}, [this] { askReinstate(); }});
         list.push_back({m_archive->text(), {}, [this] { m_archive->click(); }});
     }
     return list;
@@ -75,8 +81,11 @@ void SessionsScreen::showActions() {
     m_play->setEnabled(ended && !sealed && !row->summary.recordingErased && row->summary.frames > 0);
     for (QPushButton* button : {m_open, m_play})
         button->setToolTip(sealed ? sealedWords() : QString());
-    m_void->setVisible(changes);
-    m_void->setEnabled(ended && row->summary.state != database::SessionState::voided);
+    m_results->setEnabled(row && hasResults(row->summary));
+    const bool voided = row && row->summary.state == database::SessionState::voided;
+    m_void->setVisible(changes && !voided);
+    m_void->setEnabled(ended && !voided);
+    m_reinstate->setVisible(changes && voided);
     m_archive->setVisible(changes);
     m_archive->setEnabled(ended);
     m_archive->setText(row && row->summary.archived ? tr("Bring back from the archive") : tr("Archive"));
@@ -98,6 +107,14 @@ void SessionsScreen::open(const QString& screen) {
     context().navigator().go(screen, {{QStringLiteral("session"), static_cast<qint64>(row->summary.id)}});
 }
 
+void SessionsScreen::openResults() {
+    const SessionRow* row = selected();
+    if (!row || !hasResults(row->summary))
+        return;
+    noteState();
+    context().navigator().go(resultsPlace(row->summary));
+}
+
 void SessionsScreen::askVoid() {
     const SessionRow* row = selected();
     if (!row || !m_void->isEnabled())
@@ -106,6 +123,30 @@ void SessionsScreen::askVoid() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, id = row->summary.id] { voidSession(id, dialog->reason()); });
     dialog->open();
+}
+
+void SessionsScreen::askReinstate() {
+    const SessionRow* row = selected();
+    if (!row || row->summary.state != database::SessionState::voided)
+        return;
+    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this,
+                                         VoidSessionDialog::Decision::countAgain);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, id = row->summary.id] { reinstateSession(id, dialog->reason()); });
+    dialog->open();
+}
+
+void SessionsScreen::reinstateSession(database::SessionId session, const QString& reason) {
+    writeInBackground(
+        context(), this, [session, reason](database::SessionRepository& sessions) { return sessions.reinstateSession(session, reason.toStdString()); },
+        [this, session](const core::Result<void>& done) {
+            if (!done) {
+                context().messages().error(tr("Session %1 is still void.").arg(session), done.error());
+                return;
+            }
+            context().messages().done(tr("Session %1 counts again. That it was void stays on record.").arg(session));
+            reload(session);
+        });
 }
 
 void SessionsScreen::voidSession(database::SessionId session, const QString& reason) {
@@ -146,14 +187,22 @@ void SessionsScreen::archive(database::SessionId session, bool archived) {
 void SessionsScreen::reload(database::SessionId session) {
     context().background().run(
         this,
-        [&database = context().site().database(), actor = context().actor(), titles = m_titles, session](WorkToken&) {
-            return readSessionRow(database, actor, titles, session);
+        [&database = context().site().database(), actor = context().actor(), titles = m_titles, session](WorkToken&) -> core::Result<std::vector<SessionRow>> {
+            auto row = readSessionRow(database, actor, titles, session);
+            if (!row)
+                return tl::unexpected(row.error());
+            database::SessionFilter siblings;
+            siblings.person = row->summary.person;
+            siblings.exercise = row->summary.exercise;
+            siblings.level = row->summary.level;
+            siblings.includeArchived = true;
+            return readSessionRows(database, actor, titles, siblings);
         },
-        [this](core::Result<SessionRow> row) {
-            if (row)
-                m_model->replace(std::move(*row));
+        [this](core::Result<std::vector<SessionRow>> rows) {
+            if (rows)
+                m_model->replace(std::move(*rows));
             else
-                context().messages().error(tr("The session could not be read again."), row.error());
+                context().messages().error(tr("The session could not be read again."), rows.error());
         });
 }
 

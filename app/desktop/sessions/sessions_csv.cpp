@@ -31,14 +31,15 @@ QByteArray line(const database::SessionSummary& s) {
                                 s.gates > 0 ? QByteArray::number(s.gates) : QByteArray(),
                                 s.gates > 0 ? QByteArray::number(s.gatesMet) : QByteArray(),
                                 QByteArray::number(s.comments),
-                                s.reviewed ? "true" : "false"};
+                                s.reviewed ? "true" : "false",
+                                s.attempt > 0 ? QByteArray::number(s.attempt) : QByteArray()};
     return fields.join(',') + "\r\n";
 }
 
 } // namespace
 
 QByteArray sessionsCsv(const std::vector<SessionRow>& rows) {
-    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,archived,operator,length_s,gates,gates_met,comments,reviewed\r\n";
+    QByteArray text = "session,started_utc,person,exercise,level,state,passed,device_class,familiarisation,archived,operator,length_s,gates,gates_met,comments,reviewed,attempt\r\n";
     for (const SessionRow& row : rows)
         text += line(row.summary);
     return text;

@@ -52,6 +52,7 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::started] = widest({locale.toString(QDateTime(QDate(2026, 10, 20), QTime(20, 40)), QLocale::ShortFormat)});
     widths[SessionTableModel::person] = widest({QStringLiteral("Nikos Newcomer")});
     widths[SessionTableModel::exercise] = widest(titles.values());
+    widths[SessionTableModel::attempt] = widest({QStringLiteral("000")});
     database::SessionSummary expert;
     expert.operatorName = "expert";
     widths[SessionTableModel::operatorName] = widest({SessionWords::moved({}), SessionWords::moved(expert)});
@@ -59,8 +60,10 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     database::SessionSummary reviewed;
     reviewed.reviewed = true;
     reviewed.gates = reviewed.gatesMet = 10;
+    database::SessionSummary waiting;
+    waiting.toReview = true;
     widths[SessionTableModel::score] = widest({SessionWords::gates(reviewed, locale)});
-    widths[SessionTableModel::review] = widest({SessionWords::review(reviewed)});
+    widths[SessionTableModel::review] = widest({SessionWords::review(reviewed), SessionWords::review(waiting)});
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
@@ -71,7 +74,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
 }
 
 /// What a narrow window leaves out, first to last; a row's tool tip still says it.
-constexpr std::array<int, 4> kMayGo{SessionTableModel::number, SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName};
+constexpr std::array<int, 5> kMayGo{SessionTableModel::number, SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName,
+                                    SessionTableModel::attempt};
 
 } // namespace
 
@@ -104,8 +108,9 @@ QString SessionsScreen::title() const {
 QString SessionsScreen::help() const {
     return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from the lists beside it to narrow "
               "the list; the filters stay when you come back. Click a column header to sort by it.\n\nPress Return or double-click to open "
-              "the debrief of the selected session, Ctrl+P to play it back. \"Void\" asks for a reason and takes a session out of every "
-              "count; the recording is kept. \"Archive\" takes it out of the usual lists and can be undone.");
+              "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows how they develop at its exercise and "
+              "level. \"Void\" asks for a reason and takes a session out of every count; the recording is kept, and \"Count it again\" takes the "
+              "decision back. \"Archive\" takes it out of the usual lists and can be undone.");
 }
 
 QWidget* SessionsScreen::buildHead() {
@@ -187,12 +192,16 @@ QWidget* SessionsScreen::buildActions() {
     };
     m_open = add(QStringLiteral("open"), tr("Open the debrief"), "primary", QStringLiteral("document-open-folder"));
     m_play = add(QStringLiteral("play"), tr("Play back"), "", QStringLiteral("media-playback-start"));
+    m_results = add(QStringLiteral("results"), tr("Results of this person"), "", QStringLiteral("office-chart-line"));
     m_void = add(QStringLiteral("void"), tr("Void …"), "", QStringLiteral("dialog-cancel"));
+    m_reinstate = add(QStringLiteral("reinstate"), tr("Count it again …"), "", QStringLiteral("edit-undo"));
     m_archive = add(QStringLiteral("archive"), tr("Archive"), "", QStringLiteral("archive-insert"));
     auto* save = add(QStringLiteral("export"), tr("Save the list …"), "quiet", QStringLiteral("document-save"));
     connect(m_open, &QPushButton::clicked, this, [this] { open(QStringLiteral("debrief")); });
     connect(m_play, &QPushButton::clicked, this, [this] { open(QStringLiteral("playback")); });
+    connect(m_results, &QPushButton::clicked, this, &SessionsScreen::openResults);
     connect(m_void, &QPushButton::clicked, this, &SessionsScreen::askVoid);
+    connect(m_reinstate, &QPushButton::clicked, this, &SessionsScreen::askReinstate);
     connect(m_archive, &QPushButton::clicked, this, [this] {
         if (const SessionRow* row_ = selected())
             archive(row_->summary.id, !row_->summary.archived);
@@ -274,10 +283,13 @@ void SessionsScreen::take(core::Result<std::vector<SessionRow>> rows, bool first
 
 void SessionsScreen::showState() {
     const QLocale locale = context().locale();
-    m_count->setText(!m_complete ? tr("Loading the older sessions …")
+    const auto waiting = std::count_if(m_model->all().begin(), m_model->all().end(), [](const SessionRow& row) { return row.summary.toReview; });
+    const bool tells = m_complete && waiting > 0 && context().has(database::Role::trainer);
+    m_count->setText((tells ? tr("%n session(s) to review", nullptr, static_cast<int>(waiting)) + QStringLiteral(" · ") : QString()) +
+                     (!m_complete ? tr("Loading the older sessions …")
                      : m_model->filter().isEmpty()
                          ? tr("%n session(s)", nullptr, m_model->rowCount())
-                         : tr("%1 of %2 sessions").arg(locale.toString(m_model->rowCount()), locale.toString(m_model->total())));
+                         : tr("%1 of %2 sessions").arg(locale.toString(m_model->rowCount()), locale.toString(m_model->total()))));
     if (m_model->rowCount() > 0) {
         const bool wasThere = m_panel->state() == StatePanel::State::content;
         m_panel->showContent();

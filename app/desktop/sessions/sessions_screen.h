@@ -58,9 +58,13 @@ private:
     void showActions();
     const SessionRow* selected() const;
     void open(const QString& screen);
+    void openResults(); ///< of whose session is selected, at its exercise and level
     void askVoid();
+    void askReinstate();
     void voidSession(database::SessionId session, const QString& reason);
+    void reinstateSession(database::SessionId session, const QString& reason);
     void archive(database::SessionId session, bool archived);
+    /// The session, and those at its level: which of a person's attempts awaits a review depends on the others.
     void reload(database::SessionId session);
     void exportList();
 
@@ -72,7 +76,9 @@ private:
     QLabel* m_count = nullptr;
     QPushButton* m_open = nullptr;
     QPushButton* m_play = nullptr;
+    QPushButton* m_results = nullptr;
     QPushButton* m_void = nullptr;
+    QPushButton* m_reinstate = nullptr;
     QPushButton* m_archive = nullptr;
     database::SessionId m_wanted = 0; ///< to be selected once it is there
     bool m_complete = false;

@@ -10,13 +10,16 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Asks for the reason for which a session is voided, and says what that does: from the list of sessions and from playback.
-/// Accepted only with a reason.
+/// Asks for the reason for which a session is voided, or for which a voided one counts again, and says what that does: from the list of
+/// sessions and from playback. Accepted only with a reason.
 class VoidSessionDialog final : public QDialog {
     Q_OBJECT
 public:
+    enum class Decision { voidIt, countAgain };
+
     /// `what`: exercise, level, time and result, so that nobody voids the wrong one.
-    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent);
+    VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent,
+                      Decision decision = Decision::voidIt);
     QString reason() const;
 
 private:

@@ -52,6 +52,7 @@ inline std::vector<desktop::SessionRow> madeRows(int count, const desktop::Exerc
         s.gatesMet = n % 4;
         s.comments = n % 5;
         s.reviewed = n % 5 > 2;
+        s.attempt = s.familiarisation ? 0 : 1 + n % 9;
         s.operatorName = n % 6 == 2 ? "expert" : "";
         rows.push_back(desktop::makeSessionRow(std::move(s), titles));
     }

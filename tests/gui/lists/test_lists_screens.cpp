@@ -3,6 +3,7 @@
 #include "desktop/frame/message_bar.h"
 #include "desktop/home/exercises_screen.h"
 #include "desktop/home/home_screen.h"
+#include "database/repositories/session_repository.h"
 #include "desktop/sessions/session_table_model.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/station/lateness_chart.h"
@@ -308,6 +309,103 @@ private slots:
         QTRY_COMPARE(screen->model().at(0).summary.state, database::SessionState::voided);
         QCOMPARE(stored(desktop, 5)->voidReason, std::string("device slipped"));
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
+        auto* again = desktop.find<QPushButton>(QStringLiteral("sessions.reinstate"));
+        QVERIFY(again->isVisible());
+        QTest::mouseClick(again, Qt::LeftButton);
+        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")));
+        confirm = desktop.find<QPushButton>(QStringLiteral("reinstate.confirm"));
+        QVERIFY(!confirm->isEnabled());
+        QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")), QStringLiteral("another one slipped"));
+        QTest::mouseClick(confirm, Qt::LeftButton);
+        QTRY_VERIFY(screen->model().at(0).summary.state != database::SessionState::voided);
+        QCOMPARE(stored(desktop, 5)->decisions.size(), std::size_t{2});
+        QVERIFY(!again->isVisible() && desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
+    }
+
+    void whatIsToReviewIsCounted() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 8); // two at each of four levels; one of them practice
+        const auto comment = [&desktop, tom = desktop.actor("tom")](database::SessionId session) {
+            return desktop.database().write([&](database::WriteContext& writing) {
+                return database::SessionRepository(writing.connection(), tom).addComment(session, "seen");
+            });
+        };
+        const auto count = [&desktop] { return desktop.window->screen()->findChild<QLabel*>(QStringLiteral("home.to_review_count"))->text(); };
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QVERIFY2(count().startsWith(QStringLiteral("4 ")), qPrintable(count()));
+        QVERIFY(comment(8)); // the latest at level 4
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QVERIFY2(count().startsWith(QStringLiteral("3 ")), qPrintable(count()));
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("home.to_review")), Qt::LeftButton);
+        auto* screen = desktop.screen<SessionsScreen>();
+        QVERIFY(screen);
+        QTRY_VERIFY(screen->isComplete());
+        QCOMPARE(screen->model().rowCount(), 3);
+        QCOMPARE(screen->model().total(), 8);
+        QVERIFY(desktop.find<QLabel>(QStringLiteral("sessions.count"))->text().startsWith(QStringLiteral("3 ")));
+        auto* review = desktop.find<QComboBox>(QStringLiteral("sessions.review"));
+        review->setCurrentIndex(2);
+        QCOMPARE(screen->model().rowCount(), 1); // the one that was reviewed
+        QCOMPARE(screen->model().at(0).summary.id, database::SessionId{8});
+    }
+
+    void resultsAreReachedFromTheList() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 5);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        const int row = screen->model().rowOf(3);
+        desktop.find<QTableView>(QStringLiteral("sessions.table"))->selectRow(row);
+        QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.results")), Qt::LeftButton);
+        QCOMPARE(here(desktop).screen, QStringLiteral("results"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("level")).toInt(), 3);
+        desktop.context.navigator().back();
+        QCOMPARE(here(desktop).screen, QStringLiteral("sessions"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("selected")).toLongLong(), 3);
+    }
+
+    void commentsAreFoundAgain() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 3);
+        const auto tom = desktop.actor("tom"), tina = desktop.actor("tina");
+        const auto written = desktop.database().write([&](database::WriteContext& writing) -> core::Result<void> {
+            database::SessionRepository byTom(writing.connection(), tom), byTina(writing.connection(), tina);
+            auto first = byTom.addComment(2, "here you pressed too hard", 5000);
+            auto second = first ? byTom.addComment(1, "well done") : first;
+            auto third = second ? byTina.addComment(3, "my hand slipped") : second;
+            return third ? core::Result<void>() : core::Result<void>(tl::unexpected(third.error()));
+        });
+        QVERIFY(written);
+        desktop.logIn("tina");
+        QVERIFY(loaded(desktop));
+        QCOMPARE(desktop.context.unread(), 2);
+        desktop.find<QPushButton>(QStringLiteral("home.comments"))->click();
+        QCOMPARE(here(desktop).screen, QStringLiteral("comments"));
+        QVERIFY(loaded(desktop));
+        QCOMPARE(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).size(), 2);
+        QCOMPARE(desktop.context.unread(), 0); // they stand here to be read
+        desktop.find<QPushButton>(QStringLiteral("comments.open.1"))->click();
+        QCOMPARE(here(desktop).screen, QStringLiteral("playback"));
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("at_tick")).toULongLong(), 5000ULL);
+        desktop.context.navigator().back();
+        QVERIFY(loaded(desktop)); // found again once read
+        QVERIFY(desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("comments.unread")).isEmpty());
+        desktop.find<QPushButton>(QStringLiteral("comments.open.2"))->click();
+        QCOMPARE(here(desktop).screen, QStringLiteral("debrief")); // about the whole session
+        desktop.logIn("tom");
+        desktop.go(QStringLiteral("comments"), {{QStringLiteral("which"), QStringLiteral("received")}});
+        QVERIFY(loaded(desktop));
+        const auto leads = [&desktop](int comment) { return desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("comments.open.%1").arg(comment)) != nullptr; };
+        QVERIFY(!leads(1));
+        desktop.find<QComboBox>(QStringLiteral("comments.which"))->setCurrentIndex(2); // written
+        QVERIFY(leads(1) && leads(2) && !leads(3)); // tina's own is not his
+        auto* screen = openSessions(desktop, {{QStringLiteral("commented"), true}});
+        QVERIFY(screen);
+        QCOMPARE(screen->model().rowCount(), 3);
     }
 
     void traineesMayNotVoidNorArchive() {

@@ -63,6 +63,15 @@ private slots:
         filter.outcome = Outcome::practice;
         QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.familiarisation; }));
         filter = {};
+        filter.review = ReviewState::reviewed;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.reviewed; }));
+        filter.review = ReviewState::toReview;
+        QCOMPARE(shown(filter), 0); // whoever reads these has nothing to do
+        filter = {};
+        filter.commented = true;
+        QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.comments > 0; }));
+        QVERIFY(table.model.rowCount() > 0);
+        filter = {};
         filter.text = QStringLiteral("APEX  person3");
         QCOMPARE(shown(filter), count(rows, [](const auto& s) { return s.person == 5 && s.exercise == "sphere_apex"; }));
         filter.text = QStringLiteral("nobody at all");
@@ -103,6 +112,8 @@ private slots:
         filter.from = QDate(2026, 1, 2);
         filter.to = QDate(2026, 3, 4);
         filter.archived = true;
+        filter.review = ReviewState::reviewed;
+        filter.commented = true;
         QVERIFY(SessionListFilter::fromMap(filter.toMap()) == filter);
         QVERIFY(SessionListFilter{}.toMap().isEmpty());
         QVERIFY(SessionListFilter::fromMap({{QStringLiteral("state"), QStringLiteral("nonsense")}, {QStringLiteral("level"), QStringLiteral("x")}}).isEmpty());
@@ -174,6 +185,9 @@ private slots:
         s.gates = 5;
         s.gatesMet = 3;
         s.comments = 2;
+        s.level = 4;
+        s.attempt = 3;
+        s.toReview = true;
         s.ticks = 61'000;
         table.model.setRows({makeSessionRow(s, kTitles)});
         const auto text = [&](SessionTableModel::Column column) { return table.model.index(0, column).data().toString(); };
@@ -182,17 +196,21 @@ private slots:
         QCOMPARE(text(SessionTableModel::result), QStringLiteral("Not passed"));
         QCOMPARE(text(SessionTableModel::score), QStringLiteral("3 of 5"));
         QCOMPARE(text(SessionTableModel::comments), QStringLiteral("2"));
-        QCOMPARE(text(SessionTableModel::review), QStringLiteral("–")); // both by the person themselves
+        QCOMPARE(text(SessionTableModel::review), QStringLiteral("To review")); // both by the person themselves
+        QCOMPARE(text(SessionTableModel::attempt), QStringLiteral("3"));
         const QString tip = table.model.index(0, 0).data(Qt::ToolTipRole).toString();
+        QVERIFY2(tip.startsWith(QStringLiteral("Attempt 3 at level 4")), qPrintable(tip));
         QVERIFY2(tip.contains(QStringLiteral("3 of 5")) && tip.contains(QStringLiteral("1 min 01 s")) && tip.contains(QStringLiteral("Session 7")), qPrintable(tip));
         s.reviewed = true;
+        s.toReview = false;
+        s.attempt = 0;
         s.state = database::SessionState::stopped; // says how it ended, instead of what it was not
         s.operatorName = "expert";
         s.gates = s.gatesMet = s.comments = 0;
         table.model.replace(makeSessionRow(s, kTitles));
         QCOMPARE(text(SessionTableModel::result), QStringLiteral("Stopped"));
         QCOMPARE(text(SessionTableModel::review), QStringLiteral("Reviewed"));
-        QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty());
+        QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty() && text(SessionTableModel::attempt).isEmpty());
         QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Expert"));
     }
 

@@ -32,6 +32,7 @@ private slots:
     void unfinished();
     void familiarisationNeverCounts();
     void voidedGivesTheReason();
+    void countedAgainTellsBothDecisions();
     void shownIsSaidAndHasNoFeltBand();
     void erasedRecordingKeepsTheScores();
     void notMine();
@@ -278,6 +279,25 @@ void TestDebrief::voidedGivesTheReason() {
     QCOMPARE(text("debrief.verdict"), QStringLiteral("Voided"));
     QVERIFY(text("debrief.verdict_text").contains(QStringLiteral("the table shook")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("debrief.next")));
+}
+
+void TestDebrief::countedAgainTellsBothDecisions() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->good);
+    const auto tom = m_site->actor("tom");
+    const auto decided = m_site->database().write([&](database::WriteContext& write) {
+        database::SessionRepository sessions(write.connection(), tom);
+        auto done = sessions.voidSession(id, "the table shook");
+        return done ? sessions.reinstateSession(id, "it was another table") : done;
+    });
+    QVERIFY(decided);
+    open(id);
+    QCOMPARE(text("debrief.verdict"), QStringLiteral("Passed")); // as if nothing had been
+    const QStringList told = texts("debrief.decision");
+    QCOMPARE(told.size(), 2);
+    QVERIFY2(told.first().contains(QStringLiteral("Voided")) && told.first().endsWith(QStringLiteral("Tom Trainer: the table shook")), qPrintable(told.first()));
+    QVERIFY2(told.last().contains(QStringLiteral("Counted again")) && told.last().endsWith(QStringLiteral("it was another table")), qPrintable(told.last()));
+    open(m_good);
+    QVERIFY(texts("debrief.decision").isEmpty());
 }
 
 void TestDebrief::shownIsSaidAndHasNoFeltBand() {

@@ -33,6 +33,7 @@ private slots:
     void initTestCase();
     void opensAtAMoment();
     void aMomentIsPlayedToAndStops();
+    void aTickIsPlayedTo();
     void aTrainerMarksASessionAsReviewed();
     void cursorsAndScrubberAgree();
     void keysStepAndSeek();
@@ -111,6 +112,16 @@ void TestPlayback::aMomentIsPlayedToAndStops() {
     open(m_bad, {{QStringLiteral("at_s"), 6.0}, {QStringLiteral("caption"), QStringLiteral("Here")}, {QStringLiteral("caption_s"), 4.5}}); // come back to later
     QTest::qWait(50);
     QVERIFY(!screen()->clock().playing());
+}
+
+/// A comment belongs to a tick of the recording: where that is on the time bar is known only here.
+void TestPlayback::aTickIsPlayedTo() {
+    open(m_bad, {{QStringLiteral("at_s"), 8.5}, {QStringLiteral("at_tick"), qulonglong(9000)}, {QStringLiteral("caption"), QStringLiteral("Tom: look")}});
+    auto& clock = screen()->clock();
+    QTRY_VERIFY(!clock.playing() && !screen()->captionAt(clock.position_s()).title.isEmpty());
+    const double moment_s = clock.position_s();
+    QVERIFY2(moment_s > 8.5, qPrintable(QString::number(moment_s)));
+    QVERIFY(screen()->captionAt(moment_s - 1.0).title.isEmpty());
 }
 
 void TestPlayback::aTrainerMarksASessionAsReviewed() {
@@ -456,6 +467,14 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::voided);
     QCOMPARE(reader.session(id)->voidReason, std::string("wrong person at the device"));
     QTRY_VERIFY(tests::isLoaded(*m_site) && !find<QPushButton>("playback.void"));
+    find<QPushButton>("playback.reinstate")->click(); // the wrong one was voided
+    confirm = m_site->find<QPushButton>(QStringLiteral("reinstate.confirm"));
+    QVERIFY(confirm && !confirm->isEnabled());
+    m_site->find<QPlainTextEdit>(QStringLiteral("reinstate.reason"))->setPlainText(QStringLiteral("it was the right person"));
+    confirm->click();
+    QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::completed);
+    QCOMPARE(reader.session(id)->decisions.size(), std::size_t{2});
+    QTRY_VERIFY(tests::isLoaded(*m_site) && find<QPushButton>("playback.void"));
     m_site->context.logIn(*m_tina);
 }
 

@@ -25,6 +25,7 @@ private slots:
     void onlyMyOwn();
     void aTrainerSeesSomebodysProgress();
     void openLeadsToTheDebrief();
+    void opensWhereOneIsAndStaysThere();
     void exportsEverything();
     void nothingClippedOrUnnamed();
 
@@ -33,13 +34,15 @@ private:
     template <class W> W* find(const char* name) { return m_site->window->screen()->findChild<W*>(QLatin1String(name)); }
 
     std::unique_ptr<DesktopFixture> m_site;
+    std::unique_ptr<tests::ReviewSessions> m_made;
     std::optional<database::Actor> m_tina;
     database::SessionId m_last = 0;
 };
 
 void TestResults::initTestCase() {
     m_site = std::make_unique<DesktopFixture>();
-    tests::ReviewSessions made(m_site->database());
+    m_made = std::make_unique<tests::ReviewSessions>(m_site->database());
+    const tests::ReviewSessions& made = *m_made;
     m_tina = m_site->actor("tina");
     for (const MadeSession* session : {&made.bad, &made.bad, &made.good})
         tests::store(m_site->database(), *m_tina, *session);
@@ -91,6 +94,12 @@ void TestResults::attemptsAndCurve() {
     emit metric->activated(force);
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("metric")).toString(), QStringLiteral("force_max"));
     QCOMPARE(find<QTableWidget>("results.attempts")->horizontalHeaderItem(3)->text(), QStringLiteral("Largest force"));
+    QStringList numbers; // newest first: shown, practice, shown, stopped, good, bad, bad
+    for (int row = 0; row < 7; ++row)
+        numbers << find<QTableWidget>("results.attempts")->item(row, 1)->text();
+    QCOMPARE(numbers, QStringList({QStringLiteral("Attempt 6 at level 2"), QStringLiteral("Level 2, familiarisation"), QStringLiteral("Attempt 5 at level 2"),
+                                   QStringLiteral("Attempt 4 at level 2"), QStringLiteral("Attempt 3 at level 2"), QStringLiteral("Attempt 2 at level 2"),
+                                   QStringLiteral("Attempt 1 at level 2")}));
     tests::takePictures(*m_site, QStringLiteral("results"), [this] { open(); });
 }
 
@@ -132,6 +141,44 @@ void TestResults::openLeadsToTheDebrief() {
     const desktop::Place place = m_site->context.navigator().current();
     QCOMPARE(place.screen, QStringLiteral("debrief"));
     QCOMPARE(place.parameters.value(QStringLiteral("session")).toLongLong(), m_last); // the newest is on top
+}
+
+/// From a debrief to the curve of that person at that exercise and level, and back; what was chosen stays chosen, and whose it is, too.
+void TestResults::opensWhereOneIsAndStaysThere() {
+    const tests::ReviewSessions& made = *m_made;
+    const auto theo = m_site->actor("theo");
+    MadeSession lower = made.good, practice = made.good;
+    lower.setup.level.number = practice.setup.level.number = 1;
+    practice.familiarisation = true;
+    const auto first = tests::store(m_site->database(), theo, lower);
+    const auto second = tests::store(m_site->database(), theo, made.bad);
+    tests::store(m_site->database(), theo, practice);
+    const auto level = [this] { return find<QComboBox>("results.level")->currentData().toInt(); };
+    m_site->logIn("theo");
+    open();
+    QCOMPARE(level(), 2); // the last scored attempt, not the practice after it
+    m_site->logIn("tom");
+    m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(first)}});
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    find<QPushButton>("debrief.results")->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("results"));
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QCOMPARE(level(), 1); // that of the attempt in hand
+    auto* box = find<QComboBox>("results.level");
+    const int two = box->findData(2);
+    box->setCurrentIndex(two);
+    emit box->activated(two);
+    QTest::keyClick(find<QTableWidget>("results.attempts"), Qt::Key_Return);
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), second);
+    m_site->context.navigator().back();
+    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QVERIFY(m_site->window->screen()->title().contains(QStringLiteral("theo")));
+    QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 1); // theo's, and at level 2
+    QCOMPARE(level(), 2);
+    m_site->context.navigator().back();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("debrief"));
+    QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), first);
+    m_site->context.logIn(*m_tina);
 }
 
 void TestResults::exportsEverything() {

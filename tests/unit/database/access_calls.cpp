@@ -96,6 +96,12 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).finishSession(id, {}); });
     add(Action::voidSession, Touches::ended, true,
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).voidSession(id, "sneezed"); });
+    add(Action::reinstateSession, Touches::ended, true,
+        [](C& c, A a, std::int64_t id) {
+            SessionRepository sessions(c, a);
+            (void)sessions.voidSession(id, "sneezed"); // whoever may count it again may void it, too
+            return sessions.reinstateSession(id, "did not sneeze");
+        });
     add(Action::setArchived, Touches::ended, true,
         [](C& c, A a, std::int64_t id) { return SessionRepository(c, a).setArchived(id, true); });
     add(Action::addComment, Touches::ended, true,
@@ -114,6 +120,8 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [](C& c, A a, std::int64_t id) { return drop(SessionReader(c, a).secondSummaries(id)); });
     add(Action::comments, Touches::ended, false,
         [](C& c, A a, std::int64_t id) { return drop(SessionReader(c, a).comments(id)); });
+    add(Action::commentedSessions, none, false,
+        [](C& c, A a, std::int64_t) { return drop(SessionReader(c, a).commentedSessions()); });
     add(Action::openChunks, Touches::ended, false,
         [](C& c, A a, std::int64_t id) { return drop(SessionReader(c, a).openChunks(id)); });
     add(Action::storeScores, Touches::ended, true,

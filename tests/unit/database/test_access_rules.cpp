@@ -67,7 +67,11 @@ void TestAccessRules::whatMattersMostIsSpeltOut() {
     QCOMPARE(scopeOf(Action::sealedConditions, K::anonymous, {}), Scope::none);
     QCOMPARE(scopeOf(Action::session, K::person, {Role::trainee}), Scope::ownAndSimulated);
     QCOMPARE(scopeOf(Action::listPeople, K::person, {Role::trainee}), Scope::none);
-    QCOMPARE(scopeOf(Action::voidSession, K::person, {Role::trainee}), Scope::none);
+    for (const Action action : {Action::voidSession, Action::reinstateSession}) {
+        QCOMPARE(scopeOf(action, K::person, {Role::trainee}), Scope::none);
+        QCOMPARE(scopeOf(action, K::person, {Role::researcher}), Scope::none);
+        QCOMPARE(scopeOf(action, K::person, {Role::trainer}), Scope::all);
+    }
     QCOMPARE(scopeOf(Action::session, K::anonymous, {}), Scope::simulated);
     QCOMPARE(scopeOf(Action::beginSession, K::anonymous, {}), Scope::none);
     QCOMPARE(scopeOf(Action::beginSession, K::simulated, {}), Scope::own);

@@ -27,6 +27,10 @@ private slots:
     void contentIsSharedAndHashed();
     void endedSessionsAreClosed();
     void voidedAndArchivedStay();
+    void aVoidedSessionCountsAgain();
+    void attemptsAreNumbered();
+    void theLatestAttemptAwaitsReview();
+    void commentsAreFoundAgain();
     void badInputNamesTheField();
 };
 
@@ -380,6 +384,157 @@ void TestSessions::voidedAndArchivedStay() {
     QCOMPARE(record->voidedBy, ada->personId());
     QVERIFY(sessions.openChunks(*id).has_value());
     QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestSessions::aVoidedSessionCountsAgain() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tom = f.person(*ada, "tom", {Role::trainer});
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    const auto id = storeSession(*f.database, *tim);
+    REQUIRE(id);
+    const auto job = [&](const Actor& actor, auto use) {
+        return f.database->write([&](WriteContext& w) {
+            SessionRepository sessions(w.connection(), actor);
+            return use(sessions);
+        });
+    };
+    const auto digest = [&] {
+        auto reader = f.database->openReader();
+        return selectText(**reader, "SELECT lower(hex(digest)) FROM session WHERE id = ?", {*id})->value_or("");
+    };
+    const std::string counted = digest();
+    QCOMPARE(job(*tom, [&](SessionRepository& s) { return s.reinstateSession(*id, "why not"); }).error().code, core::ErrorCode::wrongUse);
+    REQUIRE(job(*tom, [&](SessionRepository& s) { return s.voidSession(*id, "the chair fell over"); }));
+    QCOMPARE(job(*tim, [&](SessionRepository& s) { return s.reinstateSession(*id, "mine"); }).error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(job(*ada, [&](SessionRepository& s) { return s.reinstateSession(*id, ""); }).error().code, core::ErrorCode::badInput);
+    REQUIRE(job(*ada, [&](SessionRepository& s) { return s.reinstateSession(*id, "it was another chair"); }));
+    QCOMPARE(digest(), counted); // as if it had never been void ...
+    auto reader = f.database->openReader();
+    const auto record = SessionReader(**reader, *tim).session(*id);
+    REQUIRE(record);
+    QVERIFY(record->summary.state == SessionState::completed && !record->stateBeforeVoid && record->voidedBy == 0 && record->voidReason.empty());
+    QCOMPARE(record->decisions.size(), std::size_t{2}); // ... and both decisions are told, in their order
+    QVERIFY(record->decisions[0].voiding && record->decisions[0].person == tom->personId());
+    QCOMPARE(record->decisions[0].reason, std::string("the chair fell over"));
+    QVERIFY(!record->decisions[0].utc.empty());
+    QVERIFY(!record->decisions[1].voiding && record->decisions[1].person == ada->personId());
+    QCOMPARE(record->decisions[1].reason, std::string("it was another chair"));
+    const auto noted = [&](const char* action) {
+        return selectInteger(**reader, "SELECT count(*) FROM audit WHERE action = ? AND target = 'session' AND target_id = ?", {std::string(action), *id})->value_or(0);
+    };
+    QVERIFY(noted("voidSession") == 1 && noted("reinstateSession") == 1);
+    reader->reset();
+    REQUIRE(job(*tom, [&](SessionRepository& s) { return s.voidSession(*id, "once more"); })); // and it can be voided again
+    for (const char* sql : {"UPDATE session_decision SET person_id = 1", "DELETE FROM session_decision"})
+        QVERIFY(!f.database->write([&](WriteContext& w) { return w.connection().execute(sql); }));
+    REQUIRE(AccountService(*f.database).erasePerson(*ada, kPassword, tim->personId(), "wish", false));
+    reader = f.database->openReader();
+    QCOMPARE(selectInteger(**reader, "SELECT count(*) FROM session_decision WHERE reason <> ''")->value_or(-1), std::int64_t{0});
+    reader->reset();
+    f.database.reset();
+    QVERIFY(verifyDatabase(f.path(), f.options).ok());
+}
+
+void TestSessions::attemptsAreNumbered() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    const auto stored = [&](const Actor& actor, int level, const char* hand, bool practice) {
+        NewSession setup = someSession();
+        setup.level = level;
+        setup.operatorName = hand;
+        setup.familiarisation = practice;
+        return storeSession(*f.database, actor, 1, 500, setup).value_or(0);
+    };
+    const SessionId first = stored(*tim, 1, "", false), practice = stored(*tim, 1, "", true), shown = stored(*tim, 1, "expert", false);
+    const SessionId second = stored(*tim, 1, "", false), higher = stored(*tim, 2, "", false), others = stored(*ada, 1, "", false);
+    const SessionId third = stored(*tim, 1, "", false);
+    REQUIRE(f.database->write([&](WriteContext& w) { return SessionRepository(w.connection(), *ada).voidSession(second, "the chair fell"); }));
+    auto reader = f.database->openReader();
+    SessionReader sessions(**reader, *ada);
+    const auto listed = sessions.listSessions();
+    REQUIRE(listed);
+    const std::map<SessionId, int> expected{{first, 1}, {practice, 0}, {shown, 0}, {second, 2}, {higher, 1}, {others, 1}, {third, 3}};
+    QCOMPARE(listed->size(), expected.size());
+    for (const SessionSummary& session : *listed) {
+        QCOMPARE(session.attempt, expected.at(session.id)); // a voided one keeps its number
+        QCOMPARE(sessions.session(session.id)->summary.attempt, session.attempt);
+    }
+}
+
+void TestSessions::theLatestAttemptAwaitsReview() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tom = f.person(*ada, "tom", {Role::trainer});
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    NewSession setup = someSession();
+    setup.operatorName.clear();
+    const SessionId first = storeSession(*f.database, *tim, 1, 500, setup).value_or(0);
+    const SessionId latest = storeSession(*f.database, *tim, 1, 500, setup).value_or(0);
+    const SessionId own = storeSession(*f.database, *tom, 1, 500, setup).value_or(0);
+    (void)storeSession(*f.database, Actor::simulated(), 1);
+    const auto waiting = [&](const Actor& actor) {
+        auto reader = f.database->openReader();
+        SessionFilter filter;
+        filter.toReview = true;
+        std::vector<SessionId> ids;
+        for (const SessionSummary& session : SessionReader(**reader, actor).listSessions(filter).value_or(std::vector<SessionSummary>{})) {
+            ids.push_back(session.toReview ? session.id : -1);
+        }
+        return ids;
+    };
+    const auto write = [&](auto use) {
+        return f.database->write([&](WriteContext& w) -> core::Result<void> {
+            SessionRepository sessions(w.connection(), *tom);
+            return use(sessions);
+        });
+    };
+    using Ids = std::vector<SessionId>;
+    QCOMPARE(waiting(*tom), Ids{latest}); // of several tries the latest; never one's own
+    QCOMPARE(waiting(*ada), (Ids{latest, own}));
+    REQUIRE(write([&](SessionRepository& s) { return s.voidSession(latest, "slipped"); }));
+    QCOMPARE(waiting(*tom), Ids{first}); // what is void needs nobody's eye
+    REQUIRE(write([&](SessionRepository& s) { return s.reinstateSession(latest, "did not slip"); }));
+    QCOMPARE(waiting(*tom), Ids{latest});
+    REQUIRE(write([&](SessionRepository& s) { return drop(s.addComment(latest, "steady")); }));
+    QCOMPARE(waiting(*tom), Ids{}); // and no earlier one takes its place
+}
+
+void TestSessions::commentsAreFoundAgain() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto tom = f.person(*ada, "tom", {Role::trainer});
+    const auto tim = f.person(*ada, "tim", {Role::trainee});
+    const auto zoe = f.person(*ada, "zoe", {Role::trainee});
+    const SessionId ofTim = storeSession(*f.database, *tim, 1).value_or(0), ofZoe = storeSession(*f.database, *zoe, 1).value_or(0);
+    (void)storeSession(*f.database, *tim, 1); // nobody wrote anything
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository byTom(w.connection(), *tom), byZoe(w.connection(), *zoe);
+        auto good = drop(byTom.addComment(ofTim, "press less", 100));
+        good = good ? drop(byTom.addComment(ofTim, "and look")) : good;
+        good = good ? byTom.setArchived(ofTim, true) : good;
+        return good ? drop(byZoe.addComment(ofZoe, "my hand slipped")) : good;
+    }));
+    const auto found = [&](const Actor& actor) {
+        auto reader = f.database->openReader();
+        std::vector<std::pair<SessionId, std::size_t>> all;
+        for (const CommentedSession& each : SessionReader(**reader, actor).commentedSessions().value_or(std::vector<CommentedSession>{})) {
+            all.emplace_back(each.session.id, each.comments.size());
+        }
+        return all;
+    };
+    using Found = std::vector<std::pair<SessionId, std::size_t>>;
+    QVERIFY(found(*tim) == (Found{{ofTim, 2}})); // received, on an archived session, too
+    QVERIFY(found(*tom) == (Found{{ofTim, 2}})); // written
+    QVERIFY(found(*zoe) == (Found{{ofZoe, 1}}));
+    QVERIFY(found(*ada).empty());
+    auto reader = f.database->openReader();
+    QCOMPARE(SessionReader(**reader, Actor::anonymous()).commentedSessions().error().code, core::ErrorCode::notAllowed);
 }
 
 void TestSessions::badInputNamesTheField() {

@@ -42,8 +42,8 @@ inline core::Result<database::StudyRunNumber> addStudies(DatabaseFixture& f, con
     return done ? core::Result<StudyRunNumber>(made->run) : tl::unexpected(done.error());
 }
 
-/// A closed site with something in every table: three sessions (14 chunks, 12 scores), one voided and
-/// commented, one person erased, studies.
+/// A closed site with something in every table: three sessions (14 chunks, 12 scores), one commented and
+/// voided for the second time, one person erased, studies.
 inline core::Result<void> makeSite(DatabaseFixture& f) {
     using namespace database;
     auto done = f.create();
@@ -66,8 +66,9 @@ inline core::Result<void> makeSite(DatabaseFixture& f) {
     done = f.database->write([&](WriteContext& w) -> core::Result<void> {
         SessionRepository sessions(w.connection(), *ada);
         auto comment = sessions.addComment(*second, "steady hand");
-        return comment ? sessions.voidSession(*second, "the chair fell over")
-                       : tl::unexpected(comment.error());
+        auto good = comment ? sessions.voidSession(*second, "the wrong chair") : core::Result<void>(tl::unexpected(comment.error()));
+        good = good ? sessions.reinstateSession(*second, "it was another chair") : good;
+        return good ? sessions.voidSession(*second, "the chair fell over") : good;
     });
     const auto tim = f.person(*ada, "tim", {Role::trainee});
     if (!done || !tim) {

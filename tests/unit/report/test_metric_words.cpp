@@ -25,6 +25,22 @@ private slots:
         }
     }
 
+    void oneValueIsNoMean() {
+        const QString mean = QStringLiteral("apex_error_mean");
+        QVERIFY(session_report::metricTitle(mean).contains(QStringLiteral("mean")));
+        QCOMPARE(session_report::metricTitle(mean, 10), session_report::metricTitle(mean));
+        QCOMPARE(session_report::metricTitle(mean, 1), QStringLiteral("Apex error"));
+        QVERIFY(!session_report::metricMeaning(mean, 1).contains(QStringLiteral("mean")));
+        for (const scoring::MetricDefinition& metric : scoring::metricCatalogue()) {
+            const QString id = QString::fromStdString(std::string(metric.id));
+            if (id.startsWith(QStringLiteral("force_")) || id.startsWith(QStringLiteral("apex_")) || id == QLatin1String("offset_rms") ||
+                id == QLatin1String("alignment_rms") || id == QLatin1String("torque_rms")) // those that lead to a moment of their own
+                QVERIFY2(!session_report::momentTitle(id).contains(QStringLiteral("mean"), Qt::CaseInsensitive), qPrintable(session_report::momentTitle(id)));
+        }
+        QCOMPARE(session_report::momentTitle(QStringLiteral("force_rms")), session_report::metricTitle(QStringLiteral("force_max")));
+        QCOMPARE(session_report::momentTitle(QStringLiteral("reversals")), session_report::metricTitle(QStringLiteral("reversals")));
+    }
+
     void everyReasonHasWords() {
         std::set<QString> said;
         for (std::size_t i = 0; i < scoring::kUndefinedReasons; ++i) {
