@@ -2087,6 +2087,18 @@ Einzelheiten: %2</translation>
         <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
         <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, von der Biegung bis 30 mm dahinter, wo die Harnröhre am stärksten gebogen ist. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
     </message>
+    <message>
+        <source>Apex error</source>
+        <translation>Scheitelfehler</translation>
+    </message>
+    <message>
+        <source>How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.</source>
+        <translation>Wie weit die Markierung vom höchsten Punkt entfernt war, in % des Radius, im Durchschnitt aus links–rechts und vorn–hinten.</translation>
+    </message>
+    <message>
+        <source>Largest misalignment</source>
+        <translation>Größte Fehlausrichtung</translation>
+    </message>
 </context>
 <context>
     <name>PaletteSearch</name>
@@ -3478,6 +3490,17 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
 </context>
 <context>
+    <name>Results</name>
+    <message>
+        <source>My results</source>
+        <translation>Meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Ergebnisse von %1</translation>
+    </message>
+</context>
+<context>
     <name>RocWords</name>
     <message>
         <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
@@ -3875,6 +3898,10 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>My account</source>
         <translation>Mein Konto</translation>
     </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3982,6 +4009,18 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>%1, level %2</source>
         <translation>%1, Stufe %2</translation>
+    </message>
+    <message>
+        <source>Attempt %1 at level %2</source>
+        <translation>Versuch %1 auf Stufe %2</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3</source>
+        <translation>%1, Versuch %2 auf Stufe %3</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Zu begutachten</translation>
     </message>
 </context>
 <context>
@@ -6992,10 +7031,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <translation>Wann</translation>
     </message>
     <message>
-        <source>Level</source>
-        <translation>Stufe</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -7014,6 +7049,10 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Level %1</source>
         <translation>Stufe %1</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
     </message>
 </context>
 <context>
@@ -7234,6 +7273,101 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Reviewed. Nothing to add.</source>
         <translation>Durchgesehen. Nichts hinzuzufügen.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommentsScreen</name>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>All comments that you received or wrote, unread ones first, then the newest.
+
+Each leads to its moment in the playback, or to the debrief where it is about the whole session. What is shown here counts as read.</source>
+        <translation>Alle Kommentare, die Sie erhalten oder geschrieben haben, ungelesene zuerst, dann die neuesten.
+
+Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er die ganze Sitzung betrifft. Was hier steht, gilt als gelesen.</translation>
+    </message>
+    <message>
+        <source>Reading the comments …</source>
+        <translation>Die Kommentare werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The comments could not be read.</source>
+        <translation>Die Kommentare konnten nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>No comments yet</source>
+        <translation>Noch keine Kommentare</translation>
+    </message>
+    <message>
+        <source>What is written about your sessions, and what you write about others&apos;, will be here.</source>
+        <translation>Was zu Ihren Sitzungen geschrieben wird und was Sie zu denen anderer schreiben, steht dann hier.</translation>
+    </message>
+    <message>
+        <source>Which comments</source>
+        <translation>Welche Kommentare</translation>
+    </message>
+    <message>
+        <source>Received and written</source>
+        <translation>Erhaltene und geschriebene</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Erhaltene</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschriebene</translation>
+    </message>
+    <message>
+        <source>Show older comments</source>
+        <translation>Ältere Kommentare zeigen</translation>
+    </message>
+    <message>
+        <source>Nobody has commented on your sessions yet.</source>
+        <translation>Zu Ihren Sitzungen hat noch niemand etwas geschrieben.</translation>
+    </message>
+    <message>
+        <source>You have not written any yet.</source>
+        <translation>Sie haben noch keine geschrieben.</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Jemand anderes</translation>
+    </message>
+    <message>
+        <source>%1 on your session %2: %3 · %4</source>
+        <translation>%1 zu Ihrer Sitzung %2: %3 · %4</translation>
+    </message>
+    <message>
+        <source>%1 on session %2 of %3: %4 · %5</source>
+        <translation>%1 zu Sitzung %2 von %3: %4 · %5</translation>
+    </message>
+    <message>
+        <source>Unread</source>
+        <translation>Ungelesen</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(gelöscht)</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Zusehen</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Auswertung öffnen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -7696,6 +7830,26 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1 (%2 in the recording)</source>
         <translation>%1 (%2 in der Aufzeichnung)</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3: %4</source>
+        <translation>%1, Versuch %2 auf Stufe %3: %4</translation>
+    </message>
+    <message>
+        <source>What was decided about this session</source>
+        <translation>Was zu dieser Sitzung entschieden wurde</translation>
+    </message>
+    <message>
+        <source>somebody whose account is closed</source>
+        <translation>jemand, dessen Konto geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Voided on %1 by %2: %3</source>
+        <translation>Am %1 von %2 für ungültig erklärt: %3</translation>
+    </message>
+    <message>
+        <source>Counted again on %1 by %2: %3</source>
+        <translation>Wieder gezählt seit %1, entschieden von %2: %3</translation>
     </message>
 </context>
 <context>
@@ -9192,6 +9346,36 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
 Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
 
 Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n Sitzung zu begutachten</numerusform>
+            <numerusform>%n Sitzungen zu begutachten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything is reviewed. Of each level, a trainee&apos;s latest attempt will appear here.</source>
+        <translation>Alles ist begutachtet. Von jeder Stufe erscheint hier der neueste Versuch der Lernenden.</translation>
+    </message>
+    <message>
+        <source>List of sessions to review</source>
+        <translation>Liste der zu begutachtenden Sitzungen</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
+    </message>
+    <message numerus="yes">
+        <source>Comments: unread on %n session(s)</source>
+        <translation>
+            <numerusform>Kommentare: ungelesene zu %n Sitzung</numerusform>
+            <numerusform>Kommentare: ungelesene zu %n Sitzungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Comments, received and written</source>
+        <translation>Kommentare, erhaltene und geschriebene</translation>
     </message>
 </context>
 <context>
@@ -11043,6 +11227,26 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
         <translation>Der Kommentar ist gespeichert, und die Sitzung gilt als durchgesehen. %1 wird unter „Start“ darauf hingewiesen.</translation>
+    </message>
+    <message>
+        <source>This session was void and counts again. The debrief says who decided it and why.</source>
+        <translation>Diese Sitzung war ungültig und zählt wieder. Die Auswertung sagt, wer das entschieden hat und warum.</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3: %4</source>
+        <translation>%1, Versuch %2 auf Stufe %3: %4</translation>
+    </message>
+    <message>
+        <source>Count it again …</source>
+        <translation>Wieder zählen …</translation>
+    </message>
+    <message>
+        <source>Session %1 counts again. That it was void stays on record.</source>
+        <translation>Sitzung %1 zählt wieder. Dass sie ungültig war, bleibt vermerkt.</translation>
+    </message>
+    <message>
+        <source>Session %1 is still void; nothing was changed.</source>
+        <translation>Sitzung %1 ist weiterhin ungültig; es wurde nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -13453,20 +13657,36 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <source>To this day</source>
         <translation>Bis zu diesem Tag</translation>
     </message>
+    <message>
+        <source>Has comments</source>
+        <translation>Mit Kommentaren</translation>
+    </message>
+    <message>
+        <source>Reviewed or not</source>
+        <translation>Begutachtet oder nicht</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Begutachtung</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Zu begutachten</translation>
+    </message>
+    <message>
+        <source>Reviewed</source>
+        <translation>Begutachtet</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionLines</name>
     <message>
-        <source>%1: %2, level %3</source>
-        <translation>%1: %2, Stufe %3</translation>
-    </message>
-    <message>
-        <source>%1, level %2</source>
-        <translation>%1, Stufe %2</translation>
-    </message>
-    <message>
         <source>%1. %2. %3. Opens the debrief.</source>
         <translation>%1. %2. %3. Öffnet die Auswertung.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -13543,6 +13763,10 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <source>Review</source>
         <translation>Begutachtung</translation>
     </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Versuch</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionsScreen</name>
@@ -13615,18 +13839,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Sitzungen</translation>
     </message>
     <message>
-        <source>All sessions recorded at this site, newest first.
-
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
-
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
-        <translation>Alle an diesem Standort aufgezeichneten Sitzungen, neueste zuerst.
-
-Geben Sie etwas in das Suchfeld ein oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen; die Filter bleiben, wenn Sie zurückkommen. Ein Klick auf einen Spaltenkopf sortiert danach.
-
-Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Für ungültig erklären“ nimmt eine Sitzung mit Begründung aus jeder Zählung; ihre Aufzeichnung bleibt erhalten. „Archivieren“ nimmt sie aus den üblichen Listen und lässt sich rückgängig machen.</translation>
-    </message>
-    <message>
         <source>Open the debrief</source>
         <translation>Auswertung öffnen</translation>
     </message>
@@ -13687,6 +13899,41 @@ Eingabetaste oder Doppelklick öffnet die Auswertung der gewählten Sitzung, Str
     <message>
         <source>A session of a blinded study can be opened once the study is unblinded.</source>
         <translation>Eine Sitzung einer verblindeten Studie lässt sich öffnen, sobald die Studie entblindet ist.</translation>
+    </message>
+    <message>
+        <source>Session %1 is still void.</source>
+        <translation>Sitzung %1 ist weiterhin ungültig.</translation>
+    </message>
+    <message>
+        <source>Session %1 counts again. That it was void stays on record.</source>
+        <translation>Sitzung %1 zählt wieder. Dass sie ungültig war, bleibt vermerkt.</translation>
+    </message>
+    <message>
+        <source>All sessions recorded at this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
+
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+        <translation>Alle Sitzungen dieses Standorts, die neuesten zuerst.
+
+Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen; die Filter bleiben, wenn Sie zurückkommen. Ein Klick auf einen Spaltenkopf sortiert danach.
+
+Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Results of this person</source>
+        <translation>Ergebnisse dieser Person</translation>
+    </message>
+    <message>
+        <source>Count it again …</source>
+        <translation>Wieder zählen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n Sitzung zu begutachten</numerusform>
+            <numerusform>%n Sitzungen zu begutachten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15884,8 +16131,32 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Begründung (für die lernende Person lesbar)</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt nicht mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und die Begründung werden dazu gespeichert. Das lässt sich nicht rückgängig machen.</translation>
+        <source>Count a session again</source>
+        <translation>Eine Sitzung wieder zählen</translation>
+    </message>
+    <message>
+        <source>Count session %1 of %2 again?</source>
+        <translation>Soll Sitzung %1 von %2 wieder zählen?</translation>
+    </message>
+    <message>
+        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions stay with it, each with a name, a time and a reason.</source>
+        <translation>Die Sitzung zählt wieder wie vor der Ungültigerklärung: für das Bestehen ihrer Stufe und in den Ergebnissen. Beide Entscheidungen bleiben bei ihr gespeichert, jede mit Namen, Zeit und Grund.</translation>
+    </message>
+    <message>
+        <source>For example: another session was meant</source>
+        <translation>Zum Beispiel: eine andere Sitzung war gemeint</translation>
+    </message>
+    <message>
+        <source>Leave it void</source>
+        <translation>Ungültig lassen</translation>
+    </message>
+    <message>
+        <source>Count it again</source>
+        <translation>Wieder zählen</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. If it was a mistake, the session can be counted again, with a reason of its own.</source>
+        <translation>Aufzeichnung, Wertungen und Kommentare bleiben erhalten und können weiter angesehen werden. Die Sitzung zählt für nichts mehr: weder für das Bestehen einer Stufe noch in den Ergebnissen. Ihr Name und der Grund werden mit ihr gespeichert. War es ein Versehen, kann die Sitzung mit einem eigenen Grund wieder gezählt werden.</translation>
     </message>
 </context>
 <context>

@@ -2087,6 +2087,18 @@ Details: %2</source>
         <source>The angle between the endoscope and the urethra at its tip, on the way in, from the bend to 30 mm past it, where the urethra is curved most. In line, the wall near the tip is equally wide all round.</source>
         <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, από την καμπή ως 30 mm μετά, όπου η ουρήθρα καμπυλώνει περισσότερο. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
     </message>
+    <message>
+        <source>Apex error</source>
+        <translation>Σφάλμα κορυφής</translation>
+    </message>
+    <message>
+        <source>How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.</source>
+        <translation>Πόσο απείχε το σημείο από την κορυφή, σε % της ακτίνας, κατά μέσο όρο αριστερά–δεξιά και εμπρός–πίσω.</translation>
+    </message>
+    <message>
+        <source>Largest misalignment</source>
+        <translation>Μέγιστη απόκλιση ευθυγράμμισης</translation>
+    </message>
 </context>
 <context>
     <name>PaletteSearch</name>
@@ -3478,6 +3490,17 @@ Do you want to replace it?</source>
     </message>
 </context>
 <context>
+    <name>Results</name>
+    <message>
+        <source>My results</source>
+        <translation>Τα αποτελέσματά μου</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Αποτελέσματα: %1</translation>
+    </message>
+</context>
+<context>
     <name>RocWords</name>
     <message>
         <source>Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.</source>
@@ -3875,6 +3898,10 @@ Do you want to replace it?</source>
         <source>My account</source>
         <translation>Λογαριασμός</translation>
     </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
 </context>
 <context>
     <name>SessionWords</name>
@@ -3982,6 +4009,18 @@ Do you want to replace it?</source>
     <message>
         <source>%1, level %2</source>
         <translation>%1, επίπεδο %2</translation>
+    </message>
+    <message>
+        <source>Attempt %1 at level %2</source>
+        <translation>Προσπάθεια %1 στο επίπεδο %2</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3</source>
+        <translation>%1, προσπάθεια %2 στο επίπεδο %3</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Προς αξιολόγηση</translation>
     </message>
 </context>
 <context>
@@ -6992,10 +7031,6 @@ Administrators can make a recovery code for themselves here; with it they can se
         <translation>Πότε</translation>
     </message>
     <message>
-        <source>Level</source>
-        <translation>Επίπεδο</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Δύναμη</translation>
     </message>
@@ -7014,6 +7049,10 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Level %1</source>
         <translation>Επίπεδο %1</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Προσπάθεια</translation>
     </message>
 </context>
 <context>
@@ -7234,6 +7273,101 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Reviewed. Nothing to add.</source>
         <translation>Ελέγχθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::CommentsScreen</name>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>All comments that you received or wrote, unread ones first, then the newest.
+
+Each leads to its moment in the playback, or to the debrief where it is about the whole session. What is shown here counts as read.</source>
+        <translation>Όλα τα σχόλια που λάβατε ή γράψατε, πρώτα τα αδιάβαστα, μετά τα νεότερα.
+
+Καθένα οδηγεί στη στιγμή του στην αναπαραγωγή, ή στον απολογισμό όταν αφορά όλη τη συνεδρία. Ό,τι εμφανίζεται εδώ θεωρείται διαβασμένο.</translation>
+    </message>
+    <message>
+        <source>Reading the comments …</source>
+        <translation>Ανάγνωση των σχολίων …</translation>
+    </message>
+    <message>
+        <source>The comments could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση των σχολίων.</translation>
+    </message>
+    <message>
+        <source>No comments yet</source>
+        <translation>Δεν υπάρχουν ακόμη σχόλια</translation>
+    </message>
+    <message>
+        <source>What is written about your sessions, and what you write about others&apos;, will be here.</source>
+        <translation>Ό,τι γράφεται για τις συνεδρίες σας, και ό,τι γράφετε για τις συνεδρίες άλλων, θα βρίσκεται εδώ.</translation>
+    </message>
+    <message>
+        <source>Which comments</source>
+        <translation>Ποια σχόλια</translation>
+    </message>
+    <message>
+        <source>Received and written</source>
+        <translation>Ληφθέντα και γραμμένα</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Ληφθέντα</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Γραμμένα</translation>
+    </message>
+    <message>
+        <source>Show older comments</source>
+        <translation>Εμφάνιση παλαιότερων σχολίων</translation>
+    </message>
+    <message>
+        <source>Nobody has commented on your sessions yet.</source>
+        <translation>Κανείς δεν έχει σχολιάσει ακόμη τις συνεδρίες σας.</translation>
+    </message>
+    <message>
+        <source>You have not written any yet.</source>
+        <translation>Δεν έχετε γράψει ακόμη κανένα.</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Εσείς</translation>
+    </message>
+    <message>
+        <source>Somebody else</source>
+        <translation>Κάποιος άλλος</translation>
+    </message>
+    <message>
+        <source>%1 on your session %2: %3 · %4</source>
+        <translation>%1 για τη συνεδρία σας %2: %3 · %4</translation>
+    </message>
+    <message>
+        <source>%1 on session %2 of %3: %4 · %5</source>
+        <translation>%1 για τη συνεδρία %2 (%3): %4 · %5</translation>
+    </message>
+    <message>
+        <source>Unread</source>
+        <translation>Αδιάβαστο</translation>
+    </message>
+    <message>
+        <source>(erased)</source>
+        <translation>(διαγράφηκε)</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Παρακολούθηση</translation>
+    </message>
+    <message>
+        <source>Open the debrief</source>
+        <translation>Άνοιγμα απολογισμού</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -7696,6 +7830,26 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1 (%2 in the recording)</source>
         <translation>%1 (%2 στην καταγραφή)</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3: %4</source>
+        <translation>%1, προσπάθεια %2 στο επίπεδο %3: %4</translation>
+    </message>
+    <message>
+        <source>What was decided about this session</source>
+        <translation>Τι αποφασίστηκε για αυτή τη συνεδρία</translation>
+    </message>
+    <message>
+        <source>somebody whose account is closed</source>
+        <translation>κάποιον με κλειστό λογαριασμό</translation>
+    </message>
+    <message>
+        <source>Voided on %1 by %2: %3</source>
+        <translation>Ακυρώθηκε στις %1 από %2: %3</translation>
+    </message>
+    <message>
+        <source>Counted again on %1 by %2: %3</source>
+        <translation>Μετράει ξανά από %1, με απόφαση από %2: %3</translation>
     </message>
 </context>
 <context>
@@ -9192,6 +9346,36 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
 Αν δεν έχετε εκπαιδευτεί ακόμη, μπορείτε να δοκιμάσετε εδώ μια άσκηση σε περίπου ένα λεπτό. Οι εκπαιδευόμενοι συνεχίζουν με ένα κουμπί στο επόμενο επίπεδο, επιλέγουν οποιοδήποτε επίπεδο από τις ασκήσεις και βλέπουν τα τελευταία τους αποτελέσματα. Οι εκπαιδευτές βλέπουν τις συνεδρίες που χρειάζονται εξέταση, πρώτα όσες διακόπηκαν ή δεν πέτυχαν, και ποιοι εκπαιδεύτηκαν πρόσφατα. Οι διαχειριστές βλέπουν αν άτομα, δεδομένα και σταθμός είναι εντάξει.
 
 Η λίστα αριστερά οδηγεί σε όλες τις άλλες οθόνες· το Ctrl+K βρίσκει κάθε εντολή με το όνομά της.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n συνεδρία προς αξιολόγηση</numerusform>
+            <numerusform>%n συνεδρίες προς αξιολόγηση</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything is reviewed. Of each level, a trainee&apos;s latest attempt will appear here.</source>
+        <translation>Όλα έχουν αξιολογηθεί. Από κάθε επίπεδο θα εμφανίζεται εδώ η τελευταία προσπάθεια του εκπαιδευομένου.</translation>
+    </message>
+    <message>
+        <source>List of sessions to review</source>
+        <translation>Λίστα συνεδριών προς αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
+    </message>
+    <message numerus="yes">
+        <source>Comments: unread on %n session(s)</source>
+        <translation>
+            <numerusform>Σχόλια: αδιάβαστα σε %n συνεδρία</numerusform>
+            <numerusform>Σχόλια: αδιάβαστα σε %n συνεδρίες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Comments, received and written</source>
+        <translation>Σχόλια, ληφθέντα και γραμμένα</translation>
     </message>
 </context>
 <context>
@@ -11043,6 +11227,26 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>The comment is saved, and the session counts as reviewed. %1 is told of it on Home.</source>
         <translation>Το σχόλιο αποθηκεύτηκε και η συνεδρία θεωρείται ελεγμένη. Ο/Η %1 ενημερώνεται στην «Αρχική».</translation>
+    </message>
+    <message>
+        <source>This session was void and counts again. The debrief says who decided it and why.</source>
+        <translation>Αυτή η συνεδρία είχε ακυρωθεί και μετράει ξανά. Ο απολογισμός λέει ποιος το αποφάσισε και γιατί.</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2 at level %3: %4</source>
+        <translation>%1, προσπάθεια %2 στο επίπεδο %3: %4</translation>
+    </message>
+    <message>
+        <source>Count it again …</source>
+        <translation>Να μετράει ξανά …</translation>
+    </message>
+    <message>
+        <source>Session %1 counts again. That it was void stays on record.</source>
+        <translation>Η συνεδρία %1 μετράει ξανά. Η ακύρωσή της παραμένει καταγεγραμμένη.</translation>
+    </message>
+    <message>
+        <source>Session %1 is still void; nothing was changed.</source>
+        <translation>Η συνεδρία %1 παραμένει ακυρωμένη· δεν άλλαξε τίποτα.</translation>
     </message>
 </context>
 <context>
@@ -13453,20 +13657,36 @@ An interrupted run resumes at the trial where it stopped.</source>
         <source>To this day</source>
         <translation>Έως αυτή την ημέρα</translation>
     </message>
+    <message>
+        <source>Has comments</source>
+        <translation>Με σχόλια</translation>
+    </message>
+    <message>
+        <source>Reviewed or not</source>
+        <translation>Αξιολογημένες ή όχι</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Προς αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>Reviewed</source>
+        <translation>Αξιολογήθηκε</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionLines</name>
     <message>
-        <source>%1: %2, level %3</source>
-        <translation>%1: %2, επίπεδο %3</translation>
-    </message>
-    <message>
-        <source>%1, level %2</source>
-        <translation>%1, επίπεδο %2</translation>
-    </message>
-    <message>
         <source>%1. %2. %3. Opens the debrief.</source>
         <translation>%1. %2. %3. Ανοίγει τον απολογισμό.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -13543,6 +13763,10 @@ An interrupted run resumes at the trial where it stopped.</source>
         <source>Review</source>
         <translation>Αξιολόγηση</translation>
     </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Προσπάθεια</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionsScreen</name>
@@ -13615,18 +13839,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Συνεδρίες</translation>
     </message>
     <message>
-        <source>All sessions recorded at this site, newest first.
-
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
-
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
-        <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, πρώτα οι νεότερες.
-
-Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα· τα φίλτρα μένουν όταν επιστρέφετε. Κάντε κλικ στην επικεφαλίδα μιας στήλης για ταξινόμηση.
-
-Το Enter ή το διπλό κλικ ανοίγει τον απολογισμό της επιλεγμένης συνεδρίας, το Ctrl+P την αναπαράγει. Η ακύρωση βγάζει μια συνεδρία από κάθε υπολογισμό, με αιτιολογία, και τη διατηρεί. Η αρχειοθέτηση τη βγάζει από τις συνήθεις λίστες και αναιρείται.</translation>
-    </message>
-    <message>
         <source>Open the debrief</source>
         <translation>Άνοιγμα απολογισμού</translation>
     </message>
@@ -13687,6 +13899,41 @@ Press Return or double-click to open the debrief of the selected session, Ctrl+P
     <message>
         <source>A session of a blinded study can be opened once the study is unblinded.</source>
         <translation>Μια συνεδρία τυφλής μελέτης ανοίγει μετά την άρση της τυφλότητας.</translation>
+    </message>
+    <message>
+        <source>Session %1 is still void.</source>
+        <translation>Η συνεδρία %1 παραμένει ακυρωμένη.</translation>
+    </message>
+    <message>
+        <source>Session %1 counts again. That it was void stays on record.</source>
+        <translation>Η συνεδρία %1 μετράει ξανά. Η ακύρωσή της παραμένει καταγεγραμμένη.</translation>
+    </message>
+    <message>
+        <source>All sessions recorded at this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
+
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+        <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, οι νεότερες πρώτα.
+
+Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα· τα φίλτρα παραμένουν όταν επιστρέφετε. Κάντε κλικ σε μια επικεφαλίδα στήλης για ταξινόμηση.
+
+Με Enter ή διπλό κλικ ανοίγει ο απολογισμός της επιλεγμένης συνεδρίας, με Ctrl+P η αναπαραγωγή της. Τα «Αποτελέσματα αυτού του ατόμου» δείχνουν την εξέλιξή του στην άσκηση και το επίπεδό της. Η «Ακύρωση συνεδρίας» ζητά αιτιολογία και αφαιρεί μια συνεδρία από κάθε μέτρηση· η καταγραφή διατηρείται, και το «Να μετράει ξανά» αναιρεί την απόφαση. Η «Αρχειοθέτηση» την αφαιρεί από τις συνηθισμένες λίστες και μπορεί να αναιρεθεί.</translation>
+    </message>
+    <message>
+        <source>Results of this person</source>
+        <translation>Αποτελέσματα αυτού του ατόμου</translation>
+    </message>
+    <message>
+        <source>Count it again …</source>
+        <translation>Να μετράει ξανά …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n συνεδρία προς αξιολόγηση</numerusform>
+            <numerusform>%n συνεδρίες προς αξιολόγηση</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15884,8 +16131,32 @@ F2 is for the experimenter.</source>
         <translation>Αιτιολογία (τη βλέπει το άτομο που εκπαιδεύεται)</translation>
     </message>
     <message>
-        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. This cannot be undone.</source>
-        <translation>Η καταγραφή, οι βαθμολογίες και τα σχόλια μένουν και μπορούν να προβληθούν. Η συνεδρία δεν μετράει πλέον: ούτε για την επιτυχία σε επίπεδο ούτε στα αποτελέσματα κανενός. Το όνομά σας και η αιτιολογία διατηρούνται μαζί της. Η ακύρωση δεν αναιρείται.</translation>
+        <source>Count a session again</source>
+        <translation>Επαναφορά ακυρωμένης συνεδρίας</translation>
+    </message>
+    <message>
+        <source>Count session %1 of %2 again?</source>
+        <translation>Να μετράει ξανά η συνεδρία %1 (%2);</translation>
+    </message>
+    <message>
+        <source>The session counts as it did before it was voided: for passing its level and in results. Both decisions stay with it, each with a name, a time and a reason.</source>
+        <translation>Η συνεδρία μετράει όπως πριν από την ακύρωσή της: για την επιτυχία στο επίπεδό της και στα αποτελέσματα. Και οι δύο αποφάσεις παραμένουν αποθηκευμένες μαζί της, καθεμία με όνομα, ώρα και αιτιολογία.</translation>
+    </message>
+    <message>
+        <source>For example: another session was meant</source>
+        <translation>Για παράδειγμα: εννοούσα άλλη συνεδρία</translation>
+    </message>
+    <message>
+        <source>Leave it void</source>
+        <translation>Να μείνει ακυρωμένη</translation>
+    </message>
+    <message>
+        <source>Count it again</source>
+        <translation>Να μετράει ξανά</translation>
+    </message>
+    <message>
+        <source>Recording, scores and comments stay and can still be viewed. The session no longer counts for anything: neither for passing a level nor in anybody&apos;s results. Your name and the reason are stored with it. If it was a mistake, the session can be counted again, with a reason of its own.</source>
+        <translation>Η καταγραφή, η βαθμολογία και τα σχόλια διατηρούνται και μπορούν ακόμη να προβληθούν. Η συνεδρία δεν μετράει πλέον πουθενά: ούτε για την επιτυχία σε επίπεδο ούτε στα αποτελέσματα. Το όνομά σας και η αιτιολογία αποθηκεύονται μαζί της. Αν έγινε κατά λάθος, η συνεδρία μπορεί να μετρήσει ξανά, με δική της αιτιολογία.</translation>
     </message>
 </context>
 <context>

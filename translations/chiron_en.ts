@@ -554,6 +554,20 @@
             <numerusform>%n participants withdrew from a study and asked for their recordings to be erased. Under People, choose &quot;Erase a participant&quot;.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n session to review</numerusform>
+            <numerusform>%n sessions to review</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Comments: unread on %n session(s)</source>
+        <translation>
+            <numerusform>Comments: unread on %n session</numerusform>
+            <numerusform>Comments: unread on %n sessions</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>
@@ -712,6 +726,13 @@
         <translation>
             <numerusform>%n session in all.</numerusform>
             <numerusform>%n sessions in all.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) to review</source>
+        <translation>
+            <numerusform>%n session to review</numerusform>
+            <numerusform>%n sessions to review</numerusform>
         </translation>
     </message>
 </context>
