@@ -11,11 +11,11 @@
 
 namespace chiron::desktop {
 
-namespace {
-
 QString textIn(const catalogue::Translated& text, const AppContext& context) {
     return QString::fromStdString(catalogue::textIn(text, context.language().toStdString()));
 }
+
+namespace {
 
 WordSign signOf(session::Standing standing) {
     switch (standing) {

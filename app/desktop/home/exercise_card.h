@@ -24,6 +24,8 @@ private:
     AppContext& m_context;
 };
 
+/// A text of the content in the language of the program.
+QString textIn(const catalogue::Translated& text, const AppContext& context);
 /// "Passed (felt)", "Tried twice, not passed yet", "New".
 QString standingWords(const session::LevelStanding& standing);
 

@@ -16,14 +16,6 @@
 
 namespace chiron::desktop {
 
-namespace {
-
-QString textIn(const catalogue::Translated& text, const AppContext& context) {
-    return QString::fromStdString(catalogue::textIn(text, context.language().toStdString()));
-}
-
-} // namespace
-
 void HomeScreen::addTrainee(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     column.addWidget(continueCard(home));
