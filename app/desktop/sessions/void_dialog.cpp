@@ -56,12 +56,12 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     column->setSpacing(theme.px(12));
     column->addWidget(kit::label(theme, words.question.arg(session).arg(person), TextStyle::title));
     auto* which = kit::label(theme, what);
-    which->setObjectName(words.name + QStringLiteral(".which");
+    which->setObjectName(words.name + QStringLiteral(".which"));
     column->addWidget(which);
     column->addWidget(kit::label(theme, words.effect));
     auto* label = kit::label(theme, tr("Reason (the trainee can read it)"), TextStyle::label);
     m_reason = new QPlainTextEdit;
-    m_reason->setObjectName(words.name + QStringLiteral(".reason");
+    m_reason->setObjectName(words.name + QStringLiteral(".reason"));
     m_reason->setAccessibleName(label->text());
     m_reason->setPlaceholderText(words.example);
     m_reason->setTabChangesFocus(true);
@@ -72,9 +72,9 @@ VoidSessionDialog::VoidSessionDialog(const Theme& theme, qint64 session, const Q
     auto* row = new QHBoxLayout;
     row->addStretch();
     auto* keep = kit::button(theme, words.keep);
-    keep->setObjectName(words.name + QStringLiteral(".cancel");
+    keep->setObjectName(words.name + QStringLiteral(".cancel"));
     m_confirm = kit::button(theme, words.confirm, words.kind, QLatin1String(words.icon));
-    m_confirm->setObjectName(words.name + QStringLiteral(".confirm");
+    m_confirm->setObjectName(words.name + QStringLiteral(".confirm"));
     m_confirm->setEnabled(false);
     row->addWidget(keep);
     row->addWidget(m_confirm);
