@@ -110,14 +110,17 @@ QJsonObject NamedContent::filledIn(const QJsonObject& parameters, const Schema& 
             if (property->type != Schema::Type::object || !property->properties.contains(key))
                 continue;
             QJsonValue given = parameters.contains(member) ? parameters[member] : property->defaultValue;
+            QString at = memberPath(path, member);
             if (given.isString())
                 given = QJsonObject{{key, given}};
+            else
+                at = memberPath(at, key);
             if (!given.isObject() || !given.toObject()[key].isString())
                 continue; // left out, refused by its own schema, or all numbers its own
             const QString name = given.toObject()[key].toString();
             const auto found = named.find(name);
             if (found == named.end()) {
-                problems.push_back(unknownName(memberPath(path, member), name, named));
+                problems.push_back(unknownName(at, name, named));
                 out[member] = QJsonObject{{key, QStringLiteral("unknown")}}; // told once, not again by its schema
                 continue;
             }

@@ -115,12 +115,11 @@ QString SessionsScreen::help() const {
 
 QWidget* SessionsScreen::buildHead() {
     auto* head = new QWidget;
-    auto* row = new QHBoxLayout(head);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(kit::label(context().theme(), title(), TextStyle::heading), 1);
+    auto* row = new FlowLayout(context().theme().px(20), head); // the count goes below the title where the window is too narrow for both
+    row->addWidget(kit::line(context().theme(), title(), TextStyle::heading));
     m_count = kit::line(context().theme(), {}, TextStyle::body, "muted");
     m_count->setObjectName(QStringLiteral("sessions.count"));
-    row->addWidget(m_count, 0, Qt::AlignBottom);
+    row->addWidget(m_count);
     return head;
 }
 

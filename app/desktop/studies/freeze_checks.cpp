@@ -122,9 +122,9 @@ std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& 
         return std::nullopt;
     const FreezeCheck check = checkOf("probe", CheckWords::tr("Smallest force"), StudyScreen::trialsTab, "trial.probe_at_least");
     return design.trial.probeAtLeast_N > 0.0
-               ? found(check, State::good, CheckWords::tr("An object counts as touched from %1 N on.").arg(study_words::number(design.trial.probeAtLeast_N, locale)))
+               ? found(check, State::good, CheckWords::tr("An object counts as touched from %1 N on.").arg(study_words::plainNumber(design.trial.probeAtLeast_N, locale)))
                : found(check, State::advice, CheckWords::tr("Any graze counts as touching, so participants can answer without having felt anything. %1 N is usual.")
-                                                 .arg(study_words::number(psychophysics::kUsualProbe_N, locale)));
+                                                 .arg(study_words::plainNumber(psychophysics::kUsualProbe_N, locale)));
 }
 
 /// What hides the sounds of the device. That it is not heard is told before anything is frozen, not at the first participant. Nothing is said where

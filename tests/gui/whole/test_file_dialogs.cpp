@@ -28,14 +28,17 @@ struct Asked {
     const char* filter;    ///< of a file
     const char* suggested; ///< of what is written
     const char* missing = ""; ///< what is said of a file to read that is not there
+    const char* closed = "";  ///< what is said when the dialog is closed without a choice
 };
 
+constexpr const char* kNoPlace = "Nothing was exported: no place was chosen.";
 constexpr auto kOpen = QFileDialog::AcceptOpen;
 constexpr auto kSave = QFileDialog::AcceptSave;
 
 } // namespace
 
-/// Every command that asks for a file or folder shows the right dialog and then uses what was chosen. If the dialog is closed, nothing happens.
+/// Every command that asks for a file or folder shows the right dialog and then uses what was chosen. If the dialog is closed, nothing
+/// happens, and an export says so.
 class TestFileDialogs : public QObject {
     Q_OBJECT
 private slots:
@@ -76,9 +79,9 @@ std::vector<Asked> TestFileDialogs::all() const {
             {"studies.import", "rhea", "studies", {}, "Import a study", kOpen, one, "Studies (*.json)", "", "The file could not be read"},
             {"study.import", "rhea", "study", study(m_studies.draft), "Import a design from a file", kOpen, one, "Studies (*.json)", "", "The file was not imported"},
             {"study.export", "rhea", "study", study(m_studies.draft), "Save the design", kSave, any, "Studies (*.json)", "pilot.json"},
-            {"data.csv", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", ""},
-            {"data.bids", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", ""},
-            {"data.pdf", "rhea", "study_data", study(m_studies.data), "Save as PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf"}};
+            {"data.csv", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
+            {"data.bids", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
+            {"data.pdf", "rhea", "study_data", study(m_studies.data), "Save as PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf", "", kNoPlace}};
 }
 
 void TestFileDialogs::initTestCase() {
@@ -144,7 +147,7 @@ void TestFileDialogs::asksAndDoes() {
     QPointer<QFileDialog> first = dialog;
     dialog->reject();
     QTRY_VERIFY(!first);
-    QVERIFY2(m_told.isEmpty(), qPrintable(m_told.join(QLatin1Char('|'))));
+    QCOMPARE(m_told.join(QLatin1Char('|')), QLatin1String(asked.closed));
 
     dialog = press(asked);
     QVERIFY(dialog);

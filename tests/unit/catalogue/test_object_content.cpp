@@ -209,7 +209,7 @@ void TestObjectContent::faultsOfALevel_data() {
     QTest::newRow("a path") << QByteArray(R"({"tube": "../exercises/sphere_apex/exercise"})")
                             << QStringLiteral("$.parameters.tube: \"../exercises");
     QTest::newRow("unknown mesh") << QByteArray(R"({"bed": {"mesh": "liver"}})")
-                                  << QStringLiteral("$.parameters.bed: \"liver\": one of bumpy_dome, ");
+                                  << QStringLiteral("$.parameters.bed.mesh: \"liver\": one of bumpy_dome, ");
     QTest::newRow("out of range") << QByteArray(R"({"tube": {"object": "ovary", "friction": 3}})")
                                   << QStringLiteral("$.parameters.tube.friction: 3: a number, 0 to 2");
     QTest::newRow("unknown attribute") << QByteArray(R"({"tube": {"object": "ovary", "masss_g": 3}})")

@@ -40,7 +40,7 @@ void TestStudyFaults::wrongDesignsAreRefused_data() {
     row("title", "{\"en\":\"\"}", "$.title.en: 0 characters");
     row("title", "{\"en\":\"E\",\"German\":\"D\"}", "$.title.German: unknown key");
     row("title", "{\"en\":7}", "$.title.en: another type");
-    row("objective", "\"O\"", "$.objective: another type");
+    row("objective", "7", "$.objective: another type");
     row("instructions", "", "$.instructions: missing");
     row("consent", "", "$.consent: missing");
     row("colour", "1", "$.colour: unknown key");

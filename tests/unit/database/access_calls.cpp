@@ -99,7 +99,8 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
     add(Action::reinstateSession, Touches::ended, true,
         [](C& c, A a, std::int64_t id) {
             SessionRepository sessions(c, a);
-            (void)sessions.voidSession(id, "sneezed"); // whoever may count it again may void it, too
+            if (auto voided = sessions.voidSession(id, "sneezed"); !voided && voided.error().code != core::ErrorCode::wrongUse)
+                return voided; // whoever may count it again may void it, too
             return sessions.reinstateSession(id, "did not sneeze");
         });
     add(Action::setArchived, Touches::ended, true,
