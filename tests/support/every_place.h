@@ -102,6 +102,7 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, con
             {"results", "tina", place("results")},
             {"results_empty", "theo", place("results")},
             {"sessions", "tom", place("sessions")},
+            {"comments_empty", "theo", place("comments")},
             {"people", "ada", place("people")},
             {"storage", "ada", place("storage")},
             {"station", "ada", place("station")},
