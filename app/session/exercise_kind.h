@@ -106,6 +106,8 @@ public:
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
+    /// Limits of a level beside that of the force on the tissue: which metric should not come to more, and how much that is, N.
+    virtual std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel&) const { return {}; }
     /// The exercise's torque cap for the supervisor; the site's default (models.md §5) where it commands no torque.
     virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
     /// Longest time, in ticks, that a session of this level can take without pauses: a scripted run stops there.

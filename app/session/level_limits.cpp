@@ -15,39 +15,38 @@ std::optional<double> largestPassed(const catalogue::ExerciseLevel& level, std::
     return gate == level.gates.end() ? std::nullopt : gate->maximum;
 }
 
-double stricter(double limit_N, const std::optional<double>& passed_N) { return passed_N ? std::min(limit_N, *passed_N) : limit_N; }
+/// What content allows a metric to come to, whatever the pass marks say, N; absent: it sets no limit to it.
+std::optional<double> ownLimit(const catalogue::ExerciseLevel& level, std::string_view metric) {
+    const auto kind = exerciseKind(level.exercise);
+    if (!kind)
+        return {};
+    if (metric == "force_max")
+        return (*kind)->forceLimit_N(level);
+    for (const auto& [limited, limit_N] : (*kind)->otherLimits_N(level))
+        if (limited == metric)
+            return limit_N;
+    return {};
+}
 
-/// As content and scoring have them, without any pass mark.
-LevelLimits ownLimits(const catalogue::ExerciseLevel& level) {
-    LevelLimits limits;
-    if (const auto kind = exerciseKind(level.exercise))
-        limits.force_N = (*kind)->forceLimit_N(level);
-    if (const auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&level.parameters))
-        limits.squeeze_N = handling->squeezeLimit_N;
-    if (const auto* endoscopy = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters))
-        limits.lateral_N = endoscopy->lateralLimit_N;
-    return limits;
+/// The stricter of the two, where there is one.
+std::optional<double> limitOf(const catalogue::ExerciseLevel& level, std::string_view metric) {
+    const std::optional<double> own_N = ownLimit(level, metric), passed_N = largestPassed(level, metric);
+    return own_N && passed_N ? std::min(*own_N, *passed_N) : own_N ? own_N : passed_N;
 }
 
 } // namespace
 
 LevelLimits levelLimits(const catalogue::ExerciseLevel& level) {
-    LevelLimits limits = ownLimits(level);
-    limits.force_N = stricter(limits.force_N, largestPassed(level, "force_max"));
-    if (limits.squeeze_N)
-        limits.squeeze_N = stricter(*limits.squeeze_N, largestPassed(level, "squeeze_max"));
-    if (limits.lateral_N)
-        limits.lateral_N = stricter(*limits.lateral_N, largestPassed(level, "lateral_max"));
-    limits.retraction_N = largestPassed(level, "retraction_max");
+    LevelLimits limits;
+    limits.force_N = limitOf(level, "force_max").value_or(limits.force_N);
+    limits.squeeze_N = limitOf(level, "squeeze_max");
+    limits.lateral_N = limitOf(level, "lateral_max");
+    limits.retraction_N = limitOf(level, "retraction_max");
     return limits;
 }
 
 std::optional<double> limitBehind(const catalogue::ExerciseLevel& level, const scoring::Gate& gate) {
-    const LevelLimits limits = ownLimits(level);
-    const std::optional<double> limit_N = gate.metric == "force_max"     ? std::optional(limits.force_N)
-                                          : gate.metric == "squeeze_max" ? limits.squeeze_N
-                                          : gate.metric == "lateral_max" ? limits.lateral_N
-                                                                         : std::nullopt;
+    const std::optional<double> limit_N = ownLimit(level, gate.metric);
     return limit_N && gate.maximum && *gate.maximum > *limit_N ? limit_N : std::nullopt;
 }
 

@@ -99,6 +99,10 @@ int ObjectHandlingKind::trialCount(const catalogue::ExerciseLevel& level) const 
 
 double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
 
+std::vector<std::pair<std::string_view, double>> ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+    return {{"squeeze_max", parametersOf(level).squeezeLimit_N}};
+}
+
 std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& level) const {
     const auto& p = parametersOf(level);
     return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));

@@ -22,6 +22,7 @@ public:
     std::vector<std::string> operatorNames() const override;
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
     /// target_x_m, target_y_m, target_radius_m, squeeze_limit_N, task (simulation::HandlingTask), objects, heaviest (object
     /// number, from 0) and mass_<i>_kg of each object.

@@ -78,6 +78,10 @@ int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const { re
 
 double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
 
+std::vector<std::pair<std::string_view, double>> UrethraInsertionKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+    return {{"lateral_max", parametersOf(level).lateralLimit_N}};
+}
+
 double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& level) const {
     return parametersOf(level).maximumTorque_Nm;
 }

@@ -9,7 +9,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace chiron::session_report {
 
@@ -18,18 +17,6 @@ namespace {
 constexpr std::array<const char*, 1> kBandSources{{
     QT_TRANSLATE_NOOP("Metrics", "published, 5 subjects × 10"),
 }};
-
-constexpr const char* kApexMean = "apex_error_mean"; // the one title that says it is a mean over trials
-constexpr const char* kApexError = QT_TRANSLATE_NOOP("Metrics", "Apex error");
-constexpr const char* kApexErrorMeaning =
-    QT_TRANSLATE_NOOP("Metrics", "How far the mark lay from the highest point, in % of the radius, on average left to right and front to back.");
-constexpr const char* kLargestMisalignment = QT_TRANSLATE_NOOP("Metrics", "Largest misalignment");
-/// What is spread over a session, and what its largest value is called.
-constexpr std::array<std::pair<const char*, const char*>, 5> kLargestOf{{{"force_mean", "force_max"},
-                                                                         {"force_rms", "force_max"},
-                                                                         {"force_p95", "force_max"},
-                                                                         {"offset_rms", "offset_max"},
-                                                                         {"torque_rms", "torque_max"}}};
 
 QString inLanguage(const QString& text, const char* source) {
     return text == QString::fromUtf8(source) ? QCoreApplication::translate("Metrics", source) : QString();
@@ -47,28 +34,22 @@ std::optional<double> valueIn(const scoring::ScoreCard& card, std::string_view i
 } // namespace
 
 QString metricTitle(const QString& id, int trials) {
-    if (trials == 1 && id == QLatin1String(kApexMean))
-        return QCoreApplication::translate("Metrics", kApexError);
     const scoring::MetricDefinition* metric = newest(id);
-    return metric ? translated(metric->title) : QString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!metric)
+        return QString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+    return translated(trials == 1 && !metric->titleOfOneTrial.empty() ? metric->titleOfOneTrial : metric->title);
 }
 
 QString metricMeaning(const QString& id, int trials) {
-    if (trials == 1 && id == QLatin1String(kApexMean))
-        return QCoreApplication::translate("Metrics", kApexErrorMeaning);
     const scoring::MetricDefinition* metric = newest(id);
-    return metric ? translated(metric->meaning) : QString();
+    if (!metric)
+        return {};
+    return translated(trials == 1 && !metric->meaningOfOneTrial.empty() ? metric->meaningOfOneTrial : metric->meaning);
 }
 
 QString momentTitle(const QString& id) {
-    if (id.startsWith(QLatin1String("apex_")))
-        return QCoreApplication::translate("Metrics", kApexError);
-    if (id == QLatin1String("alignment_rms"))
-        return QCoreApplication::translate("Metrics", kLargestMisalignment);
-    for (const auto& [spread, largest] : kLargestOf)
-        if (id == QLatin1String(spread))
-            return metricTitle(QLatin1String(largest));
-    return metricTitle(id);
+    const scoring::MetricDefinition* metric = newest(id);
+    return metric && !metric->titleAtMoment.empty() ? translated(metric->titleAtMoment) : metricTitle(id);
 }
 
 QString metricReason(const QString& stored) {

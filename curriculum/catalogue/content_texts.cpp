@@ -74,6 +74,12 @@ core::Result<ContentTexts> ContentTexts::read(const QString& folder, const std::
     return out;
 }
 
+core::Result<std::optional<Schema>> ContentTexts::schemaOfTexts(const QString& contentDirectory, const QString& name) const {
+    if (m_files.empty())
+        return std::optional<Schema>();
+    return readSchema(contentDirectory + QStringLiteral("/schema"), name).map([](Schema schema) { return std::optional(std::move(schema)); });
+}
+
 QJsonValue ContentTexts::elementsLaidOver(const QJsonArray& array, const Schema& schema, const QJsonValue& given, const QString& path, File& file) const {
     QJsonArray out = array;
     if (isText(schema)) {

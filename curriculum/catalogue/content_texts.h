@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QStringList>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,7 +41,9 @@ public:
     /// that is not on the list, or of English, whose place is the content; not JSON.
     static core::Result<ContentTexts> read(const QString& folder, const std::vector<std::string>& languages);
 
-    bool empty() const { return m_files.empty(); } ///< no file of a language
+    /// Content's schema of this name, for laid(): it says which keys are texts. None where the folder has no translations, so that nothing is to be
+    /// laid over its documents. Failure: as readSchema().
+    core::Result<std::optional<Schema>> schemaOfTexts(const QString& contentDirectory, const QString& name) const;
 
     /// `document`, a part of the content file `file` at `path` in it, with each of its texts as an object by language. Its translations stand in
     /// the language files below the keys `place`: {"levels", "bend"}. What is wrong with the document itself goes to `problems`.

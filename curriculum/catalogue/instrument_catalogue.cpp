@@ -10,7 +10,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <optional>
 
 namespace chiron::catalogue {
 
@@ -49,20 +48,16 @@ core::Result<std::vector<Instrument>> loadInstruments(const std::string& content
     auto texts = ContentTexts::read(folder.path(), languages);
     if (!texts)
         return tl::unexpected(texts.error());
-    std::optional<Schema> schema; // says which keys are texts; needed only where there are translations
-    if (!texts->empty()) {
-        auto read = readSchema(QString::fromStdString(*directory) + "/schema", QStringLiteral("study_questionnaire"));
-        if (!read)
-            return tl::unexpected(read.error());
-        schema = std::move(*read);
-    }
+    const auto schema = texts->schemaOfTexts(QString::fromStdString(*directory), QStringLiteral("study_questionnaire"));
+    if (!schema)
+        return tl::unexpected(schema.error());
     std::vector<Instrument> out;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
         const std::string path = folder.filePath(name).toStdString();
         const auto text = readWholeFile(folder.filePath(name), kLargest_bytes);
         if (!text)
             return tl::unexpected(text.error());
-        auto read = readInstrument(*text, path, name, schema ? &*schema : nullptr, *texts);
+        auto read = readInstrument(*text, path, name, *schema ? &**schema : nullptr, *texts);
         if (!read)
             return tl::unexpected(read.error());
         out.push_back(std::move(*read));

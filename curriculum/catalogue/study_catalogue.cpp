@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <optional>
 
 namespace chiron::catalogue {
 
@@ -44,17 +43,13 @@ core::Result<StudyCatalogue> StudyCatalogue::load(const std::string& contentDire
     auto texts = ContentTexts::read(folder.path(), languages);
     if (!texts)
         return tl::unexpected(texts.error());
-    std::optional<Schema> schema; // says which keys are texts; needed only where there are translations
-    if (!texts->empty()) {
-        auto read = readSchema(QString::fromStdString(*directory) + "/schema", QStringLiteral("study"));
-        if (!read)
-            return tl::unexpected(read.error());
-        schema = std::move(*read);
-    }
+    const auto schema = texts->schemaOfTexts(QString::fromStdString(*directory), QStringLiteral("study"));
+    if (!schema)
+        return tl::unexpected(schema.error());
     StudyCatalogue out;
     std::string faults;
     for (const QString& name : folder.entryList({"*.json"}, QDir::Files, QDir::Name)) {
-        auto study = readTemplate(folder.filePath(name), schema ? &*schema : nullptr, *texts);
+        auto study = readTemplate(folder.filePath(name), *schema ? &**schema : nullptr, *texts);
         if (study)
             out.m_studies.push_back(*std::move(study));
         else

@@ -53,6 +53,10 @@ struct MetricDefinition {
     bool needsForces = false;    ///< null, with its reason, for a trace without force columns
     std::string_view title{};    ///< for people, English; QT_TRANSLATE_NOOP (marked_texts.h) marks it for translation
     std::string_view meaning{};  ///< what it measures, in a sentence for people; marked likewise
+    std::string_view titleOfOneTrial{};   ///< of a session of one trial, where the title speaks of several; empty: the title. Marked likewise
+    std::string_view meaningOfOneTrial{}; ///< the same of the meaning
+    /// What is told of the one moment that it leads to, where there is neither mean nor spread; empty: the title. Marked likewise
+    std::string_view titleAtMoment{};
     std::string_view definition; ///< one sentence with the equation
     std::string_view source;     ///< paper and equation, or models.md §
     ChanceLevel chance{};

@@ -6,10 +6,10 @@
 namespace chiron::database {
 namespace {
 
-// The columns of the index session_by_attempt.
+// The columns of the index session_by_attempt, and last what is asked of other tables.
 std::string isAttempt(const std::string& table) {
     return "(" + table + ".familiarisation = 0 AND (" + table + ".operator_name = '' OR " + table + ".demonstration = 1) AND " + table +
-           ".person_id <> " + std::to_string(Actor::kSimulatedPerson) + " AND " + table + ".exercise <> 'comparison')";
+           ".person_id <> " + std::to_string(Actor::kSimulatedPerson) + " AND NOT " + isOfStudySql(table) + ")";
 }
 
 std::string ofTheSameLevel(const std::string& table) {
@@ -21,6 +21,11 @@ std::string standsForReview(const std::string& table) {
 }
 
 } // namespace
+
+// Not by the view recorded_sitting, which would be made anew for each session.
+std::string isOfStudySql(const std::string& table) {
+    return "(EXISTS (SELECT 1 FROM study_sitting k WHERE k.id = " + table + ".id) OR EXISTS (SELECT 1 FROM study_trial t WHERE t.session_id = " + table + ".id))";
+}
 
 std::string attemptNumberSql() {
     return "CASE WHEN " + isAttempt("s") + " THEN (SELECT count(*) FROM session a WHERE " + ofTheSameLevel("a") + " AND a.id <= s.id AND " +

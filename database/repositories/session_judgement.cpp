@@ -59,6 +59,13 @@ core::Result<void> checkReason(const std::string& reason) {
     return good && reason.empty() ? core::fail(core::ErrorCode::badInput, "reason: expected a text") : good;
 }
 
+// The state in which somebody who may and who gives a reason finds the session.
+core::Result<SessionState> stateToJudge(Connection& connection, const Actor& actor, Action decision, SessionId session, const std::string& reason) {
+    auto may = mayWriteSession(connection, actor, decision, session);
+    may = may ? checkReason(reason) : may;
+    return may ? sessionState(connection, session) : tl::unexpected(may.error());
+}
+
 // What the session's own row says of its voiding, until it is taken back.
 core::Result<std::vector<Column>> presentVoiding(Connection& connection, SessionId session) {
     auto query = Query::run(connection,
@@ -93,13 +100,7 @@ core::Result<void> storeDecision(Connection& connection, const Actor& actor, Ses
 } // namespace
 
 core::Result<void> SessionRepository::voidSession(SessionId session, const std::string& reason) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::voidSession, session); !allowed) {
-        return allowed;
-    }
-    if (auto good = checkReason(reason); !good) {
-        return good;
-    }
-    const auto state = sessionState(m_connection, session);
+    const auto state = stateToJudge(m_connection, m_actor, Action::voidSession, session, reason);
     if (!state) {
         return tl::unexpected(state.error());
     }
@@ -120,13 +121,7 @@ core::Result<void> SessionRepository::voidSession(SessionId session, const std::
 }
 
 core::Result<void> SessionRepository::reinstateSession(SessionId session, const std::string& reason) {
-    if (auto allowed = mayWriteSession(m_connection, m_actor, Action::reinstateSession, session); !allowed) {
-        return allowed;
-    }
-    if (auto good = checkReason(reason); !good) {
-        return good;
-    }
-    const auto state = sessionState(m_connection, session);
+    const auto state = stateToJudge(m_connection, m_actor, Action::reinstateSession, session, reason);
     if (!state) {
         return tl::unexpected(state.error());
     }

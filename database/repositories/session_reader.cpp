@@ -13,8 +13,7 @@ namespace chiron::database {
 namespace {
 
 std::string summaryColumns() {
-    return
-    "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, "
+    return "s.id, s.person_id, p.name, coalesce(k.code, p.name), s.exercise, s.level, s.state, s.started_utc, "
     "s.utc_offset_min, "
     "s.operator_name, s.felt, s.familiarisation, s.demonstration, s.archived, s.recording_erased, s.ticks, "
     "s.frames, "
@@ -24,11 +23,11 @@ std::string summaryColumns() {
     "(SELECT coalesce(sum(c.passed), 0) FROM score c WHERE c.score_set_id = (SELECT id FROM score_set WHERE session_id = s.id ORDER BY ordinal DESC LIMIT 1)), "
     "(SELECT count(*) FROM session_comment m WHERE m.session_id = s.id), "
     "EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND m.author_id <> s.person_id), " +
-        attemptNumberSql() + ", " + awaitsReviewSql();
+        attemptNumberSql() + ", " + awaitsReviewSql() + ", " + isOfStudySql("s");
 }
 constexpr const char* kSummaryTables = " FROM session s JOIN person p ON p.id = s.person_id LEFT JOIN "
                                        "person_code k ON k.person_id = s.person_id";
-constexpr int kSummaryCount = 27;
+constexpr int kSummaryCount = 28;
 
 SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     SessionSummary summary;
@@ -58,6 +57,7 @@ SessionSummary summaryOf(const Query& row, bool names, PersonId self) {
     summary.reviewed = row.integer(24) != 0;
     summary.attempt = static_cast<int>(row.integer(25));
     summary.toReview = row.integer(26) != 0 && summary.person != self;
+    summary.ofStudy = row.integer(27) != 0;
     return summary;
 }
 

@@ -117,6 +117,7 @@ struct SessionSummary {
     int comments = 0;
     bool reviewed = false; ///< somebody else has commented on it
     int attempt = 0;       ///< which of its person's attempts at this level, from 1; 0: none (session_attempts.h)
+    bool ofStudy = false;  ///< recorded for a study
     bool toReview = false; ///< it awaits a look by whoever reads this list: never one's own session (session_attempts.h)
     std::uint64_t ticks = 0;
     std::uint64_t frames = 0;

@@ -29,7 +29,7 @@ private:
     void show(std::vector<FoundComment> comments);
     void build();
     void fill();
-    void addMore(); ///< the next ones, at most kPage
+    void addMore(); ///< the next ones
     QWidget* card(const FoundComment& comment, bool unread);
     QString headOf(const FoundComment& comment) const;
     bool isUnread(const FoundComment& comment) const;
@@ -43,7 +43,7 @@ private:
     QWidget* m_more = nullptr;
     std::vector<FoundComment> m_comments;
     std::vector<const FoundComment*> m_chosen; ///< of m_comments, in the order shown
-    std::vector<bool> m_unread;                ///< of m_chosen, as it was when the screen was opened
+    std::vector<bool> m_unread;                ///< of m_comments, as it was when the screen was opened
     std::size_t m_shown = 0;
 };
 

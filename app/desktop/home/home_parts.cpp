@@ -32,6 +32,19 @@ void HomeScreen::addOwnTraining(QVBoxLayout& column, const HomeData& home) {
         column.addWidget(card);
 }
 
+QVBoxLayout* HomeScreen::besidePicture(QVBoxLayout& card, const catalogue::ExerciseLevel& level) {
+    const Theme& theme = context().theme();
+    auto* row = new QHBoxLayout;
+    row->setSpacing(theme.px(20));
+    if (theme.scale() < kNoPictureScale)
+        row->addWidget(new ExercisePicture(theme, level, {228, 152}), 0, Qt::AlignTop);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(theme.px(6));
+    row->addLayout(words, 1);
+    card.addLayout(row);
+    return words;
+}
+
 QWidget* HomeScreen::tryCard(const HomeData& home) {
     const auto next = session::nextStep(home.standings);
     const catalogue::ExerciseLevel* level = next ? context().site().catalogue().find(next->exercise, next->level) : nullptr;
@@ -40,12 +53,7 @@ QWidget* HomeScreen::tryCard(const HomeData& home) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.frame->setObjectName(QStringLiteral("home.try_card"));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(theme.px(20));
-    if (theme.scale() < kNoPictureScale)
-        row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(theme.px(6));
+    QVBoxLayout* words = besidePicture(*box.layout, *level);
     words->addWidget(kit::label(theme, tr("Try an exercise yourself"), TextStyle::title));
     const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
     words->addWidget(kit::label(theme, tr("%1: %2").arg(exercise ? textIn(exercise->title, context()) : QString(),
@@ -59,8 +67,6 @@ QWidget* HomeScreen::tryCard(const HomeData& home) {
     flow->addWidget(all);
     words->addWidget(buttons);
     words->addStretch();
-    row->addLayout(words, 1);
-    box.layout->addLayout(row);
     return box.frame;
 }
 
@@ -93,12 +99,7 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
         box.layout->addWidget(kit::label(theme, tr("Well done. Choose any exercise to stay in practice.")));
         return box.frame;
     }
-    auto* row = new QHBoxLayout;
-    row->setSpacing(theme.px(20));
-    if (theme.scale() < kNoPictureScale)
-        row->addWidget(new ExercisePicture(theme, *level, {228, 152}), 0, Qt::AlignTop);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(theme.px(6));
+    QVBoxLayout* words = besidePicture(*box.layout, *level);
     words->addWidget(kit::label(theme, next->attempts > 0 ? tr("Continue where you left off") : tr("Your next step"), TextStyle::small, "muted"));
     const catalogue::Exercise* exercise = context().site().catalogue().find(next->exercise);
     words->addWidget(kit::label(theme, tr("%1, level %2: %3").arg(exercise ? textIn(exercise->title, context()) : QString(),
@@ -123,8 +124,6 @@ QWidget* HomeScreen::continueCard(const HomeData& home) {
         flow->addWidget(tryButton(*next, ""));
     words->addWidget(buttons);
     words->addStretch();
-    row->addLayout(words, 1);
-    box.layout->addLayout(row);
     return box.frame;
 }
 

@@ -38,6 +38,7 @@ private:
     QWidget* continueCard(const HomeData& home);
     /// For who has not trained yet: straight to a few trials that do not count. Null where there is no exercise.
     QWidget* tryCard(const HomeData& home);
+    QVBoxLayout* besidePicture(QVBoxLayout& card, const catalogue::ExerciseLevel& level); ///< for the words; no picture where the text is large
     QPushButton* tryButton(const session::LevelStanding& level, const char* kind);
     void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< of who is no trainee
     QString lastResult(const HomeData& home, const session::LevelStanding& next) const; ///< empty: none yet

@@ -353,41 +353,33 @@ void PlaybackScreen::askDecision() {
 }
 
 void PlaybackScreen::declareVoid(const QString& reason) {
-    database::Database& database = context().site().database();
-    context().background().run(
-        this,
-        [&database, actor = context().actor(), id = sessionId(), words = reason.toStdString()](WorkToken&) {
-            return database.write([&](database::WriteContext& write) {
-                return database::SessionRepository(write.connection(), actor).voidSession(id, words);
-            });
-        },
-        [this](core::Result<void> stored) {
-            decided(std::move(stored), tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()),
-                    tr("Session %1 was not voided; nothing was changed.").arg(sessionId()));
-        });
+    decide(&database::SessionRepository::voidSession, reason, tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(sessionId()),
+           tr("Session %1 was not voided; nothing was changed.").arg(sessionId()));
 }
 
 void PlaybackScreen::countAgain(const QString& reason) {
+    decide(&database::SessionRepository::reinstateSession, reason, tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
+           tr("Session %1 is still void; nothing was changed.").arg(sessionId()));
+}
+
+void PlaybackScreen::decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
+                            const QString& done, const QString& failed) {
     database::Database& database = context().site().database();
     context().background().run(
         this,
-        [&database, actor = context().actor(), id = sessionId(), words = reason.toStdString()](WorkToken&) {
+        [&database, actor = context().actor(), id = sessionId(), decision, words = reason.toStdString()](WorkToken&) {
             return database.write([&](database::WriteContext& write) {
-                return database::SessionRepository(write.connection(), actor).reinstateSession(id, words);
+                database::SessionRepository sessions(write.connection(), actor);
+                return (sessions.*decision)(id, words);
             });
         },
-        [this](core::Result<void> stored) {
-            decided(std::move(stored), tr("Session %1 counts again. That it was void stays on record.").arg(sessionId()),
-                    tr("Session %1 is still void; nothing was changed.").arg(sessionId()));
+        [this, done, failed](core::Result<void> stored) {
+            if (!stored)
+                return context().messages().error(failed, stored.error());
+            context().messages().done(done);
+            m_clock.pause();
+            context().navigator().replace(context().navigator().current()); // shown anew, as it is now
         });
-}
-
-void PlaybackScreen::decided(core::Result<void> stored, const QString& done, const QString& failed) {
-    if (!stored)
-        return context().messages().error(failed, stored.error());
-    context().messages().done(done);
-    m_clock.pause();
-    context().navigator().replace(context().navigator().current()); // shown anew, as it is now
 }
 
 } // namespace chiron::desktop

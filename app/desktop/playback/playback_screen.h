@@ -15,6 +15,10 @@ class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
+namespace chiron::database {
+class SessionRepository;
+}
+
 namespace chiron::scene3d {
 class ISceneView;
 }
@@ -85,7 +89,8 @@ private:
     void writeComment(); ///< at the moment shown: the clock stops, the field has the focus
     void addComment(const QString& text);
     void askDecision(); ///< void it, or count it again where it is void
-    void decided(core::Result<void> stored, const QString& done, const QString& failed);
+    void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
+                const QString& done, const QString& failed);
     void openResults();
     void readMoment(); ///< from the place: in seconds, or as an executed tick
 

@@ -2,7 +2,6 @@
 #include "desktop/results/results_place.h"
 
 #include "desktop/frame/app_context.h"
-#include "desktop/sessions/session_words.h"
 
 #include <QCoreApplication>
 
@@ -17,7 +16,7 @@ struct ResultsWords {
 } // namespace
 
 bool hasResults(const database::SessionSummary& session) {
-    return session.person != database::Actor::kSimulatedPerson && session.exercise != SessionWords::kComparison;
+    return session.person != database::Actor::kSimulatedPerson && !session.ofStudy;
 }
 
 Place resultsPlace(const database::SessionSummary& session) {

@@ -7,7 +7,6 @@
 #include "desktop/sessions/session_words.h"
 #include "desktop/sessions/sessions_csv.h"
 #include "desktop/sessions/sessions_screen.h"
-#include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
 
 #include <QFileDialog>
@@ -47,9 +46,9 @@ std::vector<ScreenCommand> SessionsScreen::commands() {
         list.push_back({m_results->text(), {}, [this] { openResults(); }});
     if (!m_archive->isHidden()) {
         if (m_reinstate->isHidden())
-            list.push_back({m_void->text(), {}, [this] { askVoid(); }});
+            list.push_back({m_void->text(), {}, [this] { askDecision(); }});
         else
-            list.push_back({m_reinstate->text(), {}, [this] { askReinstate(); }});
+            list.push_back({m_reinstate->text(), {}, [this] { askDecision(); }});
         list.push_back({m_archive->text(), {}, [this] { m_archive->click(); }});
     }
     return list;
@@ -115,49 +114,31 @@ void SessionsScreen::openResults() {
     context().navigator().go(resultsPlace(row->summary));
 }
 
-void SessionsScreen::askVoid() {
+void SessionsScreen::askDecision() {
     const SessionRow* row = selected();
-    if (!row || !m_void->isEnabled())
+    if (!row || row->summary.state == database::SessionState::running)
         return;
-    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this);
+    const auto decision = row->summary.state == database::SessionState::voided ? VoidSessionDialog::Decision::countAgain : VoidSessionDialog::Decision::voidIt;
+    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this, decision);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, id = row->summary.id] { voidSession(id, dialog->reason()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog, decision, id = row->summary.id] { decide(id, decision, dialog->reason()); });
     dialog->open();
 }
 
-void SessionsScreen::askReinstate() {
-    const SessionRow* row = selected();
-    if (!row || row->summary.state != database::SessionState::voided)
-        return;
-    auto* dialog = new VoidSessionDialog(context().theme(), row->summary.id, row->person, SessionWords::which(row->summary, row->exercise, context().locale()), this,
-                                         VoidSessionDialog::Decision::countAgain);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, id = row->summary.id] { reinstateSession(id, dialog->reason()); });
-    dialog->open();
-}
-
-void SessionsScreen::reinstateSession(database::SessionId session, const QString& reason) {
+void SessionsScreen::decide(database::SessionId session, VoidSessionDialog::Decision decision, const QString& reason) {
+    const bool voids = decision == VoidSessionDialog::Decision::voidIt;
     writeInBackground(
-        context(), this, [session, reason](database::SessionRepository& sessions) { return sessions.reinstateSession(session, reason.toStdString()); },
-        [this, session](const core::Result<void>& done) {
+        context(), this,
+        [session, voids, words = reason.toStdString()](database::SessionRepository& sessions) {
+            return voids ? sessions.voidSession(session, words) : sessions.reinstateSession(session, words);
+        },
+        [this, session, voids](const core::Result<void>& done) {
             if (!done) {
-                context().messages().error(tr("Session %1 is still void.").arg(session), done.error());
+                context().messages().error(voids ? tr("Session %1 was not voided.").arg(session) : tr("Session %1 is still void.").arg(session), done.error());
                 return;
             }
-            context().messages().done(tr("Session %1 counts again. That it was void stays on record.").arg(session));
-            reload(session);
-        });
-}
-
-void SessionsScreen::voidSession(database::SessionId session, const QString& reason) {
-    writeInBackground(
-        context(), this, [session, reason](database::SessionRepository& sessions) { return sessions.voidSession(session, reason.toStdString()); },
-        [this, session](const core::Result<void>& done) {
-            if (!done) {
-                context().messages().error(tr("Session %1 was not voided.").arg(session), done.error());
-                return;
-            }
-            context().messages().done(tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session));
+            context().messages().done(voids ? tr("Session %1 is voided. Its recording is kept; it no longer counts.").arg(session)
+                                            : tr("Session %1 counts again. That it was void stays on record.").arg(session));
             reload(session);
         });
 }

@@ -199,8 +199,8 @@ QWidget* SessionsScreen::buildActions() {
     connect(m_open, &QPushButton::clicked, this, [this] { open(QStringLiteral("debrief")); });
     connect(m_play, &QPushButton::clicked, this, [this] { open(QStringLiteral("playback")); });
     connect(m_results, &QPushButton::clicked, this, &SessionsScreen::openResults);
-    connect(m_void, &QPushButton::clicked, this, &SessionsScreen::askVoid);
-    connect(m_reinstate, &QPushButton::clicked, this, &SessionsScreen::askReinstate);
+    connect(m_void, &QPushButton::clicked, this, &SessionsScreen::askDecision);
+    connect(m_reinstate, &QPushButton::clicked, this, &SessionsScreen::askDecision);
     connect(m_archive, &QPushButton::clicked, this, [this] {
         if (const SessionRow* row_ = selected())
             archive(row_->summary.id, !row_->summary.archived);

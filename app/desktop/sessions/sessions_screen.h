@@ -4,6 +4,7 @@
 #include "desktop/frame/screen.h"
 #include "desktop/sessions/session_list_filter.h"
 #include "desktop/sessions/session_table_model.h"
+#include "desktop/sessions/void_dialog.h"
 
 #include <array>
 
@@ -59,10 +60,8 @@ private:
     const SessionRow* selected() const;
     void open(const QString& screen);
     void openResults(); ///< of whose session is selected, at its exercise and level
-    void askVoid();
-    void askReinstate();
-    void voidSession(database::SessionId session, const QString& reason);
-    void reinstateSession(database::SessionId session, const QString& reason);
+    void askDecision(); ///< to void what is selected, or to count it again where it is void
+    void decide(database::SessionId session, VoidSessionDialog::Decision decision, const QString& reason);
     void archive(database::SessionId session, bool archived);
     /// The session, and those at its level: which of a person's attempts awaits a review depends on the others.
     void reload(database::SessionId session);

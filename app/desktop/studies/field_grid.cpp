@@ -29,12 +29,36 @@ QString typedIn(const QString& text, const QString& suffix) {
     return (!suffix.isEmpty() && text.endsWith(suffix) ? text.chopped(suffix.size()) : text).trimmed();
 }
 
-/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750; typed with any unit of the same dimension. What cannot be taken stays in
-/// the field while it is typed, and is told when the field is left: no letter goes without a word.
-class PlainSpinBox final : public QDoubleSpinBox {
+/// What cannot be taken stays in the field while it is typed, and is told when the field is left: no letter goes without a word. Then there is again
+/// what stood there before: a beginning that could be read ("0.3" of "0.3 kg") was not meant either.
+template <class SpinBox> class TellingSpinBox : public SpinBox {
 public:
     std::function<void(const QString& typed)> refused;
 
+    void fixup(QString& input) const override {
+        if (refused)
+            refused(typedIn(input, this->suffix()));
+        input = before();
+    }
+    void keep() { m_before = this->value(); } ///< what is there now is what a refusal goes back to
+    QString before() const {
+        const bool special = m_before == this->minimum() && !this->specialValueText().isEmpty();
+        return special ? this->specialValueText() : this->textFromValue(m_before) + this->suffix();
+    }
+
+protected:
+    void focusInEvent(QFocusEvent* event) override {
+        keep();
+        SpinBox::focusInEvent(event);
+    }
+
+private:
+    decltype(std::declval<SpinBox>().value()) m_before{};
+};
+
+/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750; typed with any unit of the same dimension.
+class PlainSpinBox final : public TellingSpinBox<QDoubleSpinBox> {
+public:
     ReadQuantity read(const QString& text) const {
         const QString suffix = this->suffix();
         return readQuantity(typedIn(text, suffix), suffix.trimmed(), locale());
@@ -54,16 +78,6 @@ public:
     double valueFromText(const QString& text) const override {
         return !specialValueText().isEmpty() && text == specialValueText() ? minimum() : read(text).value;
     }
-    /// Back to what stood there before: a beginning that could be read ("0.3" of "0.3 kg") was not meant either.
-    void fixup(QString& input) const override {
-        if (refused)
-            refused(typedIn(input, suffix()));
-        input = before();
-    }
-    void keep() { m_before = value(); } ///< what is there now is what a refusal goes back to
-    QString before() const {
-        return m_before == minimum() && !specialValueText().isEmpty() ? specialValueText() : textFromValue(m_before) + suffix();
-    }
     QString textFromValue(double value) const override {
         QString text = QDoubleSpinBox::textFromValue(value);
         const QString point = locale().decimalPoint();
@@ -73,44 +87,17 @@ public:
             text.chop(1);
         return text.endsWith(point) ? text.chopped(point.size()) : text;
     }
-
-protected:
-    void focusInEvent(QFocusEvent* event) override {
-        keep();
-        QDoubleSpinBox::focusInEvent(event);
-    }
-
-private:
-    double m_before = 0.0;
 };
 
 /// The same of whole numbers.
-class WholeSpinBox final : public QSpinBox {
+class WholeSpinBox final : public TellingSpinBox<QSpinBox> {
 public:
-    std::function<void(const QString& typed)> refused;
-
     QValidator::State validate(QString& input, int&) const override {
         const ReadQuantity found = readQuantity(input, {}, locale());
         const bool whole = found.fault == ReadQuantity::Fault::none && found.value == std::round(found.value);
         return whole && found.value >= minimum() && found.value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
     }
     int valueFromText(const QString& text) const override { return static_cast<int>(readQuantity(text, {}, locale()).value); }
-    void fixup(QString& input) const override {
-        if (refused)
-            refused(input.trimmed());
-        input = before();
-    }
-    void keep() { m_before = value(); }
-    QString before() const { return textFromValue(m_before); }
-
-protected:
-    void focusInEvent(QFocusEvent* event) override {
-        keep();
-        QSpinBox::focusInEvent(event);
-    }
-
-private:
-    int m_before = 0;
 };
 } // namespace
 

@@ -101,6 +101,10 @@ std::vector<MetricDefinition> apexMetrics() {
               .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, mean"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the marks lay from the highest point, in % of the radius; the mean over both axes and all trials, misses "
                                                       "included."),
+              .titleOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
+              .meaningOfOneTrial = QT_TRANSLATE_NOOP("Metrics", "How far the mark lay from the highest point, in % of the radius, on average left to right and front to "
+                                                                "back."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "Mean of |100 (x - x0)/R| and |100 (y - y0)/R| pooled over both axes and all trials, misses included.",
               .source = "models.md §2.3; P2, Preliminary Validation",
               .measure = measureErrorMean<asMarked>});
@@ -114,6 +118,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .title = QT_TRANSLATE_NOOP("Metrics", "Apex error by chance"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The apex error of somebody who feels nothing and always marks the same, best possible place. An error that is not "
                                                       "smaller shows no skill."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "apex_error_mean of one who always marks the same place, the best for this session (the median of the apexes): what "
                             "feeling nothing gives.",
               .source = "our definition",
@@ -123,6 +128,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Apex error, standard deviation"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How much the error differed from mark to mark."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "Sample standard deviation (n - 1) of the absolute errors pooled over both axes and all trials.",
               .source = "models.md §2.3; P2, Preliminary Validation",
               .measure = measureErrorSd<asMarked>});
@@ -136,6 +142,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, left to right"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error to the right (positive) or left (negative)."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "Mean of the signed errors 100 (x - x0)/R; nearer zero is better.",
               .source = "models.md §2.3; P2, Preliminary Validation",
               .measure = measureBias<&ApexAnswer::errorX_percent>});
@@ -145,6 +152,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Apex bias, front to back"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Whether the marks lay to one side: the mean error away from (positive) or towards (negative) the person."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "Mean of the signed errors 100 (y - y0)/R; nearer zero is better.",
               .source = "models.md §2.3; P2, Preliminary Validation",
               .measure = measureBias<&ApexAnswer::errorY_percent>});
@@ -154,6 +162,7 @@ std::vector<MetricDefinition> apexMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Misses"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "Trials marked without touching, marked beside the sphere, or not marked in time. Their errors count all the same."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Apex error"),
               .definition = "Trials marked out of contact, marked farther than R from the apex, or not marked in time; their errors count all the "
                             "same.",
               .source = "models.md §2.3; P2, Preliminary Validation",

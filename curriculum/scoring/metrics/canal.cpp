@@ -251,6 +251,7 @@ std::vector<MetricDefinition> canalMetrics() {
               .title = QT_TRANSLATE_NOOP("Metrics", "Off-centre distance, root mean square"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "How far the tip was from the middle of the urethra, on the way in and out: large distances weigh more than in the "
                                                       "mean."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest off-centre distance"),
               .definition = "Root mean square of the tip's distance from the centre-line over the samples in the urethra (0 <= s <= L), on the way "
                             "in and out.",
               .source = "models.md §6, insertion",
@@ -271,6 +272,7 @@ std::vector<MetricDefinition> canalMetrics() {
                                                       "the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the "
                                                       "urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow "
                                                       "for them."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest misalignment"),
               .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples in the "
                             "urethra (0 <= s <= L), on the way in and out.",
               .source = "models.md §6, insertion",

@@ -195,6 +195,7 @@ std::vector<MetricDefinition> forceMetrics() {
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Mean force in contact"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The mean force on the tissue while the tool touched it."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
               .definition = "Mean of |f| over the samples above 0.02 N.",
               .source = "models.md §6",
               .measure = measureForceMean});
@@ -210,6 +211,7 @@ std::vector<MetricDefinition> forceMetrics() {
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Force, root mean square"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The root mean square of the force on the tissue: high forces weigh more than in the mean."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
               .definition = "Square root of the mean of |f|^2 over all samples.",
               .source = "models.md §6",
               .measure = measureForceRms});
@@ -225,6 +227,7 @@ std::vector<MetricDefinition> forceMetrics() {
               .needsForces = true,
               .title = QT_TRANSLATE_NOOP("Metrics", "Force, 95th percentile"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The force on the tissue was below this for 95 % of the time."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest force"),
               .definition = "95th percentile of |f| over all samples, linear between order statistics.",
               .source = "models.md §6; Hyndman & Fan 1996, definition 7",
               .measure = measureForceP95});

@@ -68,6 +68,7 @@ std::vector<MetricDefinition> torqueMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Torque, root mean square"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The root mean square of the torque between endoscope and tissue."),
+              .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest torque"),
               .definition = "Square root of the mean of |torque|^2 of the tissue about the tip over all samples.",
               .source = "models.md §1.2, §6; P1 eq. 4–6",
               .measure = measureTorqueRms});

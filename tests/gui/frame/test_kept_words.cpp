@@ -440,6 +440,7 @@ private slots:
         catalogue::ExerciseLevel level;
         const auto told = [&] { say({levelFacts(level, m_locale).join(QStringLiteral(" | "))}); };
         simulation::PalpationParameters palpation;
+        level.exercise = "palpation";
         for (const int hands : {1, 2})
             for (const int fingers : {1, 2}) {
                 palpation.hands = hands;
@@ -458,6 +459,7 @@ private slots:
             told();
         }
         simulation::ElasticTubeParameters tube;
+        level.exercise = "elastic_tube";
         for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded})
             for (const double stiffening : {0.0, 2.0}) {
                 tube.task = task;
@@ -471,6 +473,7 @@ private slots:
         level.parameters = tube;
         told();
         simulation::ObjectHandlingParameters handling;
+        level.exercise = "object_handling";
         for (const auto task : {simulation::HandlingTask{}, simulation::HandlingTask::weigh})
             for (const bool organ : {false, true}) {
                 handling.task = task;
@@ -479,6 +482,7 @@ private slots:
                 told();
             }
         simulation::UrethraInsertionParameters canal;
+        level.exercise = "urethra_insertion";
         for (const char* tissue : {"normal", "tight", "stricture", "leather"})
             for (const bool on : {false, true}) {
                 canal.tissue = tissue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database_fixture.h"
+#include "study_site.h"
 
 #include "database/integrity/verifier.h"
 #include "database/query.h"
@@ -29,6 +30,7 @@ private slots:
     void voidedAndArchivedStay();
     void aVoidedSessionCountsAgain();
     void attemptsAreNumbered();
+    void aSittingIsNoAttempt();
     void theLatestAttemptAwaitsReview();
     void commentsAreFoundAgain();
     void badInputNamesTheField();
@@ -462,6 +464,34 @@ void TestSessions::attemptsAreNumbered() {
     for (const SessionSummary& session : *listed) {
         QCOMPARE(session.attempt, expected.at(session.id)); // a voided one keeps its number
         QCOMPARE(sessions.session(session.id)->summary.attempt, session.attempt);
+    }
+}
+
+// Whatever exercise a study uses: known by the run it was recorded for, or, of earlier versions, by its trials.
+void TestSessions::aSittingIsNoAttempt() {
+    DatabaseFixture f;
+    REQUIRE(f.create());
+    const auto ada = f.administrator();
+    const auto ruth = f.person(*ada, "ruth", {Role::researcher});
+    const auto made = makeStudies(*f.database, *ruth, "sittings");
+    REQUIRE(made);
+    NewSession setup = someSession();
+    setup.operatorName.clear();
+    const SessionId before = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
+    const SessionId byTrial = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
+    REQUIRE(f.database->write([&](WriteContext& w) { return StudyRepository(w.connection(), *ruth).storeStudyTrial(someTrial(made->run, 1, byTrial)); }));
+    setup.studyRun = made->run;
+    const SessionId byRun = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
+    setup.studyRun = 0;
+    const SessionId after = storeSession(*f.database, *ruth, 1, 500, setup).value_or(0);
+    auto reader = f.database->openReader();
+    const auto listed = SessionReader(**reader, *ada).listSessions();
+    REQUIRE(listed);
+    const std::map<SessionId, std::pair<int, bool>> expected{{before, {1, false}}, {byTrial, {0, true}}, {byRun, {0, true}}, {after, {2, false}}};
+    QCOMPARE(listed->size(), expected.size());
+    for (const SessionSummary& session : *listed) {
+        QVERIFY(std::pair(session.attempt, session.ofStudy) == expected.at(session.id));
+        QCOMPARE(session.toReview, session.id == after);
     }
 }
 

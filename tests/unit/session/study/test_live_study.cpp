@@ -294,7 +294,7 @@ void TestLiveStudy::theTrialAtHandIsTold() {
 
 /// Whichever object is asked for: each of the three is told to be right where it is, the first one, too.
 void TestLiveStudy::practiceTellsOfEveryObjectThatItWasRight() {
-    constexpr int kTrials = 30; // that none of the three is ever asked for has a chance of 3 (2/3)^30
+    constexpr int kTrials = 60; // three of so many guesses among three are right, but for a chance of 1e-8
     Site site(false, [](psychophysics::StudyDesign& design) {
         design.trial.betweenTrials_s = 0.0;
         design.trial.practiceTrials = kTrials;
