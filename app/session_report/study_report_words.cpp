@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/study_report_words.h"
 
+#include "session_report/procedure_words.h"
 #include "session_report/study_report_text.h"
 
 #include <QDateTime>
@@ -63,18 +64,7 @@ QString task(Task task) {
     return words[static_cast<std::size_t>(task)];
 }
 
-QString procedure(std::string_view kind) {
-    const std::map<std::string_view, QString> words{{"staircase", Words::tr("Staircase (up–down)")},
-                                                    {"pest", QStringLiteral("PEST")},
-                                                    {"constant", Words::tr("Constant stimuli")},
-                                                    {"descending", Words::tr("Descending ranking (legacy)")},
-                                                    {"quest", QStringLiteral("QUEST")},
-                                                    {"quest_plus", QStringLiteral("QUEST+")},
-                                                    {"rank3_quest_plus", Words::tr("QUEST+ for rankings")},
-                                                    {"rank3_quest_plus_ties", Words::tr("QUEST+ for rankings")}};
-    const auto found = words.find(kind);
-    return found == words.end() ? spaced(kind) : found->second;
-}
+QString procedure(std::string_view kind) { return procedureTitle(kind); }
 
 QString order(psychophysics::OrderDesign order) {
     const QString words[] = {Words::tr("As listed"), Words::tr("Random"), Words::tr("Latin square"),

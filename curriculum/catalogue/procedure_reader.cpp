@@ -2,12 +2,14 @@
 #include "catalogue/procedure_reader.h"
 
 #include "catalogue/json_file.h"
-#include "catalogue/procedure_keys.h"
 #include "catalogue/procedure_refusal.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QJsonDocument>
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace chiron::catalogue {
 
@@ -15,11 +17,10 @@ using namespace psychophysics;
 
 namespace {
 
-using Stimuli = std::vector<std::pair<std::string, std::vector<double>>>;
-using Table = std::vector<std::vector<std::vector<double>>>;
 constexpr double kMostGridValues = 1e6;
+constexpr std::string_view kStop = "stop";
 
-QString name(const char* key) { return QString::fromLatin1(key); }
+QString text(std::string_view key) { return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size())); }
 
 std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Problems& problems) {
     std::vector<double> numbers;
@@ -37,8 +38,8 @@ std::vector<double> numbersAt(const QJsonValue& value, const QString& path, Prob
 /// "values", or "from", "to" and "step".
 std::vector<double> gridOf(const ObjectReader& json) {
     for (const char* key : {"from", "to", "step"})
-        if (json.has("values") && json.has(name(key)))
-            json.problems().push_back({memberPath(json.path(), name(key)), QStringLiteral("beside values"), QStringLiteral("either values, or from, to and step")});
+        if (json.has("values") && json.has(key))
+            json.problems().push_back({memberPath(json.path(), key), QStringLiteral("beside values"), QStringLiteral("either values, or from, to and step")});
     if (json.has("values") || !json.has("from"))
         return numbersAt(json.json().value("values"), memberPath(json.path(), "values"), json.problems());
     const double from = json.number("from");
@@ -55,183 +56,188 @@ std::vector<double> gridOf(const ObjectReader& json) {
     return values;
 }
 
-const std::vector<QString>& stepTypes() {
-    static const std::vector<QString> words{"linear", "log", "db"};
-    return words;
-}
-
-/// Reads one key into a member of any of the types that procedures have.
-class KeyReader {
+/// The value of one key, by the type of its row.
+class ValueReader {
 public:
-    explicit KeyReader(const ObjectReader& json) : m_json(json) {}
+    ValueReader(const ObjectReader& json, std::string_view key) : m_json(json), m_key(text(key)) {}
 
-    template <class Member> void operator()(const char* key, Member& member) {
-        m_known.push_back(name(key));
-        if (m_json.has(name(key)))
-            read(name(key), member);
+    ParameterValue operator()(double) const { return m_json.number(m_key); }
+    ParameterValue operator()(int) const { return m_json.integer(m_key); }
+    ParameterValue operator()(bool) const { return m_json.boolean(m_key); }
+    ParameterValue operator()(const std::string&) const { return m_json.text(m_key); }
+    ParameterValue operator()(const std::optional<double>&) const { return std::optional<double>(m_json.number(m_key)); }
+    ParameterValue operator()(const std::vector<double>&) const { return numbersAt(m_json.json().value(m_key), path(), m_json.problems()); }
+
+    ParameterValue operator()(std::uint64_t before) const {
+        const double value = m_json.number(m_key);
+        if (value >= 0.0 && value <= 9007199254740992.0 && value == std::floor(value)) // what a JSON number holds exactly
+            return static_cast<std::uint64_t>(value);
+        m_json.problems().push_back({path(), QString::number(value), QStringLiteral("a whole number from 0 to 2^53")});
+        return before;
     }
 
-    void refuseOthers(const QString& what) const { refuseUnknownKeys(m_json, m_known, what); }
-    void know(const char* key) { m_known.push_back(name(key)); }
-
-private:
-    void read(const QString& key, double& to) { to = m_json.number(key); }
-    void read(const QString& key, int& to) { to = m_json.integer(key); }
-    void read(const QString& key, bool& to) { to = m_json.boolean(key); }
-    void read(const QString& key, std::string& to) { to = m_json.text(key); }
-    void read(const QString& key, std::optional<double>& to) { to = m_json.number(key); }
-    void read(const QString& key, std::vector<double>& to) {
-        to = numbersAt(m_json.json().value(key), memberPath(m_json.path(), key), m_json.problems());
-    }
-
-    void read(const QString& key, std::uint64_t& to) {
-        const double value = m_json.number(key);
-        if (!(value >= 0.0 && value <= 9007199254740992.0) || value != std::floor(value)) // what a JSON number holds exactly
-            m_json.problems().push_back({memberPath(m_json.path(), key), QString::number(value), QStringLiteral("a whole number from 0 to 2^53")});
-        else
-            to = static_cast<std::uint64_t>(value);
-    }
-
-    void read(const QString& key, StaircaseSpec::StepType& to) {
-        const QString word = QString::fromStdString(m_json.text(key));
-        const auto found = std::find(stepTypes().begin(), stepTypes().end(), word);
-        if (found == stepTypes().end())
-            m_json.problems().push_back({memberPath(m_json.path(), key), quoted(word), QStringLiteral("one of linear, log, db")});
-        else
-            to = static_cast<StaircaseSpec::StepType>(found - stepTypes().begin());
-    }
-
-    void read(const QString& key, StopRule& to) {
-        const ObjectReader object = m_json.object(key);
-        KeyReader reader(object);
-        to = {}; // the rules given are the rules: nothing of the default stays beside them
-        stopKeys(to, reader);
-        reader.refuseOthers(QStringLiteral("a rule of when to stop"));
-        const auto refuse = [&](const char* rule, double value, const QString& expected) {
-            m_json.problems().push_back({memberPath(object.path(), name(rule)), QString::number(value), expected});
-        };
-        for (const auto& [rule, value] : {std::pair{"trials", double(to.trials)}, {"minimum_trials", double(to.minimumTrials)}, {"reversals", double(to.reversals)}, {"sd", to.sd}})
-            if (!(value >= 0.0))
-                refuse(rule, value, QStringLiteral("at least 0"));
-        if (to.trials > 0 && to.minimumTrials > to.trials)
-            refuse("minimum_trials", to.minimumTrials, QStringLiteral("at most trials, %1").arg(to.trials));
-    }
-
-    void read(const QString& key, Stimuli& to) {
-        m_json.eachObject(key, [&to](const ObjectReader& json) {
-            to.emplace_back(json.text("name"), gridOf(json));
+    ParameterValue operator()(const StimulusGrids&) const {
+        StimulusGrids grids;
+        m_json.eachObject(m_key, [&grids](const ObjectReader& json) {
+            grids.emplace_back(json.text("name"), gridOf(json));
             refuseUnknownKeys(json, {"name", "values", "from", "to", "step"}, QStringLiteral("a key of a stimulus dimension"));
         });
+        return grids;
     }
 
-    void read(const QString& key, std::vector<ParameterGrid>& to) {
-        m_json.eachObject(key, [&to](const ObjectReader& json) {
+    ParameterValue operator()(const std::vector<ParameterGrid>&) const {
+        std::vector<ParameterGrid> grids;
+        m_json.eachObject(m_key, [&grids](const ObjectReader& json) {
             ParameterGrid grid;
-            KeyReader reader(json);
             grid.name = json.text("name");
             grid.values = gridOf(json);
-            reader("prior", grid.prior);
-            reader("nuisance", grid.nuisance);
-            to.push_back(std::move(grid));
+            if (json.has("prior"))
+                grid.prior = numbersAt(json.json().value("prior"), memberPath(json.path(), "prior"), json.problems());
+            if (json.has("nuisance"))
+                grid.nuisance = json.boolean("nuisance");
+            grids.push_back(std::move(grid));
             refuseUnknownKeys(json, {"name", "values", "from", "to", "step", "prior", "nuisance"}, QStringLiteral("a key of a parameter's grid"));
         });
+        return grids;
     }
 
-    void read(const QString& key, Table& to) {
-        const QString path = memberPath(m_json.path(), key);
-        const QJsonArray outcomes = m_json.json().value(key).toArray();
+    ParameterValue operator()(const OutcomeProbabilities&) const {
+        OutcomeProbabilities table;
+        const QJsonArray outcomes = m_json.json().value(m_key).toArray();
         if (outcomes.isEmpty())
-            m_json.problems().push_back({path, QStringLiteral("no outcomes"), QStringLiteral("an array [outcome][stimulus][parameter cell]")});
+            m_json.problems().push_back({path(), QStringLiteral("no outcomes"), QStringLiteral("an array [outcome][stimulus][parameter cell]")});
         for (qsizetype r = 0; r < outcomes.size(); ++r) {
             const QJsonArray stimuli = outcomes[r].toArray();
-            to.emplace_back();
+            table.emplace_back();
             for (qsizetype x = 0; x < stimuli.size(); ++x)
-                to.back().push_back(numbersAt(stimuli[x], elementPath(elementPath(path, r), x), m_json.problems()));
+                table.back().push_back(numbersAt(stimuli[x], elementPath(elementPath(path(), r), x), m_json.problems()));
         }
+        return table;
     }
-
-    const ObjectReader& m_json;
-    std::vector<QString> m_known;
-};
-
-/// Writes one key.
-class KeyWriter {
-public:
-    template <class Member> void operator()(const char* key, const Member& member) { m_json.insert(name(key), json(member)); }
-    void operator()(const char* key, const std::optional<double>& member) {
-        if (member)
-            m_json.insert(name(key), *member);
-    }
-    void operator()(const char* key, const Table& member) {
-        if (!member.empty())
-            m_json.insert(name(key), array(member));
-    }
-    const QJsonObject& json() const { return m_json; }
 
 private:
-    static QJsonValue json(double value) { return value; }
-    static QJsonValue json(int value) { return value; }
-    static QJsonValue json(bool value) { return value; }
-    static QJsonValue json(std::uint64_t value) { return static_cast<double>(value); }
-    static QJsonValue json(const std::string& value) { return QString::fromStdString(value); }
-    static QJsonValue json(StaircaseSpec::StepType value) { return stepTypes()[static_cast<std::size_t>(value)]; }
-    static QJsonValue json(const std::vector<double>& value) { return array(value); }
-    static QJsonValue json(const Stimuli& value) { return array(value); }
-    static QJsonValue json(const std::vector<ParameterGrid>& value) { return array(value); }
-    static QJsonValue json(const std::vector<std::vector<double>>& value) { return array(value); }
-    static QJsonValue json(const std::pair<std::string, std::vector<double>>& value) {
+    QString path() const { return memberPath(m_json.path(), m_key); }
+
+    const ObjectReader& m_json;
+    QString m_key;
+};
+
+/// A value in JSON.
+struct ValueWriter {
+    QJsonValue operator()(double value) const { return value; }
+    QJsonValue operator()(int value) const { return value; }
+    QJsonValue operator()(bool value) const { return value; }
+    QJsonValue operator()(std::uint64_t value) const { return static_cast<double>(value); }
+    QJsonValue operator()(const std::string& value) const { return QString::fromStdString(value); }
+    QJsonValue operator()(const std::optional<double>& value) const { return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Undefined); }
+    QJsonValue operator()(const OutcomeProbabilities& value) const { return value.empty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(array(value)); }
+    QJsonValue operator()(const std::pair<std::string, std::vector<double>>& value) const {
         return QJsonObject{{"name", QString::fromStdString(value.first)}, {"values", array(value.second)}};
     }
-    static QJsonValue json(const ParameterGrid& value) {
+    QJsonValue operator()(const ParameterGrid& value) const {
         QJsonObject grid{{"name", QString::fromStdString(value.name)}, {"values", array(value.values)}, {"nuisance", value.nuisance}};
         if (!value.prior.empty())
             grid.insert("prior", array(value.prior));
         return grid;
     }
-    static QJsonValue json(const StopRule& value) {
-        KeyWriter writer;
-        stopKeys(value, writer);
-        return writer.m_json;
-    }
-    template <class Item> static QJsonArray array(const std::vector<Item>& items) {
+    template <class Item> QJsonValue operator()(const std::vector<Item>& value) const { return array(value); }
+
+private:
+    template <class Item> QJsonArray array(const std::vector<Item>& items) const {
         QJsonArray array;
         for (const Item& item : items)
-            array.append(json(item));
+            array.append((*this)(item));
         return array;
     }
-
-    QJsonObject m_json;
 };
 
-/// One procedure of each kind, with its defaults.
-std::vector<ProcedureSpec> kinds() {
-    return {StaircaseSpec{}, PestSpec{}, ConstantSpec{}, DescendingSpec{}, QuestSpec{}, QuestPlusSpec{}, Rank3Spec{}};
+/// A value that says nothing: 0, false, an empty list.
+ParameterValue nothingOf(const ParameterValue& value) {
+    return std::visit([](const auto& of) -> ParameterValue { return std::decay_t<decltype(of)>{}; }, value);
+}
+
+void readRow(const Parameter& row, const ObjectReader& json, ProcedureSpec& spec) {
+    if (!json.has(text(row.key)))
+        return;
+    const ParameterValue value = std::visit(ValueReader(json, row.key), row.get(spec));
+    row.set(spec, value);
+    if (const auto* word = std::get_if<std::string>(&value); word && std::get<std::string>(row.get(spec)) != *word) { // one that it cannot hold
+        QStringList words;
+        for (const ParameterWord& each : row.words)
+            words << text(each.word);
+        json.problems().push_back({memberPath(json.path(), text(row.key)), quoted(QString::fromStdString(*word)), "one of " + words.join(", ")});
+    }
+}
+
+double numberOf(const ParameterValue& value) {
+    if (const auto* whole = std::get_if<int>(&value))
+        return *whole;
+    const auto* number = std::get_if<double>(&value);
+    return number ? *number : 0.0;
+}
+
+/// The rules that are given are the rules: nothing of the default stays beside them.
+void readStopRules(const std::vector<Parameter>& rows, const ObjectReader& json, ProcedureSpec& spec) {
+    std::vector<QString> known;
+    double trials = 0.0;
+    for (const Parameter& row : rows) {
+        if (row.object != kStop)
+            continue;
+        known.push_back(text(row.key));
+        row.set(spec, nothingOf(row.get(spec)));
+        readRow(row, json, spec);
+        if (row.key == "trials")
+            trials = numberOf(row.get(spec));
+    }
+    refuseUnknownKeys(json, known, QStringLiteral("a rule of when to stop"));
+    for (const Parameter& row : rows) {
+        if (row.object != kStop)
+            continue;
+        const double value = numberOf(row.get(spec));
+        const QString path = memberPath(json.path(), text(row.key));
+        if (!(value >= row.minimum))
+            json.problems().push_back({path, QString::number(value), QStringLiteral("at least %1").arg(row.minimum)});
+        else if (row.key == "minimum_trials" && trials > 0.0 && value > trials)
+            json.problems().push_back({path, QString::number(static_cast<qint64>(value)), QStringLiteral("at most trials, %1").arg(static_cast<qint64>(trials))});
+    }
+}
+
+void readRows(const ProcedureKind& kind, const ObjectReader& json, ProcedureSpec& spec) {
+    std::vector<QString> known{QStringLiteral("kind")};
+    for (const Parameter& row : kind.rows()) {
+        const QString key = text(row.object.empty() ? row.key : row.object);
+        if (std::find(known.begin(), known.end(), key) != known.end())
+            continue; // one of an object that was read
+        known.push_back(key);
+        if (row.object.empty())
+            readRow(row, json, spec);
+        else if (json.has(key))
+            readStopRules(kind.rows(), json.object(key), spec);
+    }
+    refuseUnknownKeys(json, known, "a key of the procedure " + text(kind.id()));
 }
 
 } // namespace
 
 ProcedureSpec readProcedure(const ObjectReader& json) {
-    const QString kind = QString::fromStdString(json.text("kind"));
+    const QString word = QString::fromStdString(json.text("kind"));
     const std::size_t before = json.problems().size();
     std::vector<QString> known;
-    for (ProcedureSpec spec : kinds()) {
-        const std::string_view word = kindOf(spec);
-        known.push_back(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())));
-        if (kind != known.back())
+    for (const ProcedureKind* kind : procedureKinds()) {
+        known.push_back(text(kind->id()));
+        if (word != known.back())
             continue;
-        KeyReader reader(json);
-        reader.know("kind");
-        std::visit([&reader](auto& given) { keysOf(given, reader); }, spec);
-        reader.refuseOthers("a key of the procedure " + kind);
+        ProcedureSpec spec = kind->defaults();
+        readRows(*kind, json, spec);
         if (json.problems().size() == before)
             if (const auto made = makeProcedure(spec, 1); !made)
                 addRefusal(made.error(), json, writeProcedure(spec));
         return spec;
     }
     if (json.json().value("kind").isString())
-        json.problems().push_back({memberPath(json.path(), "kind"), quoted(kind),
-                                   "one of staircase, pest, constant, descending, quest, quest_plus, rank3_quest_plus" + didYouMean(kind, known)});
-    return StaircaseSpec{};
+        json.problems().push_back({memberPath(json.path(), "kind"), quoted(word),
+                                   "one of " + QString::fromStdString(procedureKindIds()) + didYouMean(word, known)});
+    return procedureKinds().front()->defaults();
 }
 
 core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::string& file, const Schema& schema) {
@@ -249,12 +255,20 @@ core::Result<ProcedureSpec> readProcedure(const QByteArray& json, const std::str
 }
 
 QJsonObject writeProcedure(const ProcedureSpec& spec) {
-    KeyWriter writer;
-    ProcedureSpec copy = spec;
-    std::visit([&writer](auto& given) { keysOf(given, writer); }, copy);
-    QJsonObject json = writer.json();
-    const std::string_view kind = kindOf(spec);
-    json.insert("kind", QString::fromUtf8(kind.data(), static_cast<qsizetype>(kind.size())));
+    const ProcedureKind& kind = kindFor(spec);
+    QJsonObject json{{"kind", text(kind.id())}};
+    for (const Parameter& row : kind.rows()) {
+        const QJsonValue value = std::visit(ValueWriter(), row.get(spec));
+        if (value.isUndefined())
+            continue;
+        if (row.object.empty()) {
+            json.insert(text(row.key), value);
+            continue;
+        }
+        QJsonObject object = json.value(text(row.object)).toObject();
+        object.insert(text(row.key), value);
+        json.insert(text(row.object), object);
+    }
     return json;
 }
 

@@ -2,6 +2,7 @@
 #include "catalogue/study_parts.h"
 #include "catalogue/study_reader.h"
 #include "core/units.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,37 +33,28 @@ namespace {
 
 QString word(std::string_view token) { return QString::fromUtf8(token.data(), static_cast<qsizetype>(token.size())); }
 
-bool outcomesAre(const ProcedureSpec& spec, int outcomes) {
-    const auto* plus = std::get_if<psychophysics::QuestPlusSpec>(&spec);
-    return plus == nullptr || plus->outcomes == outcomes;
-}
-
-/// The kinds that can drive a task: what they are told is its outcome.
-QStringList kindsFor(Task task) {
-    if (psychophysics::ranksThree(task))
-        return {"rank3_quest_plus", "quest_plus", "descending", "constant"};
-    if (task == Task::adjustment || task == Task::magnitude)
-        return {"constant"};
-    return {"staircase", "pest", "constant", "descending", "quest", "quest_plus"};
+/// The kinds that can drive a task, those that are recommended for it first: what they are told is its outcome.
+QStringList drivingKinds(Task task) {
+    std::vector<const psychophysics::ProcedureKind*> kinds;
+    for (const psychophysics::ProcedureKind* kind : psychophysics::procedureKinds())
+        if (kind->drives(task))
+            kinds.push_back(kind);
+    std::stable_sort(kinds.begin(), kinds.end(), [task](const auto* a, const auto* b) { return a->recommended(task) > b->recommended(task); });
+    QStringList ids;
+    for (const psychophysics::ProcedureKind* kind : kinds)
+        ids << word(kind->id());
+    return ids;
 }
 
 void checkTask(const Condition& condition, const QString& path, Problems& problems) {
-    const QStringList kinds = kindsFor(condition.task);
     for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
         const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
-        const QString kind = word(psychophysics::kindOf(condition.procedures[i]));
-        const int outcomes = psychophysics::outcomes(condition.task);
-        const auto* rank3 = std::get_if<psychophysics::Rank3Spec>(&condition.procedures[i]);
-        const bool ties = condition.task == Task::rank3Ties;
-        if (!kinds.contains(kind))
-            problems.push_back({memberPath(at, "kind"), quoted(kind),
-                                QStringLiteral("for the task %1 one of %2").arg(word(psychophysics::token(condition.task)), kinds.join(", "))});
-        else if (!outcomesAre(condition.procedures[i], outcomes))
-            problems.push_back({memberPath(at, "outcomes"), QStringLiteral("another number"),
-                                QStringLiteral("%1 for the task %2").arg(outcomes).arg(word(psychophysics::token(condition.task)))});
-        else if (rank3 && rank3->allowTies != ties)
-            problems.push_back({memberPath(at, "allow_ties"), ties ? QStringLiteral("false") : QStringLiteral("true"),
-                                QStringLiteral("%1 for the task %2").arg(ties ? "true" : "false", word(psychophysics::token(condition.task)))});
+        const psychophysics::ProcedureKind& kind = psychophysics::kindFor(condition.procedures[i]);
+        if (!kind.drives(condition.task))
+            problems.push_back({memberPath(at, "kind"), quoted(word(kind.id())),
+                                QStringLiteral("for the task %1 one of %2").arg(word(psychophysics::token(condition.task)), drivingKinds(condition.task).join(", "))});
+        else if (const auto fault = kind.faultFor(condition.procedures[i], condition.task))
+            problems.push_back({memberPath(at, word(fault->key)), word(fault->found), word(fault->expected)});
     }
     if (condition.stimulus.attribute == Attribute::apex && condition.task != Task::adjustment)
         problems.push_back({memberPath(path, "task"), quoted(word(psychophysics::token(condition.task))),
@@ -80,23 +72,20 @@ void checkLevels(const Condition& condition, const QString& path, Problems& prob
     const double highest = logarithm ? std::log10(table.back()) : table.back();
     for (std::size_t i = 0; i < condition.procedures.size(); ++i) {
         const QString at = elementPath(memberPath(path, "procedures"), static_cast<qsizetype>(i));
-        const auto inside = [&](const char* key, const std::vector<double>& levels) {
+        const auto inside = [&](const QString& key, const std::vector<double>& levels) {
             const auto outside = std::find_if(levels.begin(), levels.end(), [&](double x) { return x < lowest - kSlack || x > highest + kSlack; });
             if (outside != levels.end())
                 problems.push_back({memberPath(at, key), QString::number(*outside),
                                     QStringLiteral("%1 to %2, as the table of differences has").arg(lowest).arg(highest)});
         };
         const ProcedureSpec& spec = condition.procedures[i];
-        if (const auto* constant = std::get_if<psychophysics::ConstantSpec>(&spec))
-            inside("levels", constant->levels);
-        else if (const auto* descending = std::get_if<psychophysics::DescendingSpec>(&spec))
-            inside("levels", descending->levels);
-        else if (const auto* rank3 = std::get_if<psychophysics::Rank3Spec>(&spec)) {
-            inside("differences", rank3->differences);
-            if (logarithm)
-                problems.push_back({memberPath(path, "scale"), quoted(QStringLiteral("log_difference")),
-                                    QStringLiteral("difference for rank3_quest_plus")});
-        }
+        const psychophysics::ProcedureKind& kind = psychophysics::kindFor(spec);
+        for (const psychophysics::Parameter& row : kind.rows())
+            if (row.inTable)
+                inside(word(row.key), std::get<std::vector<double>>(row.get(spec)));
+        if (kind.onlyScale().value_or(condition.scale) != condition.scale)
+            problems.push_back({memberPath(path, "scale"), quoted(logarithm ? QStringLiteral("log_difference") : QStringLiteral("difference")),
+                                QStringLiteral("%1 for %2").arg(logarithm ? "difference" : "log_difference", word(kind.id()))});
     }
 }
 

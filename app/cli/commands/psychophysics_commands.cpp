@@ -2,6 +2,7 @@
 #include "cli/command_groups.h"
 #include "cli/psychophysics/fit_data.h"
 #include "cli/psychophysics/handlers.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 namespace chiron::cli {
 
@@ -56,7 +57,7 @@ CommandSpec comparing() {
 CommandSpec adapting() {
     CommandSpec row = command("adaptive", "run an adaptive procedure over lines: one response in, one JSON line with the next stimulus out",
                               "printf '1\\n0\\nundo\\n' | chiron-cli psychophysics adaptive --procedure SPEC.json", runAdaptive);
-    row.options = {{"procedure", "SPEC.json", "staircase, pest, constant, descending, quest, quest_plus or rank3_quest_plus; keys: curriculum/content/schema/procedure.json", true},
+    row.options = {{"procedure", "SPEC.json", QString::fromStdString(psychophysics::procedureKindIds(" or ")) + "; keys: curriculum/content/schema/procedure.json", true},
                    {"seed", "S", "of what the procedure draws; default: 1"}};
     return row;
 }

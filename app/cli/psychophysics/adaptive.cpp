@@ -6,11 +6,13 @@
 #include "cli/psychophysics/adaptive_lines.h"
 #include "cli/psychophysics/handlers.h"
 #include "cli/session_output.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QJsonDocument>
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <variant>
 
 namespace chiron::cli {
 
@@ -28,16 +30,16 @@ core::Result<void> printLine(const QJsonObject& json) {
 
 QStringList dimensionsOf(const ProcedureSpec& spec) {
     QStringList names;
-    if (const auto* questPlus = std::get_if<QuestPlusSpec>(&spec))
-        for (const auto& dimension : questPlus->stimuli)
-            names << QString::fromStdString(dimension.first);
+    for (const Parameter& row : kindFor(spec).rows()) {
+        const ParameterValue value = row.get(spec);
+        if (const auto* grids = std::get_if<StimulusGrids>(&value))
+            for (const auto& dimension : *grids)
+                names << QString::fromStdString(dimension.first);
+    }
     return names;
 }
 
-bool ordersThree(const ProcedureSpec& spec) {
-    const auto* questPlus = std::get_if<QuestPlusSpec>(&spec);
-    return std::holds_alternative<Rank3Spec>(spec) || (questPlus && questPlus->function == "rank3");
-}
+bool ordersThree(const ProcedureSpec& spec) { return kindFor(spec).ordersThree(spec); }
 
 /// Takes one line. Failure: badInput, wrongUse (undo of nothing); the procedure is as before.
 core::Result<void> take(Procedure& procedure, const AdaptiveLine& line) {

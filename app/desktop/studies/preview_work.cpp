@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/preview_work.h"
 
+#include "psychophysics/procedures/procedure_catalogue.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 namespace chiron::desktop {
 
@@ -18,21 +19,13 @@ constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // of the design's own 
 Condition withTrials(Condition condition, int trials) {
     const int each = std::max(1, trials / static_cast<int>(std::max<std::size_t>(1, condition.procedures.size())));
     for (ProcedureSpec& procedure : condition.procedures)
-        std::visit(
-            [each](auto& spec) {
-                using Spec = std::decay_t<decltype(spec)>;
-                if constexpr (std::is_same_v<Spec, ConstantSpec>)
-                    spec.repeats = std::max(1, each / std::max(1, static_cast<int>(spec.levels.size())));
-                else if constexpr (!std::is_same_v<Spec, DescendingSpec>)
-                    spec.stop = StopRule{.trials = each};
-            },
-            procedure);
+        kindFor(procedure).endAfter(procedure, each);
     return condition;
 }
 
 bool endsByTrials(const Condition& condition) {
     return std::none_of(condition.procedures.begin(), condition.procedures.end(),
-                        [](const ProcedureSpec& spec) { return std::holds_alternative<DescendingSpec>(spec); });
+                        [](ProcedureSpec spec) { return !kindFor(spec).endAfter(spec, 1); });
 }
 
 } // namespace

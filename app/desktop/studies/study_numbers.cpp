@@ -124,22 +124,4 @@ QString parameter(const std::string& name) {
     return QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
-QString psychometricFunction(const std::string& name) {
-    if (name.starts_with("weibull"))
-        return Words::tr("Weibull");
-    if (name == "norm_cdf")
-        return Words::tr("Normal (probit)");
-    if (name == "norm_cdf_2")
-        return Words::tr("Normal, lapses on both sides");
-    if (name == "logistic")
-        return Words::tr("Logistic (logit)");
-    if (name == "gumbel")
-        return Words::tr("Gumbel");
-    if (name == "reverse_gumbel")
-        return Words::tr("Gumbel, mirrored");
-    if (name == "hyperbolic_secant")
-        return Words::tr("Hyperbolic secant");
-    return QString::fromStdString(name);
-}
-
 } // namespace chiron::desktop::study_words

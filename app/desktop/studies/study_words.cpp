@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/studies/study_words.h"
 
+#include "session_report/procedure_words.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 #include <map>
@@ -25,14 +27,9 @@ QString oneOf(const std::map<std::string_view, QString>& words, std::string_view
 }
 
 QString procedureKind(std::string_view kind) {
-    const std::map<std::string_view, QString> words{
-        {"staircase", Words::tr("Staircase (up–down)")},     {"pest", Words::tr("PEST")},
-        {"constant", Words::tr("Constant stimuli")},         {"descending", Words::tr("Descending ranking (legacy)")},
-        {"quest", Words::tr("QUEST")},                       {"quest_plus", Words::tr("QUEST+")},
-        {"rank3_quest_plus", Words::tr("QUEST+ for rankings")},
-        {"rank3_quest_plus_ties", Words::tr("QUEST+ for rankings")},
-        {"limit", Words::tr("limited by the device")}};
-    return oneOf(words, kind.substr(0, kind.find('@')));
+    if (kind.substr(0, kind.find('@')) == "limit") // of a run that ended there
+        return Words::tr("limited by the device");
+    return session_report::procedureTitle(kind);
 }
 
 } // namespace
@@ -166,19 +163,7 @@ QString procedure(std::string_view id) {
     return names.join(QStringLiteral(", "));
 }
 
-QString procedureInWords(std::string_view kind) {
-    const std::map<std::string_view, QString> words{
-        {"staircase", Words::tr("Gets harder after right answers and easier after wrong ones. Robust and easy to explain.")},
-        {"pest", Words::tr("A sequential test halves and doubles the steps. For replications only.")},
-        {"constant", Words::tr("Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.")},
-        {"descending", Words::tr("The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for "
-                                 "replications only.")},
-        {"quest", Words::tr("Bayesian; places each trial where the threshold probably is.")},
-        {"quest_plus", Words::tr("Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.")},
-        {"rank3_quest_plus", Words::tr("QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.")}};
-    const auto found = words.find(kind);
-    return found == words.end() ? QString() : found->second;
-}
+QString procedureInWords(std::string_view kind) { return session_report::procedureMeaning(kind); }
 
 QString scale(psychophysics::ProcedureScale scale) {
     return scale == psychophysics::ProcedureScale::difference ? Words::tr("Differences") : Words::tr("Ratios of differences");

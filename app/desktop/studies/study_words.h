@@ -33,7 +33,6 @@ QString runState(database::StudyRunState state);
 /// Why a trial did not count ("force_error"); several separated by commas.
 QString spoiled(std::string_view token);
 QString parameter(const std::string& name); ///< of a procedure's estimate
-QString psychometricFunction(const std::string& name); ///< "weibull_log10" and others
 
 /// What numbers of an attribute are shown in: shown = SI · factor.
 struct Unit {

@@ -2,10 +2,10 @@
 #include "session/study/participant_view.h"
 
 #include "psychophysics/planning/study_plan.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "session/study/presentation_order.h"
 
 #include <algorithm>
-#include <variant>
 
 namespace chiron::session {
 
@@ -54,7 +54,7 @@ bool ParticipantView::anyBreak() const {
 
 bool trialsAreFixed(const psychophysics::Condition& condition) {
     return trialsAtMost(condition) > 0 && std::all_of(condition.procedures.begin(), condition.procedures.end(), [](const auto& spec) {
-        return std::holds_alternative<psychophysics::ConstantSpec>(spec);
+        return psychophysics::kindFor(spec).trialsAreFixed();
     });
 }
 

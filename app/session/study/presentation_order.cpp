@@ -3,19 +3,12 @@
 
 #include "core/random.h"
 #include "psychophysics/planning/run_simulator.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <numeric>
 #include <string>
 
 namespace chiron::session {
-
-namespace {
-
-template <class Spec> int mostOf(const Spec& spec) { return spec.stop.trials; }
-int mostOf(const psychophysics::ConstantSpec& spec) { return static_cast<int>(spec.levels.size()) * spec.repeats; }
-int mostOf(const psychophysics::DescendingSpec& spec) { return static_cast<int>(spec.levels.size()) * spec.repeats; }
-
-} // namespace
 
 int balancedArrangement(psychophysics::Task task, std::uint64_t seed, const PresentationPlace& place) {
     const int count = static_cast<int>(psychophysics::arrangements(task).size());
@@ -35,7 +28,7 @@ int balancedArrangement(psychophysics::Task task, std::uint64_t seed, const Pres
 int trialsAtMost(const psychophysics::Condition& condition) {
     int sum = 0;
     for (const psychophysics::ProcedureSpec& procedure : condition.procedures) {
-        const int most = std::visit([](const auto& spec) { return mostOf(spec); }, procedure);
+        const int most = psychophysics::kindFor(procedure).trialsAtMost(procedure);
         if (most <= 0)
             return 0;
         sum += most;

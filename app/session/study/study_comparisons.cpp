@@ -2,13 +2,13 @@
 #include "session/study/study_comparisons.h"
 
 #include "core/random.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "session/study/study_analysis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
-#include <variant>
 
 namespace chiron::session {
 
@@ -82,7 +82,7 @@ psychophysics::Task taskOf(const StudyAnalysis& study, std::size_t condition) {
 
 bool adapts(const psychophysics::Condition& condition) {
     return std::any_of(condition.procedures.begin(), condition.procedures.end(),
-                       [](const psychophysics::ProcedureSpec& spec) { return !std::holds_alternative<psychophysics::ConstantSpec>(spec); });
+                       [](const psychophysics::ProcedureSpec& spec) { return !psychophysics::kindFor(spec).trialsAreFixed(); });
 }
 
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed) {

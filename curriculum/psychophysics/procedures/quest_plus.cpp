@@ -145,4 +145,10 @@ ProcedureEstimate QuestPlus::estimate() const {
     return estimate;
 }
 
+core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose) {
+    if (!model)
+        return tl::unexpected(model.error());
+    return [shared = *model, purpose](std::uint64_t seed) { return std::make_unique<QuestPlus>(shared, core::Random::mix(seed, purpose)); };
+}
+
 } // namespace chiron::psychophysics

@@ -67,4 +67,7 @@ private:
     mutable std::optional<Choice> m_choice; ///< kept until the next outcome
 };
 
+/// Runs that share one model. `purpose`: what their random numbers are drawn for. Failure: that of the model.
+core::Result<ProcedureFactory> factoryOfModel(const core::Result<std::shared_ptr<const QuestPlusModel>>& model, const std::string& purpose);
+
 } // namespace chiron::psychophysics

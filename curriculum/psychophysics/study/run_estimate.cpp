@@ -7,6 +7,7 @@
 #include "psychophysics/measures/run_warnings.h"
 #include "psychophysics/measures/scored_answers.h"
 #include "psychophysics/measures/set_and_said.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,16 @@ constexpr double kJndPerSigma = 0.9538725524089398; ///< √2 z(0.75): the 75 % 
 
 constexpr double kMostTie = 3.0; ///< σ: whoever calls more than that equal says "equal" nearly always
 
+/// The grids of log10 σ that the condition's procedures look at.
+std::vector<std::vector<double>> noiseGrids(const Condition& condition) {
+    std::vector<std::vector<double>> grids;
+    for (const ProcedureSpec& spec : condition.procedures)
+        for (const Parameter& row : kindFor(spec).rows())
+            if (row.quantity == Quantity::noise)
+                grids.push_back(std::get<std::vector<double>>(row.get(spec)));
+    return grids;
+}
+
 /// From a tenth of the smallest to ten times the largest difference, and wherever the procedure looks: an observer of three times the σ that a
 /// procedure's grid ends with is still held.
 ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers) {
@@ -29,11 +40,10 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
         prior.highLog10Sigma = std::log10(answers.largestDifference) + 1.0;
         prior.evenUpTo = std::log10(answers.largestDifference);
     }
-    for (const ProcedureSpec& spec : condition.procedures) {
-        const auto* rank3 = std::get_if<Rank3Spec>(&spec);
-        if (rank3 == nullptr || rank3->log10Sigma.size() < 2)
+    for (const std::vector<double>& grid : noiseGrids(condition)) {
+        if (grid.size() < 2)
             continue;
-        const auto [low, high] = std::minmax_element(rank3->log10Sigma.begin(), rank3->log10Sigma.end());
+        const auto [low, high] = std::minmax_element(grid.begin(), grid.end());
         if (std::isfinite(*low) && std::isfinite(*high) && *low < *high)
             prior.lowLog10Sigma = std::min(answers.smallestDifference > 0.0 ? prior.lowLog10Sigma : *low, *low),
             prior.highLog10Sigma = std::max(answers.smallestDifference > 0.0 ? prior.highLog10Sigma : *high, *high);
