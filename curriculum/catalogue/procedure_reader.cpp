@@ -179,15 +179,12 @@ double numberOf(const ParameterValue& value) {
 /// The rules that are given are the rules: nothing of the default stays beside them.
 void readStopRules(const std::vector<Parameter>& rows, const ObjectReader& json, ProcedureSpec& spec) {
     std::vector<QString> known;
-    double trials = 0.0;
     for (const Parameter& row : rows) {
         if (row.object != kStop)
             continue;
         known.push_back(text(row.key));
         row.set(spec, nothingOf(row.get(spec)));
         readRow(row, json, spec);
-        if (row.key == "trials")
-            trials = numberOf(row.get(spec));
     }
     refuseUnknownKeys(json, known, QStringLiteral("a rule of when to stop"));
     for (const Parameter& row : rows) {
@@ -197,8 +194,10 @@ void readStopRules(const std::vector<Parameter>& rows, const ObjectReader& json,
         const QString path = memberPath(json.path(), text(row.key));
         if (!(value >= row.minimum))
             json.problems().push_back({path, QString::number(value), QStringLiteral("at least %1").arg(row.minimum)});
-        else if (row.key == "minimum_trials" && trials > 0.0 && value > trials)
-            json.problems().push_back({path, QString::number(static_cast<qint64>(value)), QStringLiteral("at most trials, %1").arg(static_cast<qint64>(trials))});
+        for (const Parameter& other : rows)
+            if (const double most = other.object == kStop && other.key == row.noMoreThan ? numberOf(other.get(spec)) : 0.0; most > 0.0 && value > most)
+                json.problems().push_back({path, QString::number(static_cast<qint64>(value)),
+                                           QStringLiteral("at most %1, %2").arg(text(other.key)).arg(static_cast<qint64>(most))});
     }
 }
 

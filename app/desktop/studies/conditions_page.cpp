@@ -11,6 +11,7 @@
 #include "desktop/studies/text_claims.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QLineEdit>
 #include <QRegularExpression>

@@ -87,8 +87,6 @@ const QString kTableField = QStringLiteral("differences.levels");
 QString procedureField(const QString& procedure, const QString& key) {
     QString end = key;
     end.remove(QRegularExpression(QStringLiteral("^stop\\.?")));
-    if (end == QStringLiteral("lapse_rates"))
-        end = QStringLiteral("lapse");
     if (end.startsWith(QStringLiteral("differences")) || end.startsWith(QStringLiteral("stimuli")))
         return kTableField; // which they are taken from
     static const QRegularExpression kGrid(QStringLiteral("^parameters\\[(\\d+)\\]"));

@@ -3,9 +3,9 @@
 
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/levels_table.h"
-#include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QDoubleSpinBox>
 #include <QLabel>

@@ -7,12 +7,12 @@
 #include "desktop/studies/general_page.h"
 #include "desktop/studies/participant_card.h"
 #include "desktop/studies/participant_sentences.h"
-#include "desktop/studies/procedure_form.h"
 #include "desktop/studies/study_store.h"
 #include "desktop/studies/study_titles.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/tile_button.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 
 #include <QButtonGroup>
 #include <QKeyEvent>

@@ -76,7 +76,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         reversals.sensible = SensibleRange{0, 100, 12};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
-    Parameter fewest{.key = "minimum_trials", .maximum = kMostTrials, .description = "never before so many; at most as many as trials."};
+    Parameter fewest{.key = "minimum_trials", .maximum = kMostTrials, .description = "never before so many; at most as many as trials.", .noMoreThan = "trials"};
     Parameter sd{.key = "sd", .unit = "x", .quantity = has.sd, .description = "posterior sd of the first parameter at most.", .ignored = !has.precision};
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
@@ -87,6 +87,7 @@ std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(Pro
         sd.meaningOfFactor =
             QT_TRANSLATE_NOOP("Procedures", "The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.");
         sd.zero = QT_TRANSLATE_NOOP("Procedures", "never");
+        sd.fieldOfFactor = FieldRange{1.0, 100.0, 3, 0.01};
     }
     rows.push_back(stopRow(rule, &StopRule::minimumTrials, fewest));
     rows.push_back(stopRow(rule, &StopRule::sd, sd));

@@ -41,7 +41,7 @@ struct ParameterWord {
 struct SensibleRange {
     double lowest = 0.0;
     double highest = 0.0;
-    std::optional<double> usual{}; ///< none: the value as it is
+    std::optional<double> usual{}; ///< none: what a new procedure has in this condition
 };
 
 /// Numbers that a field takes and how they are written, in the unit that it shows.
@@ -68,21 +68,27 @@ struct Parameter {
     std::string_view description{};    ///< one sentence for the schema, which names kinds and default itself; plain English, not translated
     std::string_view item = "One number, in the procedure's unit."; ///< of a list: what one number is, likewise
     std::string_view byDefault{};      ///< what the schema says of the default where the value itself does not ("none")
+    std::string_view noMoreThan{};     ///< key of the row beside it whose value it must not exceed, where that one is above 0
     bool ignored = false;              ///< read and kept, but without effect for this kind of procedure
     bool inTable = false;              ///< values must lie in the condition's table of differences, as they are presented
 
-    // For people; English, marked with QT_TRANSLATE_NOOP (marked_texts.h). Without a title it is not asked: it follows from the condition.
+    // For people; English, marked with QT_TRANSLATE_NOOP (marked_texts.h). Without a meaning it is not asked: it follows from the condition.
     std::string_view title{};
     std::string_view meaning{};
     std::string_view meaningOfFactor{}; ///< where distances on x are factors; empty: the meaning
     std::string_view zero{};            ///< what the smallest value is called ("never"); empty: by its number
+    std::string_view change{};          ///< what a change of it is called for undo; empty: a change of the procedure
     std::optional<SensibleRange> sensible{};
     std::optional<FieldRange> field{};  ///< empty: as its quantity has it
+    std::optional<FieldRange> fieldOfFactor{}; ///< where distances on x are factors; empty: as field
     bool (*applies)(const ProcedureSpec& spec) = nullptr; ///< whether it is asked now; null: always
+    bool (*asStored)(const ProcedureSpec& spec) = nullptr; ///< whether distances are in no unit of x, and so shown as they are stored; null: never
     /// The words that suit a condition, the usual one first; null: all of them.
     std::vector<std::string> (*wordsFor)(const Condition& condition) = nullptr;
     /// What depends on it follows a change; null: nothing does.
     void (*follow)(ProcedureSpec& spec, const Condition& condition) = nullptr;
+
+    bool isAsked() const noexcept { return !meaning.empty(); }
 
     // Filled by rowOf(). The specification must be of the row's kind.
     std::function<ParameterValue(const ProcedureSpec& spec)> get{};

@@ -69,6 +69,7 @@ Parameter functionRow() {
                                  "slope. norm_cdf_2: lapse_rate + (1 - 2 lapse_rate) Phi((x-mean)/sd). table: the probabilities themselves.",
                   .title = QT_TRANSLATE_NOOP("Procedures", "Psychometric function"),
                   .meaning = QT_TRANSLATE_NOOP("Procedures", "The shape by which right answers are assumed to grow with the difference."),
+                  .change = QT_TRANSLATE_NOOP("Procedures", "Another function"),
                   .wordsFor = functionsFor,
                   .follow = takeGridsOfFunction});
 }
@@ -92,7 +93,6 @@ std::vector<Parameter> questPlusRows() {
                                   .description = "the grid of every parameter of the function, lower_asymptote (not of norm_cdf_2) and lapse_rate among them; in any order "
                                                  "(with a table: the order of its cells, nuisance ones last).",
                                   .item = "One parameter.",
-                                  .title = QT_TRANSLATE_NOOP("Procedures", "Grids of the parameters"),
                                   .meaning = QT_TRANSLATE_NOOP("Procedures", "Values of this parameter that are considered possible.")}),
         rowOf(&Spec::stimuli, {.key = "stimuli", .unit = "x", .minimum = -kUnbounded, .fewest = 1, .most = 8,
                                .description = "the dimensions of the stimulus; all combinations are candidates, the first dimension outermost.", .item = "One dimension."}),

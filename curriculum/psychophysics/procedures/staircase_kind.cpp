@@ -27,6 +27,7 @@ Parameter stepTypeRow() {
     return row;
 }
 
+bool hasLogarithmicSteps(const ProcedureSpec& spec) { return std::get<StaircaseSpec>(spec).stepType != StaircaseSpec::StepType::linear; }
 bool listsStepsDown(const ProcedureSpec& spec) { return std::get<StaircaseSpec>(spec).stepRatio <= 0.0; }
 
 std::vector<Parameter> staircaseRows() {
@@ -60,12 +61,14 @@ std::vector<Parameter> staircaseRows() {
         rowOf(&Spec::stepsUp, {.key = "steps_up", .unit = "x", .quantity = Quantity::spread, .minimum = 1e-12, .fewest = 1,
                                .description = "size of steps up, by the number of reversals so far; the last one is kept.", .item = "A step.",
                                .title = QT_TRANSLATE_NOOP("Procedures", "Steps up"),
-                               .meaning = QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; the last one is kept.")}),
+                               .meaning = QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; the last one is kept."),
+                               .asStored = hasLogarithmicSteps}),
         rowOf(&Spec::stepsDown, {.key = "steps_down", .unit = "x", .quantity = Quantity::spread, .minimum = 1e-12,
                                  .description = "the same of steps down.", .item = "A step.", .byDefault = "[]: as steps_up",
                                  .title = QT_TRANSLATE_NOOP("Procedures", "Steps down"),
                                  .meaning = QT_TRANSLATE_NOOP("Procedures", "One for each reversal so far; none: the same as up."),
-                                 .applies = listsStepsDown}),
+                                 .applies = listsStepsDown,
+                                 .asStored = hasLogarithmicSteps}),
         rowOf(&Spec::initialOneUpOneDown, {.key = "initial_one_up_one_down", .description = "every answer steps until the first reversal.",
                                            .title = QT_TRANSLATE_NOOP("Procedures", "One up, one down at first"),
                                            .meaning = QT_TRANSLATE_NOOP("Procedures", "Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.")}),

@@ -9,6 +9,7 @@
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/preview_work.h"
 #include "desktop/studies/procedure_form.h"
+#include "psychophysics/procedures/procedure_catalogue.h"
 #include "desktop/studies/quantity_text.h"
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
@@ -221,11 +222,11 @@ void TestStudyParts::everyUsualProcedureReads_data() {
 
 void TestStudyParts::everyUsualProcedureReads() {
     QFETCH(int, task);
-    for (const std::string& kind : desktop::kindsFor(static_cast<Task>(task))) {
+    for (const std::string& kind : psychophysics::kindsFor(static_cast<Task>(task))) {
         psychophysics::StudyDesign study = desktop::plainStudy();
         psychophysics::Condition& condition = study.conditions.front();
         desktop::takeTask(condition, static_cast<Task>(task));
-        condition.procedures = {desktop::usualProcedure(kind, condition)};
+        condition.procedures = {psychophysics::usualProcedure(kind, condition)};
         const auto read = catalogue::readStudy(catalogue::studyJson(study), kind);
         QVERIFY2(read, read ? "" : read.error().message.c_str());
         const auto made = psychophysics::makeProcedure(read->conditions.front().procedures.front(), 1);
