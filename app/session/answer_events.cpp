@@ -4,7 +4,7 @@
 #include "scoring/detection/finding_matches.h"
 #include "scoring/detection/palpation_answer.h"
 #include "scoring/metrics/apex_answer.h"
-#include "session/palpation_marks.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 // pooled for the ROC.
 #include "support/looked_back.h"
 #include "session/detection_record.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "support/made_session.h"
 
 #include <QtTest>

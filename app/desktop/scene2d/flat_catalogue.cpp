@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/scene2d/comparison/flat_comparison.h"
+#include "app/exercises/comparison/scene/flat_comparison.h"
 #include "desktop/scene2d/flat_content.h"
-#include "desktop/scene2d/laparoscopy/flat_handling.h"
-#include "desktop/scene2d/laparoscopy/flat_tube.h"
-#include "desktop/scene2d/palpation/flat_palpation.h"
-#include "desktop/scene2d/sphere_apex/flat_apex.h"
-#include "desktop/scene2d/urethra_insertion/flat_urethra.h"
+#include "app/exercises/object_handling/scene/flat_handling.h"
+#include "app/exercises/elastic_tube/scene/flat_tube.h"
+#include "app/exercises/palpation/scene/flat_palpation.h"
+#include "app/exercises/sphere_apex/scene/flat_apex.h"
+#include "app/exercises/urethra_insertion/scene/flat_urethra.h"
 
 namespace chiron::scene3d {
 

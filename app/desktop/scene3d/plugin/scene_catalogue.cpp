@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/scene3d/elastic_tube/tube_content.h"
-#include "desktop/scene3d/object_handling/handling_content.h"
-#include "desktop/scene3d/palpation/palpation_content.h"
+#include "app/exercises/elastic_tube/scene/tube_content.h"
+#include "app/exercises/object_handling/scene/handling_content.h"
+#include "app/exercises/palpation/scene/palpation_content.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "desktop/scene3d/plugin/scene_stage.h"
-#include "desktop/scene3d/sphere_apex/apex_content.h"
-#include "desktop/scene3d/urethra_insertion/endoscope_stage.h"
+#include "app/exercises/sphere_apex/scene/apex_content.h"
+#include "app/exercises/urethra_insertion/scene/endoscope_stage.h"
 
 #include <array>
 
