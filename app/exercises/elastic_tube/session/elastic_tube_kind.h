@@ -33,6 +33,8 @@ public:
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
     /// The base is the trial's object; a tool is drawn where it is.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    /// Who can do it has done the one that takes two hands (level 4) as well.
+    DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
 };
 
 } // namespace chiron::session

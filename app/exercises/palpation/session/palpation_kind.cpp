@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/session/palpation_kind.h"
 
+#include "database/repositories/session_types.h"
 #include "operators/palpation/palpation_operator.h"
+#include "scoring/detection/finding_matches.h"
+#include "scoring/detection/palpation_answer.h"
+#include "session/answer_events.h"
 #include "session/level_cues.h"
 #include "app/exercises/palpation/session/palpation_marks.h"
 #include "session/playback_track.h"
@@ -219,6 +223,21 @@ core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::S
     if (const auto outcomes = palpationOutcomes(*trace))
         addPalpationMarks(track, *outcomes);
     return {};
+}
+
+void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+    const auto judged = scoring::judgePalpation(trial);
+    if (!judged.answer)
+        return;
+    const scoring::PalpationAnswer& answer = *judged.answer;
+    for (const std::size_t report : falseAlarmReports(answer))
+        events.addFrom(answer.reports[report].t_s, "false_alarm",
+                       "{\"trial\":" + std::to_string(trial.trial) + ",\"finding\":" + std::to_string(answer.reports[report].finding + 1) + "}");
+    if (!trial.completed && !trial.timedOut)
+        return; // of a search that was broken off nobody knows what it would have found
+    for (std::size_t lump = 0; lump < answer.truth.lumps.size(); ++lump)
+        if (scoring::foundBy(answer.matches, static_cast<int>(lump)) == nullptr)
+            events.addAt(record.lastTick, "lump_missed", trial.trial);
 }
 
 } // namespace chiron::session

@@ -43,6 +43,11 @@ public:
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
     core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    /// "false_alarm" (where a finding was marked that found no lump; detail: finding, from 1) and "lump_missed" (at the end of a trial
+    /// that came to one).
+    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
+    /// A session lasts ten minutes and more: nobody who learns does one, and no operator all levels.
+    DemoPart demoPart(int level) const override { return {.ofWhoCan = level <= 2, .ofOperators = level <= 2}; }
 };
 
 } // namespace chiron::session

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 
+#include "database/repositories/session_types.h"
 #include "operators/sphere_apex/sphere_apex_operator.h"
+#include "scoring/metrics/apex_answer.h"
+#include "scoring/trace_rows.h"
+#include "session/answer_events.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
 #include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
 #include "simulation/exercises/sphere_apex/touched_dome.h"
 
+#include <QJsonObject>
 #include <cmath>
 
 namespace chiron::session {
@@ -135,6 +140,35 @@ std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::Exe
 core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::SessionTrace*, PlaybackTrack& track) const {
     noteMisses(track);
     return {};
+}
+
+void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+    if (!trial.apex || !trial.marked || trial.tools.empty())
+        return; // what was not marked is an event already
+    scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
+    prepared.trial = &trial;
+    prepared.tool = &trial.tools.front();
+    if (const auto answer = scoring::apexAnswer(prepared); answer && answer->miss)
+        events.addAt(record.lastTick, "missed", trial.trial);
+}
+
+void SphereApexKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
+    if (!trial.apex)
+        return;
+    truth.insert("apex_x_m", trial.apex->x_m);
+    truth.insert("apex_y_m", trial.apex->y_m);
+    truth.insert("radius_m", trial.apex->radius_m);
+}
+
+void SphereApexKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+    columns.target = !trials.empty() && trials.front().apex.has_value();
+}
+
+void SphereApexKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (!trial.apex)
+        return;
+    row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
+    row.targetRadius_m = trial.apex->radius_m;
 }
 
 } // namespace chiron::session

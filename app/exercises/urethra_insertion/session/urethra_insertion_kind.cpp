@@ -3,6 +3,8 @@
 
 #include "operators/urethra_insertion/urethra_insertion_operator.h"
 #include "scoring/insertion_events.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_rows.h"
 #include "session/device_friction.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
@@ -10,6 +12,8 @@
 #include "simulation/exercises/urethra_insertion/drawn_tip.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -107,6 +111,42 @@ core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup, con
         return done;
     addInsertion(track, *trace);
     return {};
+}
+
+void UrethraInsertionKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
+    if (!trial.insertion)
+        return;
+    QJsonArray seen_s;
+    for (const double t_s : trial.insertion->landmarkSeen_s)
+        seen_s.append(std::isnan(t_s) ? QJsonValue() : QJsonValue(t_s));
+    truth.insert("completed", trial.completed);
+    truth.insert("length_m", trial.insertion->length_m);
+    truth.insert("bend_m", trial.insertion->bend_m);
+    truth.insert("goal_m", trial.insertion->goal_m);
+    truth.insert("lateral_limit_N", trial.insertion->lateralLimit_N);
+    truth.insert("landmarks_seen_s", seen_s);
+}
+
+void UrethraInsertionKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+    if (trials.empty() || !trials.front().insertion)
+        return;
+    columns.insertion = columns.completed = true;
+    columns.torque = !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
+}
+
+void UrethraInsertionKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (trial.insertion)
+        scoring::setTrialOfCanal(row.insertion, trial);
+}
+
+// By its time: the series has a value for each sample that is scored.
+void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (!trial.insertion || row.tool != 0 || trial.tools.empty())
+        return;
+    const std::vector<double>& t_s = trial.tools.front().t_s;
+    const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
+    if (sample != t_s.end() && *sample == row.t_s)
+        scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
 }
 
 } // namespace chiron::session

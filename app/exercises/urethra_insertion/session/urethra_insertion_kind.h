@@ -29,6 +29,11 @@ public:
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
     core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for those that were not seen.
+    void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
+    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< of the canal
+    void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
+    void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
 };
 
 } // namespace chiron::session

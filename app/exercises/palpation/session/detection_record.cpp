@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/detection_record.h"
+#include "app/exercises/palpation/session/detection_record.h"
 
 #include "scoring/detection/palpation_answer.h"
 #include "session/level_cues.h"
