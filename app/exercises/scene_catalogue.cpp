@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The exercises that are drawn in 3D: a line each. In the library with Qt3D, which is loaded while the program runs.
 #include "app/exercises/elastic_tube/scene/tube_content.h"
 #include "app/exercises/object_handling/scene/handling_content.h"
 #include "app/exercises/palpation/scene/palpation_content.h"
