@@ -2,7 +2,7 @@
 #pragma once
 
 #include "report/grasp_report_data.h"
-#include "report/palpation_report_data.h"
+#include "app/exercises/palpation/report/palpation_report_data.h"
 
 #include <QDateTime>
 #include <QString>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session report tells of a palpation: sensitivity, findings, and the maps of each trial beside the truth.
-#include "report/palpation_report_data.h"
+#include "app/exercises/palpation/report/palpation_report_data.h"
 #include "report/report_blocks.h"
 #include "report/report_text.h"
 

@@ -50,23 +50,19 @@ bool hasOperator(const std::string& exercise, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What is learned over several attempts: short sessions that say much.
-bool isLearned(const std::string& exercise, int level) { return level == 1 && (exercise == "sphere_apex" || exercise == "elastic_tube"); }
-
-/// Which levels the demonstration's trainees have done. Who can do it: the first two of each exercise, the organs of sphere apex, and the tube
-/// that takes two hands. Who learns: what is learned, the level after it, and the first of the others but palpation, whose sessions are long.
-bool tries(const DemoPerson& person, const std::string& exercise, int level) {
-    if (person.learns.empty())
-        return level <= 2 || (exercise == "sphere_apex" && level >= 5) || (exercise == "elastic_tube" && level == 4);
-    return isLearned(exercise, 1) ? level <= 2 : level == 1 && exercise != "palpation";
+/// Nobody does what cannot be run.
+DemoPart demoPartOf(const std::string& exercise, int level) {
+    const auto kind = exerciseKind(exercise);
+    return kind ? (*kind)->demoPart(level) : DemoPart{};
 }
 
 /// Who stands in at a level, attempt by attempt.
 std::vector<std::string> handsAt(const DemoPerson& person, const std::string& exercise, int level) {
-    if (!tries(person, exercise, level))
+    const DemoPart part = demoPartOf(exercise, level);
+    if (!(person.learns.empty() ? part.ofWhoCan : part.ofWhoLearns))
         return {};
     std::vector<std::string> hands;
-    if (isLearned(exercise, level))
+    if (part.learned)
         hands.assign(person.learns.begin(), person.learns.end());
     if (hands.empty())
         hands.emplace_back(person.operatorName);
@@ -112,9 +108,6 @@ core::Result<std::vector<Planned>> makePeople(database::Database& database, cons
     return planned;
 }
 
-/// Which levels every operator does: all, but of palpation, whose sessions last ten minutes and more, the first two.
-bool isShown(const std::string& exercise, int level) { return exercise != "palpation" || level <= 2; }
-
 core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& catalogue, std::uint64_t seed) {
     std::vector<Planned> planned;
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
@@ -122,7 +115,7 @@ core::Result<std::vector<Planned>> planOperators(const catalogue::Catalogue& cat
         if (!kind)
             return tl::unexpected(kind.error());
         for (const catalogue::ExerciseLevel& level : exercise.levels) {
-            if (!isShown(exercise.id, level.number))
+            if (!(*kind)->demoPart(level.number).ofOperators)
                 continue;
             for (const std::string& name : (*kind)->operatorNames())
                 planned.push_back({"simulated", database::Actor::simulated(), {exercise.id, level.number, name, seed}});

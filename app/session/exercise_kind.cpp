@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/exercise_kind.h"
 
-#include "session/comparison_kind.h"
-#include "session/elastic_tube_kind.h"
-#include "session/object_handling_kind.h"
-#include "session/palpation_kind.h"
-#include "session/sphere_apex_kind.h"
-#include "session/urethra_insertion_kind.h"
-
-#include <array>
-
 namespace chiron::session {
 
 std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
@@ -17,24 +8,6 @@ std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, con
     for (int tool = 0; tool < kind.toolCount(level); ++tool)
         places.push_back(kind.toolPlace(level, tool));
     return places;
-}
-
-core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
-    static const SphereApexKind sphereApex;
-    static const UrethraInsertionKind urethraInsertion;
-    static const ElasticTubeKind elasticTube;
-    static const ObjectHandlingKind objectHandling;
-    static const PalpationKind palpation;
-    static const ComparisonKind comparison; // of studies
-    static const auto kinds =
-        std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
-    std::string known;
-    for (const ExerciseKind* kind : kinds) {
-        if (kind->id() == id)
-            return kind;
-        known += (known.empty() ? "" : ", ") + std::string(kind->id());
-    }
-    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
 }
 
 } // namespace chiron::session

@@ -20,8 +20,20 @@
 #include <utility>
 #include <vector>
 
+class QJsonObject;
+
+namespace chiron::database {
+struct TrialRecord;
+}
+
+namespace chiron::scoring {
+struct TraceColumns;
+struct TraceRow;
+}
+
 namespace chiron::session {
 
+class AnswerEvents;
 struct SessionSetup;
 class PlaybackTrack;
 
@@ -48,8 +60,16 @@ struct FingersOfHand {
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
+/// Who does a level in the demonstration site (demo_site.h).
+struct DemoPart {
+    bool learned = false;      ///< trainees repeat it, and get better: short sessions that say much
+    bool ofWhoCan = false;     ///< those trainees have done it who can do the exercise
+    bool ofWhoLearns = false;  ///< ... and those who learn
+    bool ofOperators = true;   ///< every scripted operator does it
+};
+
 /// How one kind of exercise is run: its scene, its operators and its truth. A new
-/// kind adds a class and one line in exercise_kind.cpp. Stateless.
+/// kind adds a class and one line in app/exercises/session_catalogue.cpp. Stateless.
 class ExerciseKind {
 public:
     ExerciseKind() = default;
@@ -123,6 +143,18 @@ public:
     /// Adds to a track what only the whole of a trial tells: what an answer was worth, what scores count. By the same judgement as the
     /// scores. Marks stay in the order of time. `trace` is null unless marksFromTrace(). Failure: a trace that cannot be scored.
     virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/, PlaybackTrack&) const { return {}; }
+    /// Adds what the answer of a trial was worth, as events of its session. By the same judgement as the scores.
+    virtual void addAnswerEvents(const scoring::TrialTrace&, const database::TrialRecord&, AnswerEvents&) const {}
+    /// Adds to what is stored with a trial what is true of it beside TrialTrace::truth.
+    virtual void storeTruth(const scoring::TrialTrace&, QJsonObject& /*truth*/) const {}
+    /// The columns that an exported trace has for this exercise beside quantities and TrialTrace::truth.
+    virtual void addColumns(std::span<const scoring::TrialTrace>, scoring::TraceColumns&) const {}
+    /// Fills those columns that say something of the whole trial ...
+    virtual void fillRowOfTrial(const scoring::TrialTrace&, scoring::TraceRow&) const {}
+    /// ... and those of the sample of this row (its tool and time are set), which lies within the trial.
+    virtual void fillRowOfSample(const scoring::TrialTrace&, scoring::TraceRow&) const {}
+    /// Who does this level in the demonstration site.
+    virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
 };
 
 /// Where the bases of a level's tools stand when nobody mounts them elsewhere.

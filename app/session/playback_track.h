@@ -6,7 +6,7 @@
 #include "core/tool_state.h"
 #include "database/actor.h"
 #include "scoring/insertion_moments.h"
-#include "session/playback_insertion.h"
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "session/playback_mark.h"
 #include "session/trial_surfaces.h"
 

@@ -7,6 +7,7 @@
 #include "scoring/trace_csv.h"
 #include "scoring/trace_grid.h"
 #include "session/device_time.h"
+#include "session/exercise_kind.h"
 #include "session/trace_assembler.h"
 
 #include <QJsonArray>
@@ -35,8 +36,8 @@ core::Vec3 torqueOf(const core::Array6& wrench) {
 /// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
 class RowMaker {
 public:
-    RowMaker(SessionView& session, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
-        : m_session(session), m_columns(columns), m_quantities(session.reader().table()) {
+    RowMaker(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
+        : m_session(session), m_kind(kind), m_columns(columns), m_quantities(session.reader().table()) {
         for (const scoring::TrialTrace& trial : trials)
             m_trials[trial.trial] = &trial;
     }
@@ -86,16 +87,11 @@ private:
         const bool known = found != m_trials.end();
         // Samples between trials belong to none; their columns hold what a reader accepts.
         const scoring::TrialTrace& trial = known ? *found->second : *m_trials.begin()->second;
-        if (trial.apex) {
-            row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
-            row.targetRadius_m = trial.apex->radius_m;
-        }
-        if (trial.insertion)
-            scoring::setTrialOfCanal(row.insertion, trial);
+        m_kind.fillRowOfTrial(trial, row);
         row.truth = scoring::truthOf(trial, m_columns.truth);
         if (!known)
             return;
-        addCanalSample(row, trial);
+        m_kind.fillRowOfSample(trial, row);
         row.marked = trial.marked;
         row.timedOut = trial.timedOut;
         row.completed = trial.completed;
@@ -105,18 +101,8 @@ private:
         row.p_WMark_m = trial.p_WMark_m;
     }
 
-    /// By its time: the series has a value for each sample that is scored.
-    static void addCanalSample(scoring::TraceRow& row, const scoring::TrialTrace& trial) {
-        if (!trial.insertion || row.tool != 0 || trial.tools.empty())
-            return;
-        const std::vector<double>& t_s = trial.tools.front().t_s;
-        const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
-        if (sample != t_s.end() && *sample == row.t_s)
-            scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()),
-                                      row.t_s);
-    }
-
     SessionView& m_session;
+    const ExerciseKind& m_kind;
     const scoring::TraceColumns& m_columns;
     RecordedQuantities m_quantities;
     std::map<int, const scoring::TrialTrace*> m_trials;
@@ -124,7 +110,7 @@ private:
     DeviceTime m_time;
 };
 
-scoring::TraceColumns columnsOf(SessionView& session, const std::vector<scoring::TrialTrace>& trials) {
+scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials) {
     scoring::TraceColumns columns;
     columns.orientation = columns.buttons = columns.tool = columns.tissue = columns.commanded = true;
     columns.trial = columns.phase = columns.paused = columns.mark = columns.forceLimit = columns.contact = true;
@@ -132,15 +118,13 @@ scoring::TraceColumns columnsOf(SessionView& session, const std::vector<scoring:
         columns.jaw = columns.jaw || device.jawResolution_rad > 0.0;
         columns.measured = columns.measured || device.measuresForce;
     }
-    columns.insertion = !trials.empty() && trials.front().insertion.has_value();
-    columns.torque = columns.insertion && !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
-    columns.target = !trials.empty() && trials.front().apex.has_value();
     const RecordedQuantities quantities(session.reader().table());
     for (const RecordedQuantities::Quantity& quantity : quantities.list())
         columns.quantities.push_back(quantity.id);
     columns.truth = scoring::truthIdsOf(trials);
     columns.failed = quantities.size() > 0; // exercises with quantities end a trial in more than one way
-    columns.completed = columns.insertion || columns.failed;
+    columns.completed = columns.failed;
+    kind.addColumns(trials, columns);
     columns.unfinished = std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
     columns.planned = true;
     return columns;
@@ -155,9 +139,12 @@ core::Result<void> exportCsv(SessionView& session, const QString& path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return tl::unexpected(cannotWrite(path, file.errorString()));
-    const scoring::TraceColumns columns = columnsOf(session, (*trace)->trials);
+    const auto kind = exerciseKind(session.setup().level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
+    const scoring::TraceColumns columns = columnsOf(session, **kind, (*trace)->trials);
     std::string text = scoring::traceCsvHeader(columns);
-    RowMaker rows(session, (*trace)->trials, columns);
+    RowMaker rows(session, **kind, (*trace)->trials, columns);
     const int tools = session.positions().tools();
     const auto flush = [&]() -> core::Result<void> {
         if (file.write(text.data(), qint64(text.size())) != qint64(text.size()))

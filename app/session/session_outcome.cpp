@@ -5,13 +5,12 @@
 #include "database/repositories/session_repository.h"
 #include "session/answer_events.h"
 #include "session/event_extractor.h"
+#include "session/exercise_kind.h"
 #include "session/session_view.h"
 
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace chiron::session {
@@ -37,28 +36,9 @@ database::TrialRecord withFate(database::TrialRecord trial, SessionState session
     return trial;
 }
 
-/// Landmarks that were not seen are null.
-void addCanal(QJsonObject& truth, const scoring::TrialTrace& trial) {
-    QJsonArray seen_s;
-    for (const double t_s : trial.insertion->landmarkSeen_s)
-        seen_s.append(std::isnan(t_s) ? QJsonValue() : QJsonValue(t_s));
-    truth.insert("completed", trial.completed);
-    truth.insert("length_m", trial.insertion->length_m);
-    truth.insert("bend_m", trial.insertion->bend_m);
-    truth.insert("goal_m", trial.insertion->goal_m);
-    truth.insert("lateral_limit_N", trial.insertion->lateralLimit_N);
-    truth.insert("landmarks_seen_s", seen_s);
-}
-
-std::string truthJson(const scoring::TrialTrace& trial) {
+std::string truthJson(const ExerciseKind& kind, const scoring::TrialTrace& trial) {
     QJsonObject truth;
-    if (trial.apex) {
-        truth.insert("apex_x_m", trial.apex->x_m);
-        truth.insert("apex_y_m", trial.apex->y_m);
-        truth.insert("radius_m", trial.apex->radius_m);
-    }
-    if (trial.insertion)
-        addCanal(truth, trial);
+    kind.storeTruth(trial, truth);
     if (!trial.truth.empty()) {
         truth.insert("completed", trial.completed);
         truth.insert("failed", trial.failed);
@@ -71,6 +51,7 @@ std::string truthJson(const scoring::TrialTrace& trial) {
 /// What a session's last transaction stores.
 struct Conclusion {
     SessionState state = SessionState::completed;
+    const ExerciseKind* kind = nullptr;
     EventExtractor seen;
     std::shared_ptr<const scoring::SessionTrace> trace; ///< the truth of each trial goes with its row
     core::Result<scoring::ScoreCard> card;
@@ -78,6 +59,9 @@ struct Conclusion {
 };
 
 core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
+    const auto kind = exerciseKind(stored.setup().level.exercise);
+    if (!kind)
+        return tl::unexpected(kind.error());
     EventExtractor seen(stored.record().setup.forceLimit_N, stored.setup().seed, stored.positions().tools());
     std::vector<FrameTime> times;
     DeviceTime time;
@@ -91,8 +75,8 @@ core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) 
         return tl::unexpected(trace.error());
     const SessionState state = stateOf(seen, ending);
     auto card = stored.scoresOf(**trace, state == SessionState::completed);
-    auto answers = answerEvents(times, **trace, seen.trials());
-    return Conclusion{state, std::move(seen), std::move(*trace), std::move(card), std::move(answers)};
+    auto answers = answerEvents(**kind, times, **trace, seen.trials());
+    return Conclusion{state, *kind, std::move(seen), std::move(*trace), std::move(card), std::move(answers)};
 }
 
 core::Result<void> storeEnd(database::WriteContext& context, const database::Actor& actor, database::SessionId id,
@@ -102,7 +86,7 @@ core::Result<void> storeEnd(database::WriteContext& context, const database::Act
     for (std::size_t i = 0; i < seen.trials().size(); ++i) {
         database::TrialRecord trial = withFate(seen.trials()[i], conclusion.state);
         if (i < conclusion.trace->trials.size())
-            trial.sceneJson = truthJson(conclusion.trace->trials[i]);
+            trial.sceneJson = truthJson(*conclusion.kind, conclusion.trace->trials[i]);
         if (auto done = sessions.storeTrial(id, trial); !done)
             return done;
     }

@@ -2,9 +2,9 @@
 #include "session_report/exercise_parts.h"
 
 #include "session_report/grasp_report_of.h"
-#include "session_report/insertion_profile.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "scoring/metrics/apex_answer.h"
-#include "session_report/palpation_report.h"
+#include "app/exercises/palpation/session_report/palpation_report.h"
 
 namespace chiron::session_report {
 

@@ -2,8 +2,8 @@
 // Stored palpations looked back at: the map rebuilt from the recording, the same judgement as the scores, and which sessions are
 // pooled for the ROC.
 #include "support/looked_back.h"
-#include "session/detection_record.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/detection_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "support/made_session.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/looked_back.h"
-#include "session/insertion_series.h"
+#include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
 #include "support/session_fixture.h"

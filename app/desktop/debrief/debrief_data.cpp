@@ -4,7 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "session/level_standing.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "session/session_view.h"
 #include "session_report/exercise_parts.h"
 #include "session_report/session_report.h"

@@ -6,7 +6,7 @@
 #include "database/repositories/session_types.h"
 #include "desktop/playback/playback_data.h"
 #include "report/report_data.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "session/session_setup.h"
 #include "session/worst_moment.h"
 

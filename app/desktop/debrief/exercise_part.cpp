@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/exercise_part.h"
 
-#include "desktop/debrief/palpation_box.h"
+#include "app/exercises/palpation/desktop/palpation_box.h"
 #include "desktop/plots/fitted_table.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"

@@ -2,10 +2,10 @@
 #include "desktop/exercise_setup/level_facts.h"
 
 #include "desktop/exercise_setup/gate_words.h"
-#include "desktop/training/endoscopy.h"
+#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "desktop/training/grasping.h"
-#include "desktop/training/insertion_values.h"
-#include "desktop/training/palpating.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
+#include "app/exercises/palpation/desktop/palpating.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "session/session_view.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "database/connection.h"
 #include "database/repositories/session_reader.h"
 #include "desktop/playback/grasp_replay.h"
-#include "desktop/playback/palpation_replay.h"
+#include "app/exercises/palpation/desktop/palpation_replay.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 

@@ -3,7 +3,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/plots/responsive_row.h"
-#include "desktop/training/palpation_words.h"
+#include "app/exercises/palpation/desktop/palpation_words.h"
 #include "report/report_text.h"
 
 #include <QCheckBox>

@@ -3,7 +3,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/results/results_screen.h"
 #include "desktop/results/roc_box.h"
-#include "desktop/training/palpating.h"
+#include "app/exercises/palpation/desktop/palpating.h"
 
 #include <QComboBox>
 

@@ -3,7 +3,7 @@
 
 #include "desktop/frame/background.h"
 #include "desktop/theme/theme.h"
-#include "session/detection_record.h"
+#include "app/exercises/palpation/session/detection_record.h"
 
 #include <QLocale>
 #include <QWidget>

@@ -4,7 +4,7 @@
 #include "desktop/scene2d/flat_tools.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "desktop/scene3d/palpation/palpation_dial.h"
+#include "app/exercises/palpation/scene/palpation_dial.h"
 #include "desktop/scene3d/scene_note_painter.h"
 
 #include <QPainter>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/scene_feed.h"
 
-#include "desktop/training/endoscopy.h"
+#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "session/level_limits.h"
 
 namespace chiron::desktop {

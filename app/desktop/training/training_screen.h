@@ -10,7 +10,7 @@
 #include "desktop/training/grasp_note.h"
 #include "desktop/training/live_feed.h"
 #include "desktop/training/hand_control.h"
-#include "desktop/training/palpation_map.h"
+#include "app/exercises/palpation/desktop/palpation_map.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"

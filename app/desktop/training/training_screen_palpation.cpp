@@ -2,7 +2,7 @@
 // What the training screen has for fingers that palpate.
 #include "desktop/frame/app_context.h"
 #include "desktop/training/finger_control.h"
-#include "desktop/training/palpation_panel.h"
+#include "app/exercises/palpation/desktop/palpation_panel.h"
 #include "desktop/training/training_screen.h"
 #include "desktop/training/training_words.h"
 

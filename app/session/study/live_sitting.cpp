@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/live_sitting.h"
 
-#include "session/study/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/begun_run.h"
-#include "session/study/live_apex.h"
+#include "app/exercises/sphere_apex/session/live_apex.h"
 #include "session/study/live_study.h"
 
 namespace chiron::session {

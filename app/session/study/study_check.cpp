@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_check.h"
 
-#include "session/study/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/simulated_limits.h"
 #include "session/study/study_setup.h"
 

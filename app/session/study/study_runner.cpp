@@ -3,7 +3,7 @@
 
 #include "catalogue/apex_study_content.h"
 #include "core/random.h"
-#include "session/study/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/rendered_run.h"
 #include "session/study/run_seed.h"
 #include "session/study/study_check.h"

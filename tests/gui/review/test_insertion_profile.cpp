@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/review/made_insertion.h"
-#include "session_report/insertion_profile.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 
 #include <QtTest>
 #include <algorithm>

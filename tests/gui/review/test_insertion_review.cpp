@@ -6,7 +6,7 @@
 #include "report/session_plots.h"
 #include "report/report_writer.h"
 #include "session/playback_ghost.h"
-#include "session_report/insertion_profile.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "session_report/mark_words.h"
 #include "session_report/session_report.h"
 #include "session_report/track_series.h"

@@ -2,7 +2,7 @@
 // What the printed report tells of a palpation: findings, missed lumps, sensitivity, maps. CHIRON_KEEP_PICTURES=<folder> keeps it.
 #include "../../unit/scoring/palpation_traces.h"
 #include "report/report_writer.h"
-#include "session_report/palpation_report.h"
+#include "app/exercises/palpation/session_report/palpation_report.h"
 
 #include <QtTest>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "desktop/scene3d/sphere_apex/dent.h"
+#include "desktop/scene3d/parts/dent.h"
 #include "desktop/scene3d/triangle_mesh.h"
 
 #include <QString>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the endoscope's view draws, without a window.
-#include "desktop/scene2d/urethra_insertion/flat_profile.h"
-#include "desktop/scene2d/urethra_insertion/flat_scope_picture.h"
+#include "app/exercises/urethra_insertion/scene/flat_profile.h"
+#include "app/exercises/urethra_insertion/scene/flat_scope_picture.h"
 #include "desktop/scene3d/scene_loader.h"
-#include "desktop/scene3d/urethra_insertion/endoscope_layout.h"
-#include "desktop/scene3d/urethra_insertion/lining_mesh.h"
-#include "desktop/scene3d/urethra_insertion/lining_picture.h"
-#include "desktop/scene3d/urethra_insertion/overview_fit.h"
-#include "desktop/scene3d/urethra_insertion/scope_marks.h"
-#include "desktop/scene3d/urethra_insertion/thin_lens.h"
-#include "desktop/scene3d/urethra_insertion/urethra_buffers.h"
+#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
+#include "app/exercises/urethra_insertion/scene/lining_mesh.h"
+#include "app/exercises/urethra_insertion/scene/lining_picture.h"
+#include "app/exercises/urethra_insertion/scene/overview_fit.h"
+#include "app/exercises/urethra_insertion/scene/scope_marks.h"
+#include "app/exercises/urethra_insertion/scene/thin_lens.h"
+#include "app/exercises/urethra_insertion/scene/urethra_buffers.h"
 #include "gui/scene3d/urethra_samples.h"
 
 #include <QApplication>

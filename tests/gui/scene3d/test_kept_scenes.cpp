@@ -3,10 +3,10 @@
 // dimensions, else the flat ones, these as lines of what is painted, too (support/paint_outline.h), as are the faces that both have.
 // CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_scenes
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "desktop/scene3d/palpation/finding_flag.h"
-#include "desktop/scene3d/palpation/map_legend.h"
+#include "app/exercises/palpation/scene/finding_flag.h"
+#include "app/exercises/palpation/scene/map_legend.h"
 #include "desktop/scene3d/scene_loader.h"
-#include "desktop/scene3d/urethra_insertion/notice_painter.h"
+#include "app/exercises/urethra_insertion/scene/notice_painter.h"
 #include "gui/scene3d/picture_states.h"
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"

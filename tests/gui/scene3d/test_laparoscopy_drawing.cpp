@@ -2,11 +2,11 @@
 // What is drawn of tube and ovaries: where the forces say, no longer and no thicker than it is.
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
-#include "desktop/scene3d/elastic_tube/fold_sheet.h"
-#include "desktop/scene3d/elastic_tube/mark_ring.h"
-#include "desktop/scene3d/elastic_tube/tube_mesh.h"
+#include "app/exercises/elastic_tube/scene/fold_sheet.h"
+#include "app/exercises/elastic_tube/scene/mark_ring.h"
+#include "desktop/scene3d/parts/tube_mesh.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "desktop/scene3d/object_handling/squeezed.h"
+#include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of a palpation: the felt surface, dents as deep as they are felt, what was searched, and nothing that is not told.
-#include "desktop/scene2d/palpation/flat_palpation.h"
+#include "app/exercises/palpation/scene/flat_palpation.h"
 #include "desktop/scene3d/camera_fit.h"
-#include "desktop/scene3d/palpation/finding_flag.h"
-#include "desktop/scene3d/palpation/finger_mesh.h"
-#include "desktop/scene3d/palpation/hand_mesh.h"
-#include "desktop/scene3d/palpation/finger_pose.h"
-#include "desktop/scene3d/palpation/map_legend.h"
-#include "desktop/scene3d/palpation/map_picture.h"
-#include "desktop/scene3d/palpation/palpation_dial.h"
-#include "desktop/scene3d/palpation/tissue_mesh.h"
+#include "app/exercises/palpation/scene/finding_flag.h"
+#include "app/exercises/palpation/scene/finger_mesh.h"
+#include "app/exercises/palpation/scene/hand_mesh.h"
+#include "app/exercises/palpation/scene/finger_pose.h"
+#include "app/exercises/palpation/scene/map_legend.h"
+#include "app/exercises/palpation/scene/map_picture.h"
+#include "app/exercises/palpation/scene/palpation_dial.h"
+#include "app/exercises/palpation/scene/tissue_mesh.h"
 #include "gui/scene3d/palpation_samples.h"
 
 #include <QPainter>

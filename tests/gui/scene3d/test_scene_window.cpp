@@ -2,7 +2,7 @@
 // The 3D scene on a real window: needs a display with OpenGL (Xvfb with Mesa will do), else it says so and
 // skips.
 #include "desktop/scene3d/scene_loader.h"
-#include "desktop/scene3d/sphere_apex/apex_mesh.h"
+#include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/shader_dents.h"

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
-#include "desktop/scene3d/urethra_insertion/urethra_drawing.h"
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 
 #include <cmath>
 

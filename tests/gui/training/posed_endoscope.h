@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "desktop/training/insertion_values.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 
 #include <cmath>
 

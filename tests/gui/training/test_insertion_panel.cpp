@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/force_bar.h"
-#include "desktop/training/insertion_panel.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 #include "gui/training/posed_endoscope.h"

@@ -3,7 +3,7 @@
 #include "support/settled.h"
 
 #include "desktop/training/force_bar.h"
-#include "desktop/training/insertion_values.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
 

@@ -175,7 +175,7 @@ bool TestFileDialogs::says(const char* words) const {
 }
 
 void TestFileDialogs::everyDialogIsHere() {
-    QDirIterator files(QStringLiteral(CHIRON_SOURCE_DIR "/app/desktop"), {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator files(QStringLiteral(CHIRON_SOURCE_DIR "/app"), {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
     int dialogs = 0;
     while (files.hasNext()) {
         QFile file(files.next());

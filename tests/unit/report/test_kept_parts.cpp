@@ -2,7 +2,7 @@
 // What a report tells of each exercise beside its metrics, of trials in which much happens and of the same with something lacking, against
 // what was kept. A change that is meant is kept anew: CHIRON_STORE_OUTLINES=1 build/release/tests/unit/report/test_kept_parts
 #include "session_report/exercise_parts.h"
-#include "session_report/palpation_report.h"
+#include "app/exercises/palpation/session_report/palpation_report.h"
 #include "support/kept_figures.h"
 #include "unit/scoring/drawn_traces.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps of a palpation as pictures: what was searched, how hard, where lumps and findings lie. CHIRON_KEEP_PICTURES=<folder> keeps them.
-#include "report/palpation_map_painter.h"
+#include "app/exercises/palpation/report/palpation_map_painter.h"
 
 #include <QtTest>
 #include <cmath>

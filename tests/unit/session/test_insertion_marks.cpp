@@ -4,7 +4,7 @@
 
 #include "scoring/score_calculator.h"
 #include "scoring/insertion_events.h"
-#include "session/insertion_marks.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "session/worst_moment.h"
 
 #include <QtTest>

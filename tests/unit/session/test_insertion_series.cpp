@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/insertion_series.h"
+#include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "support/urethra_bench.h"
 
 #include <QtTest>

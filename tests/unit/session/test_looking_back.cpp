@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "frames.h"
 #include "scoring/force_facts.h"
-#include "session/palpation_marks.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
 #include "session/playback_mark.h"
 #include "session/worst_moment.h"
 #include "session/yield_cause.h"

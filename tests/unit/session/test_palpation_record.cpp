@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A palpation looked back at: maps rebuilt from recorded poses and forces, what became of findings, sessions pooled.
 #include "../scoring/palpation_traces.h"
-#include "session/detection_record.h"
-#include "session/palpation_record.h"
+#include "app/exercises/palpation/session/detection_record.h"
+#include "app/exercises/palpation/session/palpation_record.h"
 #include "simulation/palpation/tissue_surface.h"
 
 #include <QtTest>

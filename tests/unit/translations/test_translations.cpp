@@ -245,6 +245,8 @@ private:
                               QStringLiteral("-no-obsolete"),
                               QStringLiteral("-no-ui-lines"),
                               QStringLiteral("-I"),
+                              QStringLiteral(CHIRON_SOURCE_DIR),
+                              QStringLiteral("-I"),
                               QStringLiteral(CHIRON_SOURCE_DIR "/app")};
         if (locale == QLatin1String("en"))
             arguments << QStringLiteral("-pluralonly");

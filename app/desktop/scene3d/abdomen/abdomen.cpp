@@ -4,7 +4,7 @@
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/plugin/skin_texture.h"
-#include "desktop/scene3d/sphere_apex/dent.h"
+#include "desktop/scene3d/parts/dent.h"
 
 #include <QMatrix4x4>
 #include <algorithm>

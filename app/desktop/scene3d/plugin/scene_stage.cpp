@@ -3,7 +3,7 @@
 
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "desktop/scene3d/palpation/palpation_dial.h"
+#include "app/exercises/palpation/scene/palpation_dial.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
 #include <QMatrix4x4>

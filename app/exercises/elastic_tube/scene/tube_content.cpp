@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/elastic_tube/scene/tube_content.h"
+
+#include "app/exercises/elastic_tube/scene/fold_sheet.h"
+#include "app/exercises/elastic_tube/scene/mark_ring.h"
+#include "desktop/scene3d/parts/tube_mesh.h"
+
+#include <algorithm>
+
+namespace chiron::scene3d {
+
+namespace {
+const OrganLook kFold{{0.98F, 0.86F, 0.66F, 0.75F}, {0.93F, 0.70F, 0.50F, 0.85F}}; // peritoneum over fat
+const OrganLook kTube{{1.0F, 0.80F, 0.72F, 0.65F}, {0.97F, 0.66F, 0.60F, 0.9F}};
+}
+
+TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
+    : m_parameters(std::get<simulation::ElasticTubeParameters>(setup.parameters)),
+      m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
+    m_tube = new Part({}, m_abdomen->organ(kTube, m_abdomen), m_abdomen);
+    m_fold = new Part({}, m_abdomen->organ(kFold, m_abdomen), m_abdomen);
+    m_ink = new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0.16F, 0.10F, 0.38F, 1.0F), m_abdomen);
+    m_marks = new Part({}, light.effects.material("solid.vert", "signal.frag", {m_ink}, Blend::opaque, m_abdomen), m_abdomen);
+    m_shade = new Part({}, m_abdomen->shade(m_abdomen), m_abdomen);
+    m_target = new TargetRing(light, m_abdomen);
+    for (Part* part : {m_tube, m_marks, m_shade, m_fold})
+        part->setEnabled(false);
+}
+
+double TubeContent::fieldRadius_m() const { return 0.052; }
+
+double TubeContent::roomAbove_m() const {
+    // As far up as the tube reaches before it tears, and the jaws on it.
+    return std::min(0.074, m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010);
+}
+
+void TubeContent::putTranslucent(Qt3DRender::QLayer* layer) {
+    m_shade->addComponent(layer);
+    m_target->putTranslucent(layer);
+}
+
+void TubeContent::change(const SceneSetup& setup) {
+    m_parameters = std::get<simulation::ElasticTubeParameters>(setup.parameters);
+    m_abdomen->change(setup);
+    m_target->change(setup);
+}
+
+void TubeContent::show(const SceneState& state) {
+    m_abdomen->show(state);
+    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const bool shown = cues.present && cues.objectShown && cues.tube;
+    for (Part* part : {m_tube, m_marks, m_shade})
+        part->setEnabled(shown);
+    if (shown) {
+        const TubeCurve curve = TubeCurve::of(cues, m_parameters.radius_m);
+        m_tube->mesh().setMesh(tubeMesh(curve));
+        m_marks->mesh().setMesh(tubeMarks(curve, cues));
+        m_shade->mesh().setMesh(tubeShade(curve, 0.0));
+    }
+    m_fold->setEnabled(shown && cues.fold);
+    if (shown && cues.fold) {
+        const double most_N = m_parameters.retractionHigh_N;
+        m_fold->mesh().setMesh(foldMesh(FoldSheet::of(cues), std::clamp(cues.retraction_N / most_N - 1.0, 0.0, 1.0)));
+    }
+    showTarget(cues);
+}
+
+void TubeContent::showTarget(const core::LaparoscopyCues& cues) {
+    if (const auto ring = markRing(m_parameters, cues))
+        m_target->show(ring->p_W, ring->along, ring->radius_m, ring->foot, cues.dwell);
+    else
+        m_target->hide();
+}
+
+} // namespace chiron::scene3d

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/abdomen/abdomen.h"
+#include "desktop/scene3d/abdomen/target_marks.h"
+#include "app/exercises/elastic_tube/scene/tube_curve.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+
+namespace chiron::scene3d {
+
+/// The tube in the abdomen: made anew from the cues for every picture (about 1,500 vertices).
+class TubeContent final : public ISceneContent {
+public:
+    TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    void warm() override {}
+    double groundHeight_m(double, double) const override { return 0.0; }
+    double fieldRadius_m() const override;
+    double planeHeight_m() const override { return 0.0; }
+    double roomAbove_m() const override;
+    bool isDraped() const override { return false; }
+    void putTranslucent(Qt3DRender::QLayer* layer) override;
+
+private:
+    void showTarget(const core::LaparoscopyCues& cues);
+
+    simulation::ElasticTubeParameters m_parameters;
+    Abdomen* m_abdomen;
+    Part* m_tube;
+    Part* m_marks;
+    Part* m_fold;
+    Part* m_shade;
+    Qt3DRender::QParameter* m_ink;
+    TargetRing* m_target;
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
+
+#include "operators/elastic_tube/elastic_tube_operator.h"
+#include "session/session_setup.h"
+#include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
+#include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+using simulation::TubeTask;
+
+const simulation::ElasticTubeParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::ElasticTubeParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to let go; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+/// A retractor enters behind the field, so that it draws tissue away from the hands that work in it: assumption.
+constexpr double kRetractorBehind_m = 0.040;
+
+class ElasticTubeSurfaces final : public TrialSurfaces {
+public:
+    ElasticTubeSurfaces(const simulation::ElasticTubeParameters& p, std::uint64_t seed) : m_radius_m(p.radius_m) {
+        for (const simulation::ElasticTubeTrial& trial : simulation::planElasticTubeTrials(p, seed))
+            m_bases.emplace_back(trial.base_m.x(), trial.base_m.y(), 0.0);
+    }
+    std::optional<TrialObject> object(int trial) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_bases.size())
+            return std::nullopt;
+        return TrialObject{m_bases[index], m_radius_m, {}};
+    }
+    core::Vec3 surfacePoint(int, const core::Vec3& p_WT) const override { return p_WT; }
+
+private:
+    double m_radius_m;
+    std::vector<core::Vec3> m_bases;
+};
+
+} // namespace
+
+int ElasticTubeKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
+
+devices::WorkspaceMapping ElasticTubeKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {
+    const auto& p = parametersOf(level);
+    devices::WorkspaceMapping place;
+    if (p.hasFold() && tool == p.retractor())
+        place.origin_m[1] = kRetractorBehind_m;
+    else if (p.hands() > 1)
+        place.origin_m[0] = (tool == 0 ? 0.5 : -0.5) * p.instrumentsApart_m;
+    return place;
+}
+
+std::vector<core::QuantityDescription> ElasticTubeKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"tension_N", "N", 1e-3}, {"stretch_m", "m", 1e-6},    {"grip_0", "1", 1.0},       {"grip_1", "1", 1.0},
+            {"grip_2", "1", 1.0},     {"free_end_x_m", "m", 1e-6}, {"free_end_y_m", "m", 1e-6}, {"free_end_z_m", "m", 1e-6},
+            {"step", "1", 1.0},       {"dwell", "1", 1e-3}};
+    if (parametersOf(level).hasFold())
+        for (const core::QuantityDescription& one : {core::QuantityDescription{"retraction_N", "N", 1e-3}, {"fold_open", "1", 1.0}, {"fold_edge_x_m", "m", 1e-6},
+                                                     {"fold_edge_y_m", "m", 1e-6}, {"fold_edge_z_m", "m", 1e-6}})
+            out.push_back(one);
+    return out;
+}
+
+std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetup& setup) const {
+    return std::make_unique<simulation::ElasticTubeScene>(parametersOf(setup.level), setup.seed);
+}
+
+core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                                            std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
+}
+
+core::Result<ScriptedTrainee> ElasticTubeKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                                             const catalogue::ExerciseLevel& level, const std::string& name,
+                                                             std::uint64_t seed) const {
+    auto settings = operators::elasticTubeOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto& p = parametersOf(level);
+    operators::ElasticTubeBriefing briefing;
+    briefing.goal = p.task == TubeTask::stretch    ? operators::TubeGoal::mark
+                    : p.task == TubeTask::transfer ? operators::TubeGoal::bring
+                                                   : operators::TubeGoal::tension;
+    briefing.markRatio = p.markRatio;
+    briefing.markTolerance = p.markTolerance;
+    briefing.retracts = p.hasFold();
+    briefing.places.assign(places.begin(), places.end());
+    auto strategies = operators::makeElasticTubeOperator(*settings, briefing, seed);
+    if (!strategies)
+        return tl::unexpected(strategies.error());
+    return ScriptedTrainee{std::move(*strategies), settings->hand};
+}
+
+std::vector<std::string> ElasticTubeKind::operatorNames() const {
+    const auto names = operators::elasticTubeOperatorNames();
+    return {names.begin(), names.end()};
+}
+
+int ElasticTubeKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+
+double ElasticTubeKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+
+std::uint64_t ElasticTubeKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+}
+
+void ElasticTubeKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+    const auto& p = parametersOf(level);
+    const auto plan = simulation::planElasticTubeTrials(p, seed);
+    const auto index = static_cast<std::size_t>(trial.trial);
+    if (trial.trial < 0 || index >= plan.size())
+        return;
+    if (plan[index].target_N > 0.0) {
+        trial.truth.push_back({"target_N", plan[index].target_N});
+        trial.truth.push_back({"band_N", p.band_N});
+    }
+    if (p.task == TubeTask::stretch) {
+        trial.truth.push_back({"mark_m", (p.markRatio - 1.0) * p.restLength_m});
+        trial.truth.push_back({"mark_tolerance_m", p.markTolerance * p.restLength_m});
+    }
+    if (p.hasFold()) {
+        trial.truth.push_back({"retraction_low_N", p.retractionLow_N});
+        trial.truth.push_back({"retraction_high_N", p.retractionHigh_N});
+    }
+    trial.truth.push_back({"over_stretch_m", (p.overStretchRatio - 1.0) * p.restLength_m});
+    trial.truth.push_back({"tear_m", (p.tearRatio - 1.0) * p.restLength_m});
+    trial.truth.push_back({"hold_s", p.hold_s});
+    trial.truth.push_back({"task", static_cast<double>(p.task)});
+}
+
+std::unique_ptr<TrialSurfaces> ElasticTubeKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+    return std::make_unique<ElasticTubeSurfaces>(parametersOf(level), seed);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/exercise_kind.h"
+
+namespace chiron::session {
+
+/// Elastic tube (P2; models.md §2.4): one hand or two.
+class ElasticTubeKind final : public ExerciseKind {
+public:
+    std::string_view id() const noexcept override { return "elastic_tube"; }
+    int toolCount(const catalogue::ExerciseLevel& level) const override;
+    /// One instrument enters over the middle, two at x = ± instrumentsApart/2: tool 0, the right one, at the positive side.
+    devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
+    /// As simulation::TubeQuantity.
+    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
+    bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
+    PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
+    std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
+    core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
+                                                 const catalogue::ExerciseLevel& level, const std::string& name,
+                                                 std::uint64_t seed) const override;
+    bool operatorsKnowTheirPlace() const noexcept override { return true; }
+    std::vector<std::string> operatorNames() const override;
+    int trialCount(const catalogue::ExerciseLevel& level) const override;
+    double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    /// What the metrics of tension, stretch and drops need to know: target_N and band_N (where the task has a target tension), mark_m
+    /// and mark_tolerance_m (where it has a mark; stretch beyond the rest length), over_stretch_m, tear_m, hold_s and task
+    /// (simulation::TubeTask).
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    /// The base is the trial's object; a tool is drawn where it is.
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    /// Who can do it has done the one that takes two hands (level 4) as well.
+    DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
+};
+
+} // namespace chiron::session

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/abdomen/abdomen.h"
+#include "desktop/scene3d/abdomen/target_marks.h"
+#include "app/exercises/object_handling/scene/organ_bed.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+
+#include <array>
+
+namespace chiron::scene3d {
+
+/// Ovaries to be lifted, weighed and set down in a dish (on a soft organ: in a ring), in the abdomen.
+class HandlingContent final : public ISceneContent {
+public:
+    HandlingContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    void warm() override {}
+    double groundHeight_m(double x_m, double y_m) const override { return organHeight_m(m_parameters, x_m, y_m); }
+    double fieldRadius_m() const override;
+    double planeHeight_m() const override { return 0.0; }
+    double roomAbove_m() const override { return 0.070; }
+    bool isDraped() const override { return false; }
+    void putTranslucent(Qt3DRender::QLayer* layer) override;
+
+private:
+    void showBodies(const SceneState& state);
+    void showDish(const core::LaparoscopyCues& cues);
+    void showOrgan(const SceneState& state);
+
+    simulation::ObjectHandlingParameters m_parameters;
+    Abdomen* m_abdomen;
+    std::array<Part*, core::LaparoscopyCues::kMaxBodies> m_body{};
+    Part* m_shade;
+    Part* m_dish;
+    double m_dishRadius_m = 0.0;
+    TargetRing* m_target;
+    Part* m_organ = nullptr; ///< the soft bed; null where objects lie on the floor
+    TriangleMesh m_organAtRest;
+    bool m_organDented = false;
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/object_handling/session/object_handling_kind.h"
+
+#include "operators/object_handling/object_handling_operator.h"
+#include "session/level_cues.h"
+#include "session/session_setup.h"
+#include "simulation/exercises/object_handling/object_handling_plan.h"
+#include "simulation/exercises/object_handling/object_handling_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+const simulation::ObjectHandlingParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::ObjectHandlingParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+class ObjectHandlingSurfaces final : public TrialSurfaces {
+public:
+    ObjectHandlingSurfaces(const simulation::ObjectHandlingParameters& p, std::uint64_t seed) {
+        for (const simulation::ObjectHandlingTrial& trial : simulation::planObjectHandlingTrials(p, seed))
+            m_targets.push_back({{trial.target_m.x(), trial.target_m.y(), 0.0}, p.targetRadius_m, {}});
+    }
+    std::optional<TrialObject> object(int trial) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_targets.size())
+            return std::nullopt;
+        return m_targets[index];
+    }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        if (trial < 0 || static_cast<std::size_t>(trial) >= m_targets.size() || !p_WT.allFinite())
+            return p_WT;
+        return {p_WT.x(), p_WT.y(), std::max(0.0, p_WT.z())};
+    }
+
+private:
+    std::vector<TrialObject> m_targets;
+};
+
+} // namespace
+
+std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"step", "1", 1.0}, {"dwell", "1", 0.001}, {"squeeze_N", "N", 0.001}, {"held", "1", 1.0}};
+    for (std::size_t i = 0; i < simulation::ObjectHandlingTrial::kMaxObjects; ++i)
+        for (const char* axis : {"x", "y", "z"})
+            out.push_back({"body_" + std::to_string(i) + "_" + axis + "_m", "m", 1e-6});
+    out.push_back({"bed_depth_m", "m", 1e-6});
+    if (parametersOf(level).organBed) {
+        out.push_back({"prediction_error_m", "m", 1e-7});
+        out.push_back({"held_error_m", "m", 1e-7});
+    }
+    return out;
+}
+
+std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionSetup& setup) const {
+    simulation::ObjectHandlingParameters parameters = parametersOf(setup.level);
+    parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
+    return std::make_unique<simulation::ObjectHandlingScene>(parameters, setup.seed);
+}
+
+core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                                              std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism(), level, name, seed);
+}
+
+core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view,
+                                                                const catalogue::ExerciseLevel& level, const std::string& name,
+                                                                std::uint64_t seed) const {
+    auto settings = operators::objectHandlingOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto& p = parametersOf(level);
+    operators::ObjectHandlingBriefing briefing;
+    briefing.weigh = p.task == simulation::HandlingTask::weigh;
+    briefing.liftHeight_m = p.liftHeight_m;
+    briefing.jawLength_m = p.jawLength_m;
+    briefing.place = places.front();
+    auto strategies = operators::makeObjectHandlingOperator(*settings, briefing, seed);
+    if (!strategies)
+        return tl::unexpected(strategies.error());
+    ScriptedTrainee trainee;
+    trainee.strategies = std::move(*strategies);
+    trainee.hand = settings->hand;
+    return trainee;
+}
+
+std::vector<std::string> ObjectHandlingKind::operatorNames() const {
+    const auto names = operators::objectHandlingOperatorNames();
+    return {names.begin(), names.end()};
+}
+
+int ObjectHandlingKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+
+double ObjectHandlingKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+
+std::vector<std::pair<std::string_view, double>> ObjectHandlingKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+    return {{"squeeze_max", parametersOf(level).squeezeLimit_N}};
+}
+
+std::uint64_t ObjectHandlingKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+}
+
+void ObjectHandlingKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+    const auto& p = parametersOf(level);
+    const auto plan = simulation::planObjectHandlingTrials(p, seed);
+    const auto index = static_cast<std::size_t>(trial.trial);
+    if (trial.trial < 0 || index >= plan.size())
+        return;
+    const simulation::ObjectHandlingTrial& planned = plan[index];
+    trial.truth = {{"target_x_m", planned.target_m.x()},
+                   {"target_y_m", planned.target_m.y()},
+                   {"target_radius_m", p.targetRadius_m},
+                   {"squeeze_limit_N", p.squeezeLimit_N},
+                   {"task", static_cast<double>(p.task)},
+                   {"objects", static_cast<double>(planned.objects)},
+                   {"heaviest", static_cast<double>(planned.heaviest)}};
+    for (int i = 0; i < planned.objects; ++i)
+        trial.truth.push_back({"mass_" + std::to_string(i) + "_kg", planned.mass_kg[static_cast<std::size_t>(i)]});
+}
+
+std::unique_ptr<TrialSurfaces> ObjectHandlingKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+    return std::make_unique<ObjectHandlingSurfaces>(parametersOf(level), seed);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/theme/theme.h"
+#include "app/exercises/palpation/session/palpation_record.h"
+
+#include <QLocale>
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace chiron::desktop {
+
+class PalpationMapView;
+
+/// What a trial of a palpation came to: chosen by its number, where and how hard was searched as two maps with truth and findings,
+/// and the same in words: each lump and what was said of it, each finding that was none. GUI thread.
+class PalpationBox final : public QWidget {
+    Q_OBJECT
+public:
+    /// `records`: at least one.
+    PalpationBox(const Theme& theme, const QLocale& locale, const simulation::PalpationParameters& level,
+                 std::vector<session::PalpationTrialRecord> records, QWidget* parent = nullptr);
+
+private:
+    void choose(int index);
+
+    QLocale m_locale;
+    simulation::PalpationParameters m_level;
+    std::vector<session::PalpationTrialRecord> m_records;
+    QComboBox* m_choice;
+    QLabel* m_words;
+    QLabel* m_lumps;
+    PalpationMapView* m_coverage;
+    PalpationMapView* m_force;
+};
+
+/// "2 of 3 lumps found, 1 finding was none, 84 % searched." Pure.
+QString palpationSummary(const session::PalpationTrialRecord& record, const QLocale& locale);
+/// Each lump and what was said of it, then each finding that was none. Pure.
+QStringList palpationLines(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level, const QLocale& locale);
+
+} // namespace chiron::desktop

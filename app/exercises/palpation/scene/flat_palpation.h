@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+#include "app/exercises/palpation/scene/tissue_look.h"
+#include "desktop/scene3d/parts/dent.h"
+#include "simulation/palpation/tissue_surface.h"
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QLineF>
+#include <vector>
+
+namespace chiron::scene3d {
+
+/// A tissue from above, with its height lines, map, findings and lumps, and the cut through the finger that presses, with its depth.
+class FlatPalpation final : public IFlatContent {
+    Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatPalpation)
+
+public:
+    explicit FlatPalpation(const simulation::PalpationParameters& parameters);
+
+    QString name() const override { return tr("Tissue, fingers and findings, from above and from the side"); }
+    QRectF rangeAbove_mm() const override;
+    QRectF rangeSide_mm() const override;
+    bool drawsTools() const override { return true; }
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
+
+    /// Where the side's cut goes: through the finger that presses deepest, else the first one, else the middle. m.
+    static double cut_m(const SceneState& state, const simulation::TissueSurface& surface);
+    /// The outline of that cut, left to right, with its dents: x and z, metres.
+    std::vector<core::Vec2> profile(const SceneState& state) const;
+    /// Height lines as pairs of points, mm.
+    const std::vector<QLineF>& heightLines() const { return m_lines; }
+    double lineStep_mm() const { return m_lineStep_mm; }
+
+private:
+    void paintRelief();
+    void findHeightLines();
+    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintLines(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) const;
+    void paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintLumps(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintFindings(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+    void paintLegend(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const;
+
+    simulation::PalpationParameters m_parameters;
+    simulation::TissueSurface m_surface;
+    QImage m_relief; ///< of the range from above
+    std::vector<QLineF> m_lines;
+    double m_lineStep_mm = 2.0;
+};
+
+} // namespace chiron::scene3d

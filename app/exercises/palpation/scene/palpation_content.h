@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/palpation/scene/finding_pins.h"
+#include "app/exercises/palpation/scene/finger.h"
+#include "app/exercises/palpation/scene/map_card.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+#include "simulation/palpation/tissue_surface.h"
+
+#include <array>
+
+namespace chiron::scene3d {
+
+/// A tissue in the opening of the drape, the fingers that search it, what they reported, and what is known of where they were.
+class PalpationContent final : public ISceneContent {
+public:
+    PalpationContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    void warm() override;
+    double groundHeight_m(double x_m, double y_m) const override { return m_surface.heightAt({x_m, y_m}).z_m; }
+    double fieldRadius_m() const override;
+    double planeHeight_m() const override;
+    double roomAbove_m() const override;
+    double elevation_rad() const override;
+    bool drawsTools() const override { return true; }
+    void putTranslucent(Qt3DRender::QLayer* layer) override;
+    void putOver(Qt3DRender::QLayer* layer) override;
+    void setPicture(const QSize& size_px, double ratio) override { m_card->setPicture(size_px, ratio); }
+
+private:
+    Qt3DRender::QParameter* parameter(const char* name, const QVariant& value);
+    void makeTissue();
+    void chooseLook();
+    Qt3DRender::QEffect* look(bool map) const;
+    void showTouch(const SceneState& state);
+    void showLumps(const SceneState& state);
+    void showMap(const SceneState& state);
+    void showFingers(const SceneState& state);
+
+    SceneSetup m_setup;
+    simulation::PalpationParameters m_parameters;
+    simulation::TissueSurface m_surface;
+    SharedLight& m_light;
+    Qt3DCore::QEntity* m_root;
+    Qt3DRender::QParameter* m_dentPlace;
+    Qt3DRender::QParameter* m_dentNormal;
+    Qt3DRender::QParameter* m_tips;
+    Qt3DRender::QParameter* m_presses;
+    Qt3DRender::QParameter* m_skin;
+    Qt3DRender::QParameter* m_lumpsNear;
+    Qt3DRender::QParameter* m_lumpsFar;
+    Qt3DRender::QParameter* m_border;
+    Part* m_tissue = nullptr;
+    Part* m_area = nullptr;
+    PaintedFace* m_map;
+    MapCard* m_card;
+    FindingPins* m_pins;
+    GhostFinger* m_ghost;
+    std::array<Finger*, core::kMaxTools> m_fingers{};
+    int m_tools = 0; ///< fingers that throw a shadow
+    int m_lumps = 0; ///< that are drawn
+    bool m_mapShown = false;
+    bool m_mapPainted = false;
+    bool m_warm = false;
+    std::uint32_t m_mapStep = 0;
+    core::SurfaceMapKind m_mapKind = core::SurfaceMapKind::coverage;
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/palpation/session/palpation_kind.h"
+
+#include "database/repositories/session_types.h"
+#include "operators/palpation/palpation_operator.h"
+#include "scoring/detection/finding_matches.h"
+#include "scoring/detection/palpation_answer.h"
+#include "session/answer_events.h"
+#include "session/level_cues.h"
+#include "app/exercises/palpation/session/palpation_marks.h"
+#include "session/playback_track.h"
+#include "session/session_setup.h"
+#include "simulation/exercises/palpation/palpation_plan.h"
+#include "simulation/exercises/palpation/palpation_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+const simulation::PalpationParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::PalpationParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+class PalpationSurfaces final : public TrialSurfaces {
+public:
+    PalpationSurfaces(const simulation::PalpationParameters& p, std::uint64_t seed) : m_surface(p.tissue.shape) {
+        for (const simulation::PalpationTrial& trial : simulation::planPalpationTrials(p, seed)) {
+            TrialObject object;
+            object.p_WObject = m_surface.pointAt(core::Vec2::Zero());
+            for (const simulation::Lump& lump : trial.list()) {
+                const core::Vec3 above = m_surface.pointAt(lump.place_m);
+                object.lumps.push_back({above - lump.depth_m * m_surface.normalAt(lump.place_m), above, lump.radius_m, std::max(lump.radius_m, p.hitRadius_m)});
+            }
+            m_trials.push_back(std::move(object));
+        }
+    }
+    std::optional<TrialObject> object(int trial) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_trials.size())
+            return std::nullopt;
+        return m_trials[index];
+    }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        if (trial < 0 || static_cast<std::size_t>(trial) >= m_trials.size() || !p_WT.allFinite())
+            return p_WT;
+        const simulation::SurfaceFoot foot = m_surface.nearest(p_WT, p_WT.head<2>());
+        return foot.depth_m > 0.0 ? foot.p_W : p_WT;
+    }
+
+private:
+    simulation::TissueSurface m_surface;
+    std::vector<TrialObject> m_trials;
+};
+
+operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_view mechanism, const catalogue::ExerciseLevel& level,
+                                        std::span<const devices::WorkspaceMapping> places) {
+    const auto& p = parametersOf(level);
+    operators::PalpationBriefing briefing;
+    briefing.surface = p.tissue.shape;
+    briefing.normal = p.tissue.regions; // the level's text says so
+    briefing.areaHalf_m = p.areaHalf_m;
+    briefing.hands = p.hands;
+    briefing.fingers = p.fingers;
+    briefing.fingerSpacing_m = p.fingerSpacing_m;
+    briefing.bandLow_N = p.bandLow_N;
+    briefing.bandHigh_N = p.bandHigh_N;
+    briefing.asksSize = p.asksSize;
+    briefing.asksHardness = p.asksHardness;
+    briefing.asksConfidence = p.asksConfidence;
+    const bool oneArm = mechanism == kind.mechanism(); // of each hand, on which all its fingers are
+    for (int tool = 0; tool < p.tools(); ++tool)
+        briefing.places.push_back(places[static_cast<std::size_t>(oneArm ? tool - tool % std::max(1, p.fingers) : tool)]);
+    return briefing;
+}
+
+void addLump(const simulation::TissueSurface& surface, const simulation::Lump& lump, const core::Vec2& place_m, int hardness,
+             const std::string& name, std::vector<scoring::NamedValue>& truth) {
+    const core::Vec3 above = surface.pointAt(place_m);
+    truth.push_back({name + "_x_m", above.x()});
+    truth.push_back({name + "_y_m", above.y()});
+    truth.push_back({name + "_z_m", above.z()});
+    truth.push_back({name + "_depth_m", lump.depth_m});
+    truth.push_back({name + "_radius_m", lump.radius_m});
+    truth.push_back({name + "_hardness", static_cast<double>(hardness)});
+}
+
+/// Whether the control moved this trial's lumps: the scene said so.
+bool wasMoved(const scoring::TrialTrace& trial) {
+    for (const scoring::QuantityTrace& quantity : trial.quantities)
+        if (quantity.id == "lumps_moved")
+            return std::any_of(quantity.values.begin(), quantity.values.end(), [](double moved) { return moved > 0.5; });
+    return false;
+}
+
+} // namespace
+
+int PalpationKind::toolCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).tools(); }
+
+double PalpationKind::fingerJaw_rad(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return p.pinch ? p.pinch->widest_rad : 0.0;
+}
+
+FingersOfHand PalpationKind::fingers(const catalogue::ExerciseLevel& level) const {
+    return {parametersOf(level).fingers, parametersOf(level).fingerSpacing_m};
+}
+
+devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLevel& level, int tool) const {
+    const auto& p = parametersOf(level);
+    const int perHand = std::max(1, p.fingers);
+    const double hand_m = p.hands < 2 ? 0.0 : (tool < perHand ? 0.5 : -0.5) * p.areaHalf_m.x();
+    devices::WorkspaceMapping place;
+    place.origin_m[0] = hand_m + (tool % perHand - 0.5 * (perHand - 1)) * p.fingerSpacing_m;
+    return place;
+}
+
+// A finger that is about to palpate rests just above the skin.
+std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const {
+    constexpr double kAbove_m = 0.005;
+    return simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt({x_m, y_m}).z() + kAbove_m;
+}
+
+std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue::ExerciseLevel& level) const {
+    std::vector<core::QuantityDescription> out{{"report_count", "1", 1.0},  {"report_field", "1", 1.0}, {"report_finding", "1", 1.0},
+                                               {"report_value", "1", 1.0},  {"finding_x_m", "m", 1e-6}, {"finding_y_m", "m", 1e-6},
+                                               {"finding_z_m", "m", 1e-6},  {"coverage", "1", 1e-4}};
+    for (int i = 0; i < core::kMaxTools; ++i)
+        out.push_back({"depth_" + std::to_string(i) + "_m", "m", 1e-6});
+    for (int i = 0; i < core::kMaxTools; ++i)
+        out.push_back({"lean_" + std::to_string(i) + "_rad", "rad", 1e-4});
+    out.push_back({"lean_saturated", "1", 1.0});
+    out.push_back({"lumps_moved", "1", 1.0});
+    if (parametersOf(level).pinch)
+        for (std::size_t hand = 0; hand < simulation::palpation_quantity::kSqueezes; ++hand)
+            out.push_back({"squeeze_" + std::to_string(hand) + "_N", "N", 1e-4});
+    return out;
+}
+
+std::unique_ptr<simulation::IScene> PalpationKind::makeScene(const SessionSetup& setup) const {
+    simulation::PalpationParameters parameters = parametersOf(setup.level);
+    parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
+    return std::make_unique<simulation::PalpationScene>(parameters, setup.seed);
+}
+
+core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                                          std::uint64_t seed) const {
+    return makeOperatorOn(mechanism(), level, name, seed);
+}
+
+core::Result<ScriptedTrainee> PalpationKind::makeOperatorOn(std::string_view mechanism, const catalogue::ExerciseLevel& level,
+                                                            const std::string& name, std::uint64_t seed) const {
+    return makeOperatorAt(usualPlaces(*this, level), mechanism, level, name, seed);
+}
+
+core::Result<ScriptedTrainee> PalpationKind::makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,
+                                                           const catalogue::ExerciseLevel& level, const std::string& name,
+                                                           std::uint64_t seed) const {
+    auto settings = operators::palpationOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    auto strategies = operators::makePalpationOperator(*settings, briefingOf(*this, mechanism, level, places), seed);
+    if (!strategies)
+        return tl::unexpected(strategies.error());
+    return ScriptedTrainee{std::move(*strategies), settings->hand};
+}
+
+std::vector<std::string> PalpationKind::operatorNames() const {
+    const auto names = operators::palpationOperatorNames();
+    return {names.begin(), names.end()};
+}
+
+int PalpationKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+
+double PalpationKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+
+std::uint64_t PalpationKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return static_cast<std::uint64_t>(std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+}
+
+void PalpationKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {
+    const auto& p = parametersOf(level);
+    const auto plan = simulation::planPalpationTrials(p, seed);
+    const auto index = static_cast<std::size_t>(trial.trial);
+    if (trial.trial < 0 || index >= plan.size())
+        return;
+    const simulation::PalpationTrial& planned = plan[index];
+    const simulation::TissueSurface surface(p.tissue.shape);
+    const bool moved = wasMoved(trial);
+    trial.truth = {{"lumps", static_cast<double>(planned.lumps)}};
+    if (planned.introduction)
+        trial.truth.push_back({"introduction", 1.0});
+    for (int i = 0; i < planned.lumps; ++i) {
+        const simulation::Lump& lump = planned.lump[static_cast<std::size_t>(i)];
+        const core::Vec2 place_m = moved ? simulation::palpationMovedPlace_m(p, lump.place_m) : lump.place_m;
+        addLump(surface, lump, place_m, planned.hardness[static_cast<std::size_t>(i)], "lump_" + std::to_string(i), trial.truth);
+    }
+    const std::vector<scoring::NamedValue> ofLevel{{"area_half_x_m", p.areaHalf_m.x()},
+                                                  {"area_half_y_m", p.areaHalf_m.y()},
+                                                  {"region_columns", static_cast<double>(p.regionColumns)},
+                                                  {"region_rows", static_cast<double>(p.regionRows)},
+                                                  {"hit_radius_m", p.hitRadius_m},
+                                                  {"band_low_N", p.bandLow_N},
+                                                  {"band_high_N", p.bandHigh_N},
+                                                  {"cover_force_N", p.coverForce_N},
+                                                  {"asks_size", p.asksSize ? 1.0 : 0.0},
+                                                  {"asks_hardness", p.asksHardness ? 1.0 : 0.0}};
+    trial.truth.insert(trial.truth.end(), ofLevel.begin(), ofLevel.end());
+}
+
+std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const {
+    return std::make_unique<PalpationSurfaces>(parametersOf(level), seed);
+}
+
+core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+    // Movement and force do not depend on what was found: where it cannot be told, the track goes without.
+    if (const auto outcomes = palpationOutcomes(*trace))
+        addPalpationMarks(track, *outcomes);
+    return {};
+}
+
+void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+    const auto judged = scoring::judgePalpation(trial);
+    if (!judged.answer)
+        return;
+    const scoring::PalpationAnswer& answer = *judged.answer;
+    for (const std::size_t report : falseAlarmReports(answer))
+        events.addFrom(answer.reports[report].t_s, "false_alarm",
+                       "{\"trial\":" + std::to_string(trial.trial) + ",\"finding\":" + std::to_string(answer.reports[report].finding + 1) + "}");
+    if (!trial.completed && !trial.timedOut)
+        return; // of a search that was broken off nobody knows what it would have found
+    for (std::size_t lump = 0; lump < answer.truth.lumps.size(); ++lump)
+        if (scoring::foundBy(answer.matches, static_cast<int>(lump)) == nullptr)
+            events.addAt(record.lastTick, "lump_missed", trial.trial);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/palpation/session/palpation_marks.h"
+
+#include "scoring/detection/finding_matches.h"
+#include "scoring/detection/findings_trace.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+namespace {
+
+PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, PlaybackMarkKind kind) {
+    PlaybackMark mark;
+    mark.t_s = mark.end_s = t_s;
+    mark.tick = track.tickAt(t_s);
+    mark.trial = trial;
+    mark.kind = kind;
+    return mark;
+}
+
+/// Whether the report begins a finding that stayed until the end and found nothing.
+bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
+    const int finding = answer.reports[report].finding;
+    if (answer.reports[report].field != core::ReportField::found)
+        return false;
+    for (std::size_t later = report + 1; later < answer.reports.size(); ++later)
+        if (answer.reports[later].finding == finding && answer.reports[later].field == core::ReportField::found)
+            return false; // taken back, and the number used again
+    return std::any_of(answer.matches.begin(), answer.matches.end(),
+                       [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
+}
+
+void addReports(PlaybackTrack& track, const PalpationOutcome& record) {
+    for (std::size_t i = 0; i < record.answer.reports.size(); ++i) {
+        const scoring::TimedReport& report = record.answer.reports[i];
+        if (report.field != core::ReportField::found && report.field != core::ReportField::remove)
+            continue;
+        const PlaybackMarkKind kind = report.field == core::ReportField::remove ? PlaybackMarkKind::takenBack
+                                      : isFalseAlarm(record.answer, i)          ? PlaybackMarkKind::falseAlarm
+                                                                                : PlaybackMarkKind::found;
+        track.marks.push_back(markAt(track, record.trial, report.t_s, kind));
+        track.marks.back().value = report.finding + 1;
+    }
+}
+
+} // namespace
+
+std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answer) {
+    std::vector<std::size_t> reports;
+    for (std::size_t i = 0; i < answer.reports.size(); ++i)
+        if (isFalseAlarm(answer, i))
+            reports.push_back(i);
+    return reports;
+}
+
+void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> outcomes) {
+    for (const PalpationOutcome& record : outcomes) {
+        addReports(track, record);
+        const PlaybackTrial* trial = track.trial(record.trial);
+        if (trial == nullptr || !(record.completed || record.timedOut))
+            continue; // of a search that was broken off nobody knows what it would have found
+        for (std::size_t lump = 0; lump < record.answer.truth.lumps.size(); ++lump)
+            if (scoring::foundBy(record.answer.matches, static_cast<int>(lump)) == nullptr)
+                track.marks.push_back(markAt(track, record.trial, trial->end_s, PlaybackMarkKind::lumpMissed));
+    }
+    std::stable_sort(track.marks.begin(), track.marks.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
+}
+
+} // namespace chiron::session

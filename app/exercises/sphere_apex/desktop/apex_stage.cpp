@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/sphere_apex/desktop/apex_stage.h"
+
+#include "desktop/scene3d/scene_loader.h"
+#include "desktop/training/scene_feed.h"
+#include "desktop/widgets/kit.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace chiron::desktop {
+
+ApexStage::ApexStage(const Theme& theme, const catalogue::ExerciseLevel& level, const Look& look, QWidget* parent)
+    : QWidget(parent), m_cues(session::cuesOf(level, look.felt)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(8));
+    m_scene = scene3d::makeSceneView(sceneSetupOf(level, m_cues, theme, look.leftHanded), this).view;
+    m_scene->widget()->setAccessibleName(tr("Scene"));
+    m_scene->widget()->setFocusPolicy(Qt::StrongFocus);
+    column->addWidget(m_scene->widget(), 1);
+    column->addWidget(buildFoot(theme));
+}
+
+ApexStage::~ApexStage() = default;
+
+QWidget* ApexStage::buildFoot(const Theme& theme) {
+    auto* foot = new QWidget;
+    auto* column = new QVBoxLayout(foot);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.px(8));
+    auto* question = kit::label(theme, tr("Where is the highest point?"), TextStyle::title);
+    question->setObjectName(QStringLiteral("apex.question"));
+    question->setAlignment(Qt::AlignCenter);
+    column->addWidget(question);
+    m_mark = kit::button(theme, tr("Here it is (Enter)"), "primary");
+    m_mark->setObjectName(QStringLiteral("apex.mark"));
+    m_mark->setFont(theme.font(TextStyle::title));
+    m_mark->setFocusPolicy(Qt::NoFocus); // Enter is the screen's
+    m_mark->setEnabled(false);
+    connect(m_mark, &QPushButton::clicked, this, &ApexStage::markAsked);
+    column->addWidget(m_mark, 0, Qt::AlignHCenter);
+    m_words = kit::label(theme, QStringLiteral(" "), TextStyle::body, "muted");
+    m_words->setObjectName(QStringLiteral("apex.words"));
+    m_words->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_words);
+    return foot;
+}
+
+void ApexStage::show(const haptics::DisplayState& state, bool canMark, const QString& words) {
+    if (state.tools > 0) {
+        if (m_start_ns == 0)
+            m_start_ns = state.now_ns;
+        m_drawn = sceneStateOf(state, m_cues, m_start_ns);
+        if (!m_cues.object)
+            for (scene3d::ToolView& tool : m_drawn.tool) { // at the surface it would draw the sphere
+                tool.drawnAtSurface = false;
+                tool.p_WProxy = tool.p_WT;
+            }
+        m_scene->show(m_drawn);
+    }
+    m_mark->setEnabled(canMark);
+    const QString shown = words.isEmpty() ? QStringLiteral(" ") : words; // keeps its height
+    if (m_words->text() != shown)
+        m_words->setText(shown);
+}
+
+} // namespace chiron::desktop

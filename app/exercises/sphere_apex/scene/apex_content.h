@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/plugin/scene_content.h"
+#include "app/exercises/sphere_apex/scene/apex_surface.h"
+
+namespace chiron::scene3d {
+
+/// The hemisphere on its plane, or the cover over it: one entity, whose triangles change with the trial only;
+/// the tips move it in the vertex shader.
+class ApexContent final : public ISceneContent {
+public:
+    ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
+
+    void change(const SceneSetup& setup) override;
+    void show(const SceneState& state) override;
+    void warm() override;
+    double groundHeight_m(double x_m, double y_m) const override { return m_surface.height_m(x_m, y_m); }
+    double fieldRadius_m() const override { return m_parameters.workspaceRadius_m; }
+    double planeHeight_m() const override { return m_parameters.planeHeight_m; }
+    double roomAbove_m() const override { return m_parameters.radius_m + 0.022; }
+
+private:
+    void chooseLook();
+    Qt3DRender::QEffect* look(bool shown) const;
+    void showTips(const SceneState& state);
+    Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent);
+
+    simulation::SphereApexParameters m_parameters;
+    SceneSetup m_setup;
+    ApexSurface m_surface;
+    Qt3DRender::QParameter* m_dentPlace;
+    Qt3DRender::QParameter* m_dentNormal;
+    Qt3DRender::QParameter* m_tips;
+    Qt3DRender::QParameter* m_presses;
+    Qt3DRender::QParameter* m_plain;
+    SharedLight& m_light;
+    int m_tools = 0; ///< tips that are drawn
+    Part* m_part = nullptr;
+    bool m_warm = false; ///< the look that is not shown is loaded too
+};
+
+} // namespace chiron::scene3d

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/sphere_apex/scene/apex_surface.h"
+#include "desktop/scene3d/triangle_mesh.h"
+
+namespace chiron::scene3d {
+
+/// The triangles of the surface: rings round the ball's axis, 1.3 mm apart on the ball, wider on the plane;
+/// every vertex lies on the felt surface. Hidden: the plain disc, the same for every state. Pure; allocates;
+/// about 1 ms.
+TriangleMesh apexMesh(const ApexSurface& surface);
+
+} // namespace chiron::scene3d

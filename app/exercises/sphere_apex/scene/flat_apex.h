@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene2d/flat_content.h"
+#include "app/exercises/sphere_apex/scene/apex_surface.h"
+
+namespace chiron::scene3d {
+
+/// The hemisphere from above, and the cut through the touched place from the side.
+class FlatApex final : public IFlatContent {
+public:
+    explicit FlatApex(const simulation::SphereApexParameters& parameters) : m_parameters(parameters) {}
+
+    QRectF rangeAbove_mm() const override;
+    QRectF rangeSide_mm() const override;
+    void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+               const SceneState& state) const override;
+    double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
+
+    /// The drawn outline of the cut, left to right: x, z in metres. It goes through the tip while the tip
+    /// presses.
+    static std::vector<core::Vec2> profile(const ApexSurface& surface, const ToolView& tool);
+
+private:
+    void paintAbove(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                    const SceneState& state, const ApexSurface& surface) const;
+    void paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
+                   const SceneState& state, const ApexSurface& surface) const;
+
+    simulation::SphereApexParameters m_parameters;
+};
+
+} // namespace chiron::scene3d

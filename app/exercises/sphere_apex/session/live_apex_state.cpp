@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sitting of the apex from tick to tick, and from session to session.
+#include "app/exercises/sphere_apex/session/live_apex_state.h"
+
+#include "catalogue/apex_study_content.h"
+#include "core/random.h"
+#include "core/units.h"
+#include "app/exercises/sphere_apex/session/apex_analysis.h"
+#include "app/exercises/sphere_apex/session/apex_sitting.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace chiron::session {
+
+using core::CommandKind;
+using core::TrialPhase;
+
+namespace {
+constexpr double kFeedback_s = 2.0; // a distance takes longer to read than "right"
+constexpr int kTriedSpheres = 10; // more than anybody marks in a minute
+constexpr std::uint64_t kSummarySeed = 1; // of intervals alone
+} // namespace
+
+/// As the command line's: the places of a session follow from the run's seed and the presentations before it.
+core::Result<void> LiveApex::State::beginSession(Station station) {
+    const bool free = tryFor_s > 0.0;
+    const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
+    auto made = apexStudyLevel(study.design, *condition, wanted, sessionLabel(study, sealedCode));
+    if (!made)
+        return tl::unexpected(made.error());
+    const std::uint64_t seed = core::Random::mix(runSeed, free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >> 1;
+    auto watching = ApexWatch::create(*made, seed, station, study.design);
+    if (!watching)
+        return tl::unexpected(watching.error());
+    auto ticks = std::make_unique<ApexTap>();
+    TrainingRequest request;
+    request.level = *made;
+    request.seed = seed;
+    request.station = std::move(station);
+    request.ringFolder = ringFolder;
+    request.studyRun = run;
+    request.witness = ticks.get();
+    auto live = LiveTraining::start(database, actor, std::move(request));
+    if (!live)
+        return tl::unexpected(live.error());
+    level = std::move(*made);
+    watch = std::move(*watching);
+    before = std::move(training);
+    tapBefore = std::move(tap);
+    tap = std::move(ticks);
+    training = std::move(*live);
+    last = {};
+    ending = waits = false;
+    presented = 0;
+    tries = free;
+    ++sessions;
+    control.begin();
+    training->post(CommandKind::start);
+    return {};
+}
+
+void LiveApex::State::drain() {
+    ApexTick tick;
+    while (!done && tap->ring().tryPop(tick))
+        take(tick);
+}
+
+void LiveApex::State::take(const ApexTick& tick) {
+    last = tick.sample;
+    if ((tick.sample.events & core::event_bits::kTrialStarted) != 0)
+        lost = false;
+    lost = lost || tick.lost;
+    if (stopping)
+        return; // the trial at hand was stored as stopped
+    if ((tick.sample.events & core::event_bits::kTrialStarted) != 0)
+        notes.beginTrial();
+    auto answer = watch->take(tick.sample, tick.tool);
+    if (answer && tries)
+        tried_s += watch->clock().exploration_s(); // of the free minute: of no trial
+    else if (answer)
+        record(std::move(*answer));
+}
+
+void LiveApex::State::record(StudyAnswer answer) {
+    answer.session = training->sessionId();
+    answer.spoiled = spoiled.empty() && lost ? "late_ticks" : spoiled;
+    spoiled.clear();
+    ++presented;
+    answer.fidelity.circumstances = notes.ofTrial();
+    if (stopping || progress.done() || !progress.next().practice || answer.answer < 0 || !answer.spoiled.empty())
+        return store(answer);
+    view.beside_m = answer.value;
+    feedbackSince = Clock::now();
+    enough = false;
+    pending = std::move(answer);
+}
+
+void LiveApex::State::storePending() {
+    if (const auto answer = std::exchange(pending, std::nullopt)) {
+        store(*answer);
+        view.beside_m.reset();
+    }
+}
+
+bool LiveApex::State::feedbackOver() const {
+    return pending ? enough || stopping || secondsSince(feedbackSince) >= kPracticeFeedback_s : secondsSince(feedbackSince) >= kFeedback_s;
+}
+
+double LiveApex::State::triedSoFar_s() const { return tried_s + (watch->inTrial() ? watch->clock().exploration_s() : 0.0); }
+
+void LiveApex::State::store(const StudyAnswer& answer) {
+    auto trial = progress.record(answer);
+    if (!trial)
+        return fail(trial.error());
+    trial->run = run;
+    if (auto kept = storeTrial(database, actor, *trial); !kept)
+        return fail(kept.error());
+    trials.push_back(std::move(*trial));
+    note(answer.fidelity);
+}
+
+void LiveApex::State::note(const TrialFidelity& fidelity) {
+    const database::StudyTrial& trial = trials.back();
+    numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
+    numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
+    summarise();
+    if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() && !progress.done()) {
+        view.beside_m = trial.value;
+        feedbackSince = Clock::now();
+    }
+    waitsToCount = waitsAfterPractice && trial.practice && !progress.done() && !progress.next().practice;
+    if (progress.breakDue())
+        breakSince = Clock::now();
+}
+
+void LiveApex::State::summarise() {
+    numbers.practice = static_cast<int>(std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.practice; }));
+    numbers.apex.reset();
+    if (!study.blind())
+        numbers.apex = psychophysics::summariseApex(apexTrials(trials, 0), condition->stimulus.reference, kSummarySeed);
+}
+
+bool LiveApex::State::heldBetween() const {
+    return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (waitsToCount || progress.breakDue() || progress.needsExperimenter()));
+}
+
+/// The exercise goes from trial to trial by itself: what holds it, and what ends it.
+void LiveApex::State::goOn() {
+    if (pending && feedbackOver())
+        storePending();
+    if (view.beside_m && feedbackOver())
+        view.beside_m.reset();
+    if (done || waits)
+        return;
+    control.hold(!stopping && heldBetween());
+    if (watch->over())
+        control.hold(false);
+    if (stopping || watch->over())
+        control.letGo(); // a paused scene would never come to its end
+    if (tries && triedSoFar_s() >= tryFor_s)
+        control.letGo();
+    if ((stopping || progress.done() || (tries && triedSoFar_s() >= tryFor_s)) && !watch->over())
+        endSession();
+}
+
+void LiveApex::State::endSession() {
+    if (!ending)
+        ending = training->post(CommandKind::end);
+}
+
+void LiveApex::State::fail(const core::Error& error) {
+    result = tl::unexpected(error);
+    stopping = true;
+}
+
+/// A session is stored: the run is done, the sitting is, or another session follows.
+void LiveApex::State::sessionEnded() {
+    drain(); // what came with the last ticks
+    const bool tried = std::exchange(tries, false);
+    tryFor_s = tried ? 0.0 : tryFor_s;
+    waitsForReady = tried && !readySaid && !stopping; // no clock of a trial starts under a hand that still tries
+    if (!training->result())
+        result = tl::unexpected(training->result().error());
+    const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
+    const bool further = !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried); // none: stuck, another would be, too
+    if (!further)
+        return conclude();
+    waits = true;
+    goOnWithNext();
+}
+
+void LiveApex::State::goOnWithNext() {
+    if (stopping || !nextStation)
+        return conclude();
+    if (waitsForReady)
+        return;
+    if (control.held() || heldBetween())
+        return control.hold(heldBetween());
+    auto station = nextStation();
+    auto begun = station ? beginSession(std::move(*station)) : core::Result<void>(tl::unexpected(station.error()));
+    if (begun)
+        return;
+    fail(begun.error());
+    conclude();
+}
+
+void LiveApex::State::conclude() {
+    storePending();
+    done = true;
+    if (!result && result.error().code != core::ErrorCode::wrongUse)
+        return; // a trial could not be stored, a session not be run
+    LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp()};
+    if (ended.completed)
+        if (auto closed = finishRun(database, actor, study, run); !closed) {
+            result = tl::unexpected(closed.error());
+            return;
+        }
+    result = ended;
+}
+
+void LiveApex::State::describe() {
+    const StudyPresentation shown = progress.done() ? StudyPresentation{} : progress.next();
+    const bool running = watch->inTrial() && last.phase == TrialPhase::running && !stopping;
+    view.practice = shown.practice && !tries;
+    view.mayTakeBack = pending.has_value() && !done;
+    view.tryLeft_s = tries ? std::max(0.0, tryFor_s - triedSoFar_s()) : 0.0;
+    view.trial = progress.scored();
+    view.ofAtMost = progress.done() ? view.ofAtMost : shown.ofAtMost;
+    view.touched = watch->touched() ? 1u : 0u;
+    const double limit_s = study.design.trial.exploreLimit_s;
+    const double spent_s = watch->clock().exploration_s();
+    view.timeLeft_s = running && limit_s > 0.0 ? std::max(0.0, limit_s - spent_s) : 0.0;
+    view.canAnswer = running && !control.held() && last.paused == 0 && (watch->touched() || !study.design.trial.mustTouchAll);
+    view.breakLeft_s = progress.breakDue() ? std::max(0.0, study.design.trial.breakAtLeast_s - secondsSince(breakSince)) : 0.0;
+    view.state = where();
+    numbers.sealedCode = sealedCode;
+    numbers.blind = study.blind();
+    numbers.condition = numbers.blind ? sealedCode : condition->id;
+    numbers.scored = progress.scored();
+    numbers.spoiled = progress.spoiledTrials();
+    numbers.repeats = shown.repeat;
+    numbers.spoiling = !spoiled.empty();
+}
+
+LiveStudyView::State LiveApex::State::where() const {
+    using View = LiveStudyView::State;
+    if (done)
+        return View::finished;
+    if (control.stopped() && !stopping)
+        return View::stopped;
+    if (control.paused())
+        return View::paused;
+    if (view.beside_m || pending)
+        return View::feedback;
+    if (waitsForReady)
+        return View::tried;
+    if (!watch->inTrial() && waitsToCount)
+        return View::practised;
+    if (!watch->inTrial() && progress.needsExperimenter())
+        return View::needsExperimenter;
+    if (!watch->inTrial() && progress.breakDue())
+        return View::breakDue;
+    if (waits || stopping || training->sessionId() == 0)
+        return View::starting;
+    if (last.paused != 0)
+        return View::arming; // it goes on: force comes back first
+    if (tries && last.phase == TrialPhase::running)
+        return View::trying;
+    if (last.phase == TrialPhase::running)
+        return watch->inTrial() ? View::exploring : View::coming;
+    return last.phase == TrialPhase::ready ? View::arming : View::coming;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
+
+#include "database/repositories/session_types.h"
+#include "operators/sphere_apex/sphere_apex_operator.h"
+#include "scoring/metrics/apex_answer.h"
+#include "scoring/trace_rows.h"
+#include "session/answer_events.h"
+#include "session/playback_track.h"
+#include "session/session_setup.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "simulation/exercises/sphere_apex/touched_dome.h"
+
+#include <QJsonObject>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::SphereApexParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+bool meshed(const simulation::SphereApexParameters& p) { return p.surface != simulation::ApexSurface::exact; }
+
+class SphereApexSurfaces final : public TrialSurfaces {
+public:
+    SphereApexSurfaces(const simulation::SphereApexParameters& p, std::uint64_t seed) {
+        const auto trials = simulation::planSphereApexTrials(p, seed);
+        if (meshed(p))
+            if (auto dome = simulation::TouchedDome::make(p, trials))
+                m_dome = std::move(*dome);
+        for (const simulation::SphereApexTrial& trial : trials) {
+            TrialObject object{{trial.centre_m.x(), trial.centre_m.y(), p.planeHeight_m}, p.radius_m, {}, meshed(p) ? trial.turn_rad : 0.0};
+            if (p.dimpleDepth_m > 0.0)
+                object.dimpleCentre_m = trial.dimpleCentre_m;
+            m_objects.push_back(object);
+            m_contacts.emplace_back(simulation::sphereApexContact(p, trial));
+        }
+    }
+    std::optional<TrialObject> object(int trial) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_objects.size())
+            return std::nullopt;
+        return m_objects[index];
+    }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        const auto index = static_cast<std::size_t>(trial);
+        if (trial < 0 || index >= m_contacts.size() || !p_WT.allFinite())
+            return p_WT;
+        if (m_dome)
+            return m_dome->restPoint(index, p_WT);
+        return m_contacts[index].respond(p_WT, core::Vec3::Zero()).surfacePoint;
+    }
+
+private:
+    std::vector<TrialObject> m_objects;
+    std::vector<simulation::HemisphereContact> m_contacts;
+    std::unique_ptr<simulation::TouchedDome> m_dome; ///< of a level on meshes: in its rest shape
+};
+
+/// An answer beside the sphere, or in the air, is a miss (as apex_misses counts it): said right after its mark.
+void noteMisses(PlaybackTrack& track) {
+    std::vector<PlaybackMark> marks;
+    for (const PlaybackMark& mark : track.marks) {
+        marks.push_back(mark);
+        const PlaybackTrial* trial = mark.kind == PlaybackMarkKind::marked ? track.trial(mark.trial) : nullptr;
+        if (trial == nullptr || !trial->object)
+            continue;
+        const core::Vec3 d = trial->p_WEnd - trial->object->p_WObject;
+        if (trial->endedInContact && std::hypot(d.x(), d.y()) <= trial->object->radius_m)
+            continue;
+        marks.push_back(mark);
+        marks.back().kind = PlaybackMarkKind::missed;
+    }
+    track.marks = std::move(marks);
+}
+
+} // namespace
+
+std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup& setup) const {
+    return std::make_unique<simulation::SphereApexScene>(parametersOf(setup.level), setup.seed);
+}
+
+core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
+                                                          std::uint64_t seed) const {
+    auto settings = operators::sphereApexOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    auto strategy = operators::makeSphereApexOperator(*settings, seed);
+    if (!strategy)
+        return tl::unexpected(strategy.error());
+    return oneHanded(std::move(*strategy), settings->hand);
+}
+
+std::vector<std::string> SphereApexKind::operatorNames() const {
+    const auto names = operators::sphereApexOperatorNames();
+    return {names.begin(), names.end()};
+}
+
+int SphereApexKind::trialCount(const catalogue::ExerciseLevel& level) const { return parametersOf(level).trials; }
+
+double SphereApexKind::forceLimit_N(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumForce_N;
+}
+
+std::uint64_t SphereApexKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    const auto& p = parametersOf(level);
+    return static_cast<std::uint64_t>(
+        std::ceil(1000.0 * p.trials * (p.trialLimit_s + p.betweenTrials_s + kArmingAllowance_s)));
+}
+
+std::vector<core::QuantityDescription> SphereApexKind::quantities(const catalogue::ExerciseLevel& level) const {
+    if (parametersOf(level).surface != simulation::ApexSurface::organ)
+        return {};
+    return {{"prediction_error_m", "m", 1e-7}, {"held_error_m", "m", 1e-7}};
+}
+
+bool SphereApexKind::recordsEnergy(const catalogue::ExerciseLevel& level) const { return meshed(parametersOf(level)); }
+
+void SphereApexKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                              scoring::TrialTrace& trial) const {
+    const auto& p = parametersOf(level);
+    const auto plan = simulation::planSphereApexTrials(p, seed);
+    const auto index = static_cast<std::size_t>(trial.trial);
+    if (index < plan.size())
+        trial.apex = scoring::ApexTruth{plan[index].centre_m.x(), plan[index].centre_m.y(), p.radius_m};
+}
+
+std::unique_ptr<TrialSurfaces> SphereApexKind::makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                            std::uint64_t seed) const {
+    return std::make_unique<SphereApexSurfaces>(parametersOf(level), seed);
+}
+
+core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::SessionTrace*, PlaybackTrack& track) const {
+    noteMisses(track);
+    return {};
+}
+
+void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
+    if (!trial.apex || !trial.marked || trial.tools.empty())
+        return; // what was not marked is an event already
+    scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
+    prepared.trial = &trial;
+    prepared.tool = &trial.tools.front();
+    if (const auto answer = scoring::apexAnswer(prepared); answer && answer->miss)
+        events.addAt(record.lastTick, "missed", trial.trial);
+}
+
+void SphereApexKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
+    if (!trial.apex)
+        return;
+    truth.insert("apex_x_m", trial.apex->x_m);
+    truth.insert("apex_y_m", trial.apex->y_m);
+    truth.insert("radius_m", trial.apex->radius_m);
+}
+
+void SphereApexKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+    columns.target = !trials.empty() && trials.front().apex.has_value();
+}
+
+void SphereApexKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (!trial.apex)
+        return;
+    row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
+    row.targetRadius_m = trial.apex->radius_m;
+}
+
+} // namespace chiron::session

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/exercise_kind.h"
+
+namespace chiron::session {
+
+/// The sphere-apex exercise (models.md §2.3).
+class SphereApexKind final : public ExerciseKind {
+public:
+    std::string_view id() const noexcept override { return "sphere_apex"; }
+    std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
+    std::vector<std::string> operatorNames() const override;
+    int trialCount(const catalogue::ExerciseLevel& level) const override;
+    double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override; ///< of an organ at two rates
+    bool recordsEnergy(const catalogue::ExerciseLevel& level) const override; ///< on meshes: their law is not conservative
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
+                  scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
+                                                std::uint64_t seed) const override;
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    /// "missed": a mark beside the sphere, or in the air.
+    void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
+    void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override; ///< apex_x_m, apex_y_m, radius_m
+    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< the target
+    void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
+    /// Who can do it has done the organs (levels from 5 on) as well.
+    DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }
+};
+
+} // namespace chiron::session

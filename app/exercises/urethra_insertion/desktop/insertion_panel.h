@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/training/info_view.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
+#include "app/exercises/urethra_insertion/desktop/stage_words.h"
+
+#include <array>
+
+class QGridLayout;
+class QLabel;
+class QProgressBar;
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+class ForceBar;
+class LivePlot;
+class SignedBar;
+
+/// P1's Info window for an endoscope: stage, elapsed time, forces and torques against their limits, tip coordinates, and the
+/// last ten seconds, as far as the level allows each. GUI thread.
+class InsertionPanel final : public InfoView {
+    Q_OBJECT
+public:
+    InsertionPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues,
+                   const simulation::UrethraInsertionParameters& parameters, QWidget* parent = nullptr);
+
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
+
+private:
+    void addStage();
+    void addForces(const simulation::UrethraInsertionParameters& parameters);
+    void addComponents(QVBoxLayout& column, std::array<SignedBar*, 3>& into, std::array<SignedBar*, 3> bars);
+    SignedBar* component(const char* name, const QString& sign, const QString& spoken, const QString& unit, double limit, int decimals);
+    void addNumbers();
+    QLabel* addNumber(const QString& name, const char* objectName, QGridLayout& grid, int column);
+    void addPlots(const simulation::UrethraInsertionParameters& parameters);
+    LivePlot* plot(const char* name, const QString& title, double top, std::optional<double> limit = {});
+
+    void showStage(const core::EndoscopeCues& cues);
+    void showForces(const InsertionValues& values);
+    void showNumbers(const InsertionValues& values);
+    void addSamples(std::span<const session::LiveSample> samples);
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    session::LevelCues m_cues;
+    InsertionGauge m_gauge;
+    StageTelling m_telling;
+    QVBoxLayout* m_column;
+    QLabel* m_stage = nullptr;
+    QLabel* m_elapsed = nullptr;
+    QProgressBar* m_progress = nullptr;
+    ForceBar* m_resistance = nullptr;
+    ForceBar* m_lateral = nullptr;
+    std::array<SignedBar*, 3> m_force{};
+    std::array<SignedBar*, 3> m_torque{};
+    std::array<QLabel*, 6> m_numbers{}; ///< x, y, z, depth, off-centre, alignment
+    LivePlot* m_forcePlot = nullptr;
+    LivePlot* m_lateralPlot = nullptr;
+    LivePlot* m_offsetPlot = nullptr;
+    LivePlot* m_alignmentPlot = nullptr;
+    std::int64_t m_worked_ms = 0;
+    int m_frame = 0;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/urethra_insertion/scene/endoscope_layout.h"
+
+#include <QColor>
+#include <QObject>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QFrameGraphNode>
+#include <Qt3DRender/QLayer>
+#include <Qt3DRender/QParameter>
+#include <Qt3DRender/QSubtreeEnabler>
+#include <Qt3DRender/QTexture>
+#include <Qt3DRender/QViewport>
+
+namespace chiron::scene3d {
+
+/// In which order and into what the endoscopic stage is drawn. Without depth of field the camera's picture goes straight to
+/// the window. With it: pass 1 draws it small into a colour texture (its opacity says how sharp a place is) with a depth
+/// texture, pass 2 blurs that by the circle of confusion, pass 3 draws it into the window, each place mixed with its blurred
+/// self. Then marks, overview and bar. The nodes belong to the root entity.
+class EndoscopeGraph {
+public:
+    EndoscopeGraph(Qt3DCore::QEntity* root, QObject* surface);
+
+    void setDepthOfField(bool on);
+    void setOverviewShown(bool shown);
+    void place(const EndoscopeLayout& layout, const QSize& window_px);
+
+    // What is drawn when; add to the entities.
+    Qt3DRender::QLayer* mask() const { return m_layers[0]; }     ///< black round the picture; spares what lies behind
+    Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< what the camera at the tip sees
+    Qt3DRender::QLayer* blur() const { return m_layers[2]; }     ///< pass 2
+    Qt3DRender::QLayer* marks() const { return m_layers[3]; }    ///< over the camera's picture, in its own coordinates
+    Qt3DRender::QLayer* outside() const { return m_layers[4]; }  ///< the overview
+    Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over it, translucent
+    Qt3DRender::QLayer* outsideOver() const { return m_layers[6]; } ///< over that: the arrow
+    Qt3DRender::QLayer* over() const { return m_layers[7]; }     ///< the window's own coordinates: the bar
+
+    Qt3DRender::QCamera* scope() const { return m_scope; }
+    Qt3DRender::QCamera* bystander() const { return m_bystander; }
+    Qt3DRender::QTexture2D* seen() const { return m_seen; }
+    Qt3DRender::QTexture2D* blurred() const { return m_blurred; }
+
+    /// Side of passes 1 and 2 to that of the picture.
+    static constexpr double kSmall = 0.33;
+
+private:
+    void makeDirect(Qt3DRender::QFrameGraphNode* parent);
+    void makeDepthOfField(Qt3DRender::QFrameGraphNode* parent);
+    void makeOverview(Qt3DRender::QFrameGraphNode* parent);
+    void drawInside(Qt3DRender::QFrameGraphNode* parent, const char* look, Qt3DRender::QParameter* disc);
+    void setDisc(Qt3DRender::QParameter* disc, double side, double left, double bottom);
+    void addPass(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QLayer* layer,
+                 Qt3DRender::QClearBuffers::BufferType clear = Qt3DRender::QClearBuffers::None);
+    Qt3DRender::QViewport* addViewport(Qt3DRender::QFrameGraphNode* parent);
+    Qt3DRender::QFrameGraphNode* addTarget(Qt3DRender::QFrameGraphNode* parent, Qt3DRender::QTexture2D* colour,
+                                           Qt3DRender::QTexture2D* depth);
+
+    std::array<Qt3DRender::QLayer*, 8> m_layers{};
+    Qt3DRender::QParameter* m_disc;      ///< where the picture lies in the window, for its shaders
+    Qt3DRender::QParameter* m_smallDisc; ///< and in the textures
+    Qt3DRender::QCamera* m_scope;
+    Qt3DRender::QCamera* m_bystander;
+    Qt3DRender::QTexture2D* m_seen;
+    Qt3DRender::QTexture2D* m_depth;
+    Qt3DRender::QTexture2D* m_blurred;
+    Qt3DRender::QSubtreeEnabler* m_direct = nullptr;
+    Qt3DRender::QSubtreeEnabler* m_lens = nullptr;
+    Qt3DRender::QSubtreeEnabler* m_outside = nullptr;
+    Qt3DRender::QViewport* m_picture[3] = {nullptr, nullptr, nullptr};
+    Qt3DRender::QViewport* m_overview = nullptr;
+};
+
+} // namespace chiron::scene3d

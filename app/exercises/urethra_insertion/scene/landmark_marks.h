@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/plugin/qt3d_parts.h"
+#include "desktop/scene3d/scene_setup.h"
+#include "desktop/scene3d/scene_state.h"
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+
+namespace chiron::scene3d {
+
+/// A ring round each landmark on the bladder's wall, with a tick once it was seen; where the level guides. They lie on the
+/// wall, so what hides the wall hides them, and stay sharp.
+class LandmarkMarks {
+public:
+    /// `anatomy`: the entity that stands where A is.
+    LandmarkMarks(const UrethraDrawing& drawing, EffectShelf& effects, Qt3DCore::QEntity* anatomy);
+
+    void change(const SceneSetup& setup);
+    void show(const SceneState& state);
+
+private:
+    void add(const UrethraDrawing& drawing, const simulation::BladderLandmark& landmark, EffectShelf& effects);
+
+    Qt3DCore::QEntity* m_entity;
+    Qt3DRender::QParameter* m_bright;
+    Qt3DRender::QParameter* m_dark;
+    std::vector<Qt3DCore::QEntity*> m_ticks;
+    bool m_guided = false;
+};
+
+} // namespace chiron::scene3d

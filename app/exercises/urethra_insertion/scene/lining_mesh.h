@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/triangle_mesh.h"
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+
+#include <vector>
+
+namespace chiron::scene3d {
+
+/// What joins the urethra's two open ends: the bladder behind the neck C, the glans round the meatus A. Millimetres, A;
+/// normals towards the side that is seen; texture: x = turns round the axis, y = share of the way from dome to neck (bladder)
+/// or of the way outwards (glans).
+class LiningMesh {
+public:
+    /// `first`, `last`: the urethra's end rings at rest, metres, A.
+    LiningMesh(const UrethraDrawing& drawing, std::vector<core::Vec3> first, std::vector<core::Vec3> last);
+
+    /// The sphere up to where the neck begins to give way.
+    TriangleMesh bladder() const;
+    /// From there to the urethra's last ring as it is now; it gives way with the ring.
+    TriangleMesh neck(const std::vector<core::Vec3>& last) const;
+    /// The glans, from the urethra's first ring as it is now.
+    TriangleMesh glans(const std::vector<core::Vec3>& first) const;
+
+private:
+    struct Place {
+        core::Vec3 p = core::Vec3::Zero();
+        core::Vec3 normal = core::Vec3::Zero();
+        double across = 0.0;
+    };
+    double azimuth(std::size_t column) const { return m_azimuths[column % m_azimuths.size()]; }
+    Place neckAt(std::size_t column, double way, const std::vector<core::Vec3>& last) const;
+    Place glansAt(std::size_t column, double way, const std::vector<core::Vec3>& first) const;
+
+    const UrethraDrawing& m_drawing;
+    std::vector<core::Vec3> m_first;
+    std::vector<core::Vec3> m_last;
+    std::vector<double> m_azimuths; ///< of the last ring's points round t(C)
+    double m_brim_rad;              ///< polar angle from the neck where the sphere is no longer moved
+};
+
+} // namespace chiron::scene3d

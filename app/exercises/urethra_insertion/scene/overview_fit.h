@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+
+namespace chiron::scene3d {
+
+/// Where the overview is seen from: beside the patient, so that the way in runs from left to right and up.
+struct OverviewFit {
+    core::Vec3 p_WEye = core::Vec3::Zero();    ///< m
+    core::Vec3 p_WTarget = core::Vec3::Zero(); ///< m
+    core::Vec3 up_W = core::Vec3::UnitZ();
+    double fieldOfView_deg = 24.0; ///< vertical
+};
+
+/// The nearest such place from which canal, bladder and the last part of the shaft outside are seen. `aspect` =
+/// width/height > 0. Pure.
+OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect);
+
+} // namespace chiron::scene3d

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
+
+#include "core/endoscope_cues.h"
+#include "scoring/insertion_events.h"
+#include "scoring/insertion_moments.h"
+#include "scoring/trace_columns.h"
+#include "scoring/trace_grid.h"
+
+#include <algorithm>
+
+namespace chiron::session {
+
+namespace {
+
+/// The tick's event and its sample may stand a packet apart.
+constexpr double kNear_s = 0.002;
+
+void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
+               const std::vector<scoring::InsertionEvent>& events, bool mayBeCritical = false) {
+    for (const scoring::InsertionEvent& event : events) {
+        PlaybackMark mark;
+        mark.t_s = event.begin_s;
+        mark.end_s = event.end_s;
+        mark.tick = track.tickAt(event.begin_s);
+        mark.kind = kind;
+        mark.trial = trial;
+        mark.value = event.value;
+        mark.critical = mayBeCritical && scoring::isCritical(event);
+        track.marks.push_back(std::move(mark));
+    }
+}
+
+/// The words of the stages that a trial went through, where it waits outside and the end left out: one for each stageChanged mark.
+/// Before its first sample every trial is outside; one that begins with the beak in changes at that very sample.
+std::vector<std::string> stagesOf(const scoring::InsertionSeries& series) {
+    std::vector<std::string> stages;
+    auto last = core::ProcedureStage::outside;
+    for (const std::uint8_t value : series.stage) {
+        const auto stage = static_cast<core::ProcedureStage>(value);
+        if (stage != last && stage != core::ProcedureStage::completed)
+            stages.emplace_back(scoring::stageName(stage));
+        last = stage;
+    }
+    return stages;
+}
+
+double seenUntil(const scoring::InsertionSeries& series, double t_s) {
+    return static_cast<double>(std::count_if(series.landmarkSeen_s.begin(), series.landmarkSeen_s.end(),
+                                             [t_s](double seen_s) { return seen_s <= t_s + kNear_s; }));
+}
+
+void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeries& series) {
+    const std::vector<std::string> stages = stagesOf(series);
+    const auto changes = static_cast<std::size_t>(
+        std::count_if(track.marks.begin(), track.marks.end(), [trial](const PlaybackMark& mark) {
+            return mark.trial == trial && mark.kind == PlaybackMarkKind::stageChanged;
+        }));
+    std::size_t change = 0;
+    for (PlaybackMark& mark : track.marks) {
+        if (mark.trial != trial)
+            continue;
+        if (mark.kind == PlaybackMarkKind::stageChanged && changes == stages.size())
+            mark.detail = stages[change++];
+        if (mark.kind == PlaybackMarkKind::landmarkSeen)
+            mark.value = seenUntil(series, mark.t_s);
+        if (mark.kind == PlaybackMarkKind::timedOut)
+            mark.detail = kProcedure;
+    }
+}
+
+/// Tissue that gave way under a trauma that is an error is that one error.
+void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::InsertionEvent>& trauma) {
+    for (PlaybackMark& mark : track.marks)
+        if (mark.kind == PlaybackMarkKind::yielded && mark.trial == trial)
+            mark.critical = mark.critical && std::none_of(trauma.begin(), trauma.end(), [&mark](const scoring::InsertionEvent& event) {
+                return scoring::isCritical(event) && event.begin_s - kNear_s <= mark.t_s && mark.t_s <= event.end_s + kNear_s;
+            });
+}
+
+/// Only what a sample alone can exceed: a mean over the trial has no moment.
+void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::span<const scoring::Gate> gates) {
+    for (const scoring::Gate& gate : gates) {
+        if (!gate.maximum)
+            continue;
+        if (gate.metric == "offset_max")
+            addEvents(track, trial.trial, PlaybackMarkKind::offCentre,
+                      scoring::stretchesOver(trial, scoring::InsertionQuantity::offset, *gate.maximum));
+        if (gate.metric == "torque_max")
+            addEvents(track, trial.trial, PlaybackMarkKind::overTorque,
+                      scoring::stretchesOver(trial, scoring::InsertionQuantity::torque, *gate.maximum));
+    }
+}
+
+void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
+    using scoring::InsertionQuantity;
+    for (const InsertionQuantity quantity : {InsertionQuantity::offset, InsertionQuantity::alignment,
+                                             InsertionQuantity::bendAlignment, InsertionQuantity::curveAlignment, InsertionQuantity::torque})
+        if (const auto largest = scoring::largestOf(trial, quantity))
+            track.peaks.push_back({quantity, trial.trial, largest->begin_s, largest->value});
+}
+
+} // namespace
+
+core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
+                                     std::span<const scoring::Gate> gates, bool traumaIsCritical) {
+    const auto scored = scoring::onStoredGrids(trace);
+    if (!scored)
+        return tl::unexpected(scored.error());
+    for (const scoring::TrialTrace& trial : scored->trials) {
+        if (!trial.insertion)
+            continue;
+        completeMarks(track, trial.trial, *trial.insertion);
+        const scoring::InsertionEvents events = scoring::insertionEvents(trial);
+        addEvents(track, trial.trial, PlaybackMarkKind::trauma, events.trauma, traumaIsCritical);
+        if (traumaIsCritical)
+            countOnce(track, trial.trial, events.trauma);
+        addEvents(track, trial.trial, PlaybackMarkKind::reversal, events.reversals);
+        addStretches(track, trial, gates);
+        addPeaks(track, trial);
+    }
+    std::stable_sort(track.marks.begin(), track.marks.end(),
+                     [](const PlaybackMark& a, const PlaybackMark& b) { return a.t_s < b.t_s; });
+    return {};
+}
+
+} // namespace chiron::session

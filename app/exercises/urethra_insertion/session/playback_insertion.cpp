@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::session {
+
+namespace {
+
+constexpr double kSameTime_s = 0.6e-6; // traces hold whole microseconds, tracks do not
+
+void addFacts(PlaybackInsertion& insertion, const scoring::InsertionSeries& series) {
+    insertion.length_m = series.length_m;
+    insertion.bend_m = series.bend_m;
+    insertion.goal_m = series.goal_m;
+    insertion.landmarkSeen_s = series.landmarkSeen_s;
+}
+
+/// The series at `t_s`: its last sample not later than that.
+void addMoment(PlaybackInsertionMoment& moment, const scoring::TrialTrace& trial, double t_s) {
+    const std::vector<double>& times_s = trial.tools.front().t_s;
+    const scoring::InsertionSeries& series = *trial.insertion;
+    const auto after = std::upper_bound(times_s.begin(), times_s.end(), t_s + kSameTime_s);
+    if (after == times_s.begin())
+        return;
+    const auto i = static_cast<std::size_t>(after - times_s.begin()) - 1;
+    moment.stage = static_cast<core::ProcedureStage>(series.stage[i]);
+    if (after == times_s.end() && t_s > times_s.back() + kSameTime_s)
+        return; // the trial is over: it stands where it ended, and nothing is measured
+    moment.depth_m = series.s_m[i];
+    moment.offset_m = series.offset_m[i];
+    moment.alignment_rad = series.alignment_rad[i];
+}
+
+} // namespace
+
+std::uint32_t PlaybackInsertion::landmarksSeenAt(double t_s) const noexcept {
+    std::uint32_t seen = 0;
+    for (std::size_t i = 0; i < landmarkSeen_s.size() && i < 32; ++i)
+        seen |= landmarkSeen_s[i] <= t_s ? 1u << i : 0u; // not a number: never
+    return seen;
+}
+
+int PlaybackInsertion::landmarksSeen() const noexcept {
+    return static_cast<int>(std::count_if(landmarkSeen_s.begin(), landmarkSeen_s.end(), [](double t) { return std::isfinite(t); }));
+}
+
+PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::span<const double> times_s) {
+    PlaybackInsertion insertion;
+    insertion.moments.resize(times_s.size());
+    bool first = true;
+    for (const scoring::TrialTrace& trial : trace.trials) {
+        if (!trial.insertion || trial.tools.empty() || trial.insertion->s_m.size() != trial.tools.front().t_s.size())
+            continue;
+        if (first)
+            addFacts(insertion, *trial.insertion);
+        first = false;
+        for (std::size_t i = 0; i < times_s.size(); ++i)
+            addMoment(insertion.moments[i], trial, times_s[i]);
+    }
+    return insertion;
+}
+
+} // namespace chiron::session

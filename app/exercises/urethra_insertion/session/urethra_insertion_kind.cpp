@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/session/urethra_insertion_kind.h"
+
+#include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "scoring/insertion_events.h"
+#include "scoring/trace_builder.h"
+#include "scoring/trace_rows.h"
+#include "session/device_friction.h"
+#include "app/exercises/urethra_insertion/session/insertion_marks.h"
+#include "app/exercises/urethra_insertion/session/insertion_series.h"
+#include "session/session_setup.h"
+#include "simulation/exercises/urethra_insertion/drawn_tip.h"
+#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace chiron::session {
+
+namespace {
+
+const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
+    return std::get<simulation::UrethraInsertionParameters>(level.parameters);
+}
+
+/// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
+constexpr double kArmingAllowance_s = 20.0;
+
+/// The canal has no object of its own to be found; what playback needs is where the tip was drawn.
+class UrethraInsertionSurfaces final : public TrialSurfaces {
+public:
+    explicit UrethraInsertionSurfaces(const simulation::UrethraInsertionParameters& p) : m_drawn(p) {}
+    std::optional<TrialObject> object(int) const override { return std::nullopt; }
+    core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const override {
+        return trial == 0 ? m_drawn.inW(p_WT) : p_WT;
+    }
+
+private:
+    simulation::DrawnTip m_drawn;
+};
+
+void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
+    if (!any)
+        return; // its device could not be turned, or nothing was begun
+    std::vector<double> times_s;
+    times_s.reserve(track.moments.size());
+    for (const PlaybackMoment& moment : track.moments)
+        times_s.push_back(moment.t_s);
+    track.insertion = playbackInsertionOf(trace, times_s);
+}
+
+} // namespace
+
+std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const SessionSetup& setup) const {
+    simulation::UrethraInsertionParameters felt = parametersOf(setup.level);
+    if (!setup.devices.empty() && !setup.mappings.empty())
+        felt.forces = onDevice(felt.forces, setup.devices[0], setup.mappings[0]);
+    return std::make_unique<simulation::UrethraInsertionScene>(felt);
+}
+
+core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
+                                                          std::uint64_t seed) const {
+    auto settings = operators::urethraInsertionOperatorSettings(name);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    auto strategy = operators::makeUrethraInsertionOperator(*settings, seed);
+    if (!strategy)
+        return tl::unexpected(strategy.error());
+    return oneHanded(std::move(*strategy), settings->hand);
+}
+
+std::vector<std::string> UrethraInsertionKind::operatorNames() const {
+    const auto names = operators::urethraInsertionOperatorNames();
+    return {names.begin(), names.end()};
+}
+
+int UrethraInsertionKind::trialCount(const catalogue::ExerciseLevel&) const { return 1; }
+
+double UrethraInsertionKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
+
+std::vector<std::pair<std::string_view, double>> UrethraInsertionKind::otherLimits_N(const catalogue::ExerciseLevel& level) const {
+    return {{"lateral_max", parametersOf(level).lateralLimit_N}};
+}
+
+double UrethraInsertionKind::torqueLimit_Nm(const catalogue::ExerciseLevel& level) const {
+    return parametersOf(level).maximumTorque_Nm;
+}
+
+std::uint64_t UrethraInsertionKind::tickLimit(const catalogue::ExerciseLevel& level) const {
+    return static_cast<std::uint64_t>(std::ceil(1000.0 * (parametersOf(level).trialLimit_s + kArmingAllowance_s)));
+}
+
+void UrethraInsertionKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t, scoring::TrialTrace& trial) const {
+    trial.insertion = insertionSeries(parametersOf(level), trial);
+}
+
+std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t) const {
+    return std::make_unique<UrethraInsertionSurfaces>(parametersOf(level));
+}
+
+core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
+    const auto& metrics = setup.level.metrics;
+    const bool traumaIsCritical = std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
+        return metric.id == "critical_errors" && metric.version >= scoring::kTraumaIsCriticalFrom;
+    });
+    if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
+        return done;
+    addInsertion(track, *trace);
+    return {};
+}
+
+void UrethraInsertionKind::storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const {
+    if (!trial.insertion)
+        return;
+    QJsonArray seen_s;
+    for (const double t_s : trial.insertion->landmarkSeen_s)
+        seen_s.append(std::isnan(t_s) ? QJsonValue() : QJsonValue(t_s));
+    truth.insert("completed", trial.completed);
+    truth.insert("length_m", trial.insertion->length_m);
+    truth.insert("bend_m", trial.insertion->bend_m);
+    truth.insert("goal_m", trial.insertion->goal_m);
+    truth.insert("lateral_limit_N", trial.insertion->lateralLimit_N);
+    truth.insert("landmarks_seen_s", seen_s);
+}
+
+void UrethraInsertionKind::addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const {
+    if (trials.empty() || !trials.front().insertion)
+        return;
+    columns.insertion = columns.completed = true;
+    columns.torque = !trials.front().tools.empty() && !trials.front().tools[0].tissueTorque_Nm.empty();
+}
+
+void UrethraInsertionKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (trial.insertion)
+        scoring::setTrialOfCanal(row.insertion, trial);
+}
+
+// By its time: the series has a value for each sample that is scored.
+void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
+    if (!trial.insertion || row.tool != 0 || trial.tools.empty())
+        return;
+    const std::vector<double>& t_s = trial.tools.front().t_s;
+    const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
+    if (sample != t_s.end() && *sample == row.t_s)
+        scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
+}
+
+} // namespace chiron::session

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "session/exercise_kind.h"
+
+namespace chiron::session {
+
+/// Urethra insertion (models.md §1).
+class UrethraInsertionKind final : public ExerciseKind {
+public:
+    std::string_view id() const noexcept override { return "urethra_insertion"; }
+    std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
+    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling: at the cap of 4 N 3.7 N are felt, up to 3.2 N all.
+    double capKnee() const noexcept override { return 0.2; }
+    PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
+    /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
+    std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
+                                               std::uint64_t seed) const override;
+    std::vector<std::string> operatorNames() const override;
+    int trialCount(const catalogue::ExerciseLevel& level) const override;
+    double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
+    std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel& level) const override;
+    double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
+    std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
+    /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry: what was near, aligned and in
+    /// which stage follows from stored channels alone. Left out where the trace has no orientation.
+    void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
+    std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    bool marksFromTrace() const noexcept override { return true; }
+    core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
+    /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for those that were not seen.
+    void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
+    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< of the canal
+    void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
+    void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
+};
+
+} // namespace chiron::session
