@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/answer_events.h"
 
-#include "scoring/detection/finding_matches.h"
-#include "scoring/detection/palpation_answer.h"
-#include "scoring/metrics/apex_answer.h"
+#include "curriculum/exercises/palpation/scoring/finding_matches.h"
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "app/exercises/palpation/session/palpation_marks.h"
 
 #include <algorithm>
