@@ -5,7 +5,7 @@
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "database/actor.h"
-#include "scoring/insertion_moments.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "session/playback_mark.h"
 #include "session/trial_surfaces.h"

@@ -3,7 +3,7 @@
 
 #include "session_report/grasp_report_of.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
-#include "scoring/metrics/apex_answer.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
 
 namespace chiron::session_report {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/grasp_report_of.h"
 
-#include "scoring/metrics/handling_samples.h"
+#include "curriculum/exercises/object_handling/scoring/handling_samples.h"
 #include "scoring/score_calculator.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/exercise_kinds.h"
 
-#include "catalogue/comparison_content.h"
-#include "catalogue/elastic_tube_content.h"
-#include "catalogue/object_handling_content.h"
-#include "catalogue/palpation_content.h"
-#include "catalogue/sphere_apex_content.h"
-#include "catalogue/urethra_insertion_content.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
+#include "curriculum/exercises/elastic_tube/catalogue/elastic_tube_content.h"
+#include "curriculum/exercises/object_handling/catalogue/object_handling_content.h"
+#include "curriculum/exercises/palpation/catalogue/palpation_content.h"
+#include "curriculum/exercises/sphere_apex/catalogue/sphere_apex_content.h"
+#include "curriculum/exercises/urethra_insertion/catalogue/urethra_insertion_content.h"
 
 #include <array>
 

@@ -8,7 +8,7 @@
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
 #include "operators/urethra_insertion/urethra_insertion_operator.h"
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 #include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"

@@ -5,7 +5,7 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
-#include "scoring/detection/roc_curve.h"
+#include "curriculum/exercises/palpation/scoring/roc_curve.h"
 
 #include <QCoreApplication>
 #include <array>

@@ -5,7 +5,7 @@
 #include "desktop/scene3d/scene_note.h"
 #include "desktop/scene3d/scene_state.h"
 #include "haptics/display_state.h"
-#include "scoring/detection/finding_matches.h"
+#include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "session/live_sample.h"
 #include "session/trial_surfaces.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_setup.h"
 
-#include "catalogue/comparison_content.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "operators/comparison/comparison_explorer.h"

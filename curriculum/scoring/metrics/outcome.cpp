@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact_bits.h"
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"
 #include "scoring/prepared_trial.h"

@@ -3,10 +3,10 @@
 // each limit is met just there, against what was kept. Refused values with their place and reason; who gives a limit up says so.
 #include "support/kept_figures.h"
 
-#include "catalogue/apex_study_content.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/comparison_content.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "catalogue/exercise_kinds.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"

@@ -2,7 +2,7 @@
 #include "study_samples.h"
 
 #include "catalogue/canonical_json.h"
-#include "catalogue/comparison_content.h"
+#include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"

@@ -3,7 +3,7 @@
 #include "insertion_traces.h"
 
 #include "core/random.h"
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 

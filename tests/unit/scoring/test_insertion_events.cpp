@@ -2,7 +2,7 @@
 // Trauma events and reversals: their thresholds to the sample, their ends, and that pauses count for nothing.
 #include "insertion_traces.h"
 
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 
 #include <QtTest>
 

@@ -2,8 +2,8 @@
 // What a trial of a palpation is judged to be: reports read back, findings matched to lumps, regions, ROC.
 #include "core/random.h"
 #include "palpation_traces.h"
-#include "scoring/detection/palpation_answer.h"
-#include "scoring/detection/roc_curve.h"
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+#include "curriculum/exercises/palpation/scoring/roc_curve.h"
 
 #include <QtTest>
 #include <algorithm>

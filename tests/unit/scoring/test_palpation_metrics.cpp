@@ -3,7 +3,7 @@
 #include "core/contact_bits.h"
 #include "core/normal_distribution.h"
 #include "palpation_traces.h"
-#include "scoring/detection/palpation_truth.h"
+#include "curriculum/exercises/palpation/scoring/palpation_truth.h"
 #include "scoring/metric.h"
 #include "scoring/metric_catalogue.h"
 #include "scoring/score_calculator.h"

@@ -3,7 +3,7 @@
 #include "insertion_session.h"
 
 #include "scoring/score_calculator.h"
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "session/worst_moment.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_replay.h"
 
-#include "scoring/detection/finding_matches.h"
-#include "scoring/detection/findings_trace.h"
+#include "curriculum/exercises/palpation/scoring/finding_matches.h"
+#include "curriculum/exercises/palpation/scoring/findings_trace.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/session/detection_record.h"
 
-#include "scoring/detection/palpation_answer.h"
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "session/level_cues.h"
 #include "session/session_view.h"
 

@@ -4,7 +4,7 @@
 #include "catalogue/exercise.h"
 #include "core/result.h"
 #include "database/repositories/session_reader.h"
-#include "scoring/detection/roc_curve.h"
+#include "curriculum/exercises/palpation/scoring/roc_curve.h"
 #include "session/session_view.h"
 
 #include <string>

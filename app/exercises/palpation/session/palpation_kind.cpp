@@ -3,8 +3,8 @@
 
 #include "database/repositories/session_types.h"
 #include "operators/palpation/palpation_operator.h"
-#include "scoring/detection/finding_matches.h"
-#include "scoring/detection/palpation_answer.h"
+#include "curriculum/exercises/palpation/scoring/finding_matches.h"
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "session/answer_events.h"
 #include "session/level_cues.h"
 #include "app/exercises/palpation/session/palpation_marks.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/result.h"
-#include "scoring/detection/palpation_answer.h"
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
 #include "simulation/exercises/palpation/palpation_parameters.h"

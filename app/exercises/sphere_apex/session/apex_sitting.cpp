@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/session/apex_sitting.h"
 
-#include "catalogue/apex_study_content.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "core/random.h"
 #include "psychophysics/study/apex_study.h"
 #include "app/exercises/sphere_apex/session/apex_director.h"

@@ -2,7 +2,7 @@
 // A sitting of the apex from tick to tick, and from session to session.
 #include "app/exercises/sphere_apex/session/live_apex_state.h"
 
-#include "catalogue/apex_study_content.h"
+#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "app/exercises/sphere_apex/session/apex_analysis.h"

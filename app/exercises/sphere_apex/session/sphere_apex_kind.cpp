@@ -3,7 +3,7 @@
 
 #include "database/repositories/session_types.h"
 #include "operators/sphere_apex/sphere_apex_operator.h"
-#include "scoring/metrics/apex_answer.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "scoring/trace_rows.h"
 #include "session/answer_events.h"
 #include "session/playback_track.h"

@@ -2,8 +2,8 @@
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 
 #include "core/endoscope_cues.h"
-#include "scoring/insertion_events.h"
-#include "scoring/insertion_moments.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
 #include "scoring/trace_columns.h"
 #include "scoring/trace_grid.h"
 

@@ -2,7 +2,7 @@
 #include "app/exercises/urethra_insertion/session/urethra_insertion_kind.h"
 
 #include "operators/urethra_insertion/urethra_insertion_operator.h"
-#include "scoring/insertion_events.h"
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_rows.h"
 #include "session/device_friction.h"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/palpation/scoring/palpation_answer.h"
+
+#include <algorithm>
+
+namespace chiron::scoring {
+
+int PalpationAnswer::hits() const noexcept {
+    return static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const FindingMatch& o) { return o.hit(); }));
+}
+
+JudgedTrial judgePalpation(const TrialTrace& trial) {
+    auto truth = palpationTruthOf(trial.truth);
+    if (!truth)
+        return {std::nullopt, UndefinedReason::noLumpsAndArea};
+    auto reports = reportsOf(trial);
+    if (!reports)
+        return {std::nullopt, UndefinedReason::noReports};
+    if (reports->lost > 0)
+        return {std::nullopt, UndefinedReason::lostReports};
+    PalpationAnswer answer;
+    answer.truth = std::move(*truth);
+    answer.reports = std::move(reports->reports);
+    answer.findings = findingsAfter(answer.reports);
+    answer.matches = matchesOf(answer.findings, answer.truth);
+    answer.regions = regionsOf(answer.truth, answer.findings, answer.matches);
+    return {std::move(answer), {}};
+}
+
+} // namespace chiron::scoring
