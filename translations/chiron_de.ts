@@ -3227,6 +3227,433 @@ Einzelheiten: %2</translation>
     </message>
 </context>
 <context>
+    <name>Procedures</name>
+    <message>
+        <source>Trials per level</source>
+        <translation>Durchgänge je Stufe</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often.</source>
+        <translation>Jede Stufe wird so oft dargeboten.</translation>
+    </message>
+    <message>
+        <source>In random order</source>
+        <translation>In zufälliger Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
+        <translation>Stufen kommen in zufälligen Blöcken mit je einer; sonst in der Reihenfolge der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>What is presented. Levels must lie within the table of differences.</source>
+        <translation>Was dargeboten wird. Stufen müssen in der Tabelle der Unterschiede liegen.</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Konstante Reize</translation>
+    </message>
+    <message>
+        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
+        <translation>Bietet jeden Unterschied gleich oft dar, in zufälliger Reihenfolge. Misst die ganze Kurve, braucht aber viele Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Presentations per level</source>
+        <translation>Darbietungen je Stufe</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often before it is decided.</source>
+        <translation>Jede Stufe wird so oft dargeboten, bevor entschieden wird.</translation>
+    </message>
+    <message>
+        <source>Right answers to go on</source>
+        <translation>Richtige Antworten zum Weitergehen</translation>
+    </message>
+    <message>
+        <source>With fewer right answers at a level the run ends there.</source>
+        <translation>Bei weniger richtigen Antworten auf einer Stufe endet der Lauf dort.</translation>
+    </message>
+    <message>
+        <source>What is presented, from the largest to the smallest difference.</source>
+        <translation>Was dargeboten wird, vom größten zum kleinsten Unterschied.</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Absteigende Rangfolge (alt)</translation>
+    </message>
+    <message>
+        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
+        <translation>Der Unterschied wird kleiner, bis eine Antwort falsch ist. Die so bestimmte JND ist 1,5- bis 3-mal zu groß; nur für Replikationen früherer Arbeiten.</translation>
+    </message>
+    <message>
+        <source>Maximum trials</source>
+        <translation>Höchstzahl Durchgänge</translation>
+    </message>
+    <message>
+        <source>The run ends after so many trials at the latest.</source>
+        <translation>Der Lauf endet spätestens nach so vielen Durchgängen.</translation>
+    </message>
+    <message>
+        <source>Reversals until stop</source>
+        <translation>Umkehrungen bis zum Ende</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
+        <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Durchgänge beenden ihn.</translation>
+    </message>
+    <message>
+        <source>Minimum trials</source>
+        <translation>Mindestzahl Durchgänge</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is.</source>
+        <translation>Früher endet der Lauf nicht, wie sicher die Schätzung auch ist.</translation>
+    </message>
+    <message>
+        <source>Stop when known within</source>
+        <translation>Ende, wenn bekannt auf</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied bekannt ist (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
+        <translation>Der Lauf endet, sobald die Schwelle auf diesen Faktor bekannt ist (eine Standardabweichung). Meist × 1,15.</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Erster Unterschied</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody.</source>
+        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt.</translation>
+    </message>
+    <message>
+        <source>Right answers aimed at</source>
+        <translation>Angestrebte richtige Antworten</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which so many answers are right.</source>
+        <translation>Der Lauf sucht den Unterschied, bei dem so viele Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>Deviation tolerated</source>
+        <translation>Erlaubte Abweichung</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
+        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und sind sicherer.</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>Erster Schritt</translation>
+    </message>
+    <message>
+        <source>How far the difference changes at first.</source>
+        <translation>Wie stark sich der Unterschied anfangs ändert.</translation>
+    </message>
+    <message>
+        <source>Smallest step</source>
+        <translation>Kleinster Schritt</translation>
+    </message>
+    <message>
+        <source>The run ends when a step would be as small as this.</source>
+        <translation>Der Lauf endet, wenn ein Schritt so klein würde.</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Größter Schritt</translation>
+    </message>
+    <message>
+        <source>Steps never grow beyond this.</source>
+        <translation>Größer werden die Schritte nie.</translation>
+    </message>
+    <message>
+        <source>PEST</source>
+        <translation>PEST</translation>
+    </message>
+    <message>
+        <source>A sequential test halves and doubles the steps. For replications only.</source>
+        <translation>Ein sequenzieller Test halbiert und verdoppelt die Schritte. Nur für Replikationen früherer Arbeiten.</translation>
+    </message>
+    <message>
+        <source>Expected threshold</source>
+        <translation>Erwartete Schwelle</translation>
+    </message>
+    <message>
+        <source>Where the threshold is expected before the first answer.</source>
+        <translation>Wo die Schwelle vor der ersten Antwort erwartet wird.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of it</source>
+        <translation>Unsicherheit der Erwartung</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation).</source>
+        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
+        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung). Meist × 3.</translation>
+    </message>
+    <message>
+        <source>The threshold is where so many answers are right.</source>
+        <translation>Die Schwelle liegt dort, wo so viele Antworten richtig sind.</translation>
+    </message>
+    <message>
+        <source>Slope β</source>
+        <translation>Steigung β</translation>
+    </message>
+    <message>
+        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
+        <translation>Wie steil die richtigen Antworten mit dem Unterschied zunehmen; das wird angenommen, nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Lapses</translation>
+    </message>
+    <message>
+        <source>Answers that are wrong although the difference is felt.</source>
+        <translation>Antworten, die falsch sind, obwohl der Unterschied gespürt wird.</translation>
+    </message>
+    <message>
+        <source>Right by guessing</source>
+        <translation>Durch Raten richtig</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
+        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
+    </message>
+    <message>
+        <source>Quantile</source>
+        <translation>Quantil</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Place trials at</source>
+        <translation>Durchgänge liegen bei</translation>
+    </message>
+    <message>
+        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
+        <translation>Welcher Punkt des Wissens als Nächstes gefragt wird; das Quantil ist am wirksamsten.</translation>
+    </message>
+    <message>
+        <source>QUEST</source>
+        <translation>QUEST</translation>
+    </message>
+    <message>
+        <source>Bayesian; places each trial where the threshold probably is.</source>
+        <translation>Bayes-Verfahren; legt jeden Durchgang dorthin, wo die Schwelle wahrscheinlich liegt.</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>Normal (probit)</source>
+        <translation>Normal (Probit)</translation>
+    </message>
+    <message>
+        <source>Normal, lapses on both sides</source>
+        <translation>Normal, Lapses auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Logistic (logit)</source>
+        <translation>Logistisch (Logit)</translation>
+    </message>
+    <message>
+        <source>Gumbel</source>
+        <translation>Gumbel</translation>
+    </message>
+    <message>
+        <source>Gumbel, mirrored</source>
+        <translation>Gumbel, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Hyperbolic secant</source>
+        <translation>Sekans hyperbolicus</translation>
+    </message>
+    <message>
+        <source>Psychometric function</source>
+        <translation>Psychometrische Funktion</translation>
+    </message>
+    <message>
+        <source>The shape by which right answers are assumed to grow with the difference.</source>
+        <translation>Die Form, in der die richtigen Antworten mit dem Unterschied zunehmen sollen.</translation>
+    </message>
+    <message>
+        <source>Another function</source>
+        <translation>Andere Funktion</translation>
+    </message>
+    <message>
+        <source>Same difference in a row</source>
+        <translation>Gleicher Unterschied in Folge</translation>
+    </message>
+    <message>
+        <source>A difference is shown at most so often in succession; 0: no limit.</source>
+        <translation>Ein Unterschied kommt höchstens so oft nacheinander; 0: unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Kontrolldurchgänge</translation>
+    </message>
+    <message>
+        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
+        <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
+    </message>
+    <message>
+        <source>Values of this parameter that are considered possible.</source>
+        <translation>Werte dieses Parameters, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>QUEST+</source>
+        <translation>QUEST+</translation>
+    </message>
+    <message>
+        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
+        <translation>Bayes-Verfahren; wählt den Durchgang, der am meisten über Schwelle, Steigung und Lapse-Rate verrät.</translation>
+    </message>
+    <message>
+        <source>Shares of careless answers that are considered possible.</source>
+        <translation>Anteile unachtsamer Antworten, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>Ties (in σ)</source>
+        <translation>Gleichstände (in σ)</translation>
+    </message>
+    <message>
+        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
+        <translation>Unterschiede, unter denen Objekte gleich genannt werden, in Standardabweichungen des Gespürten, die als möglich gelten.</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference</source>
+        <translation>Unterschiedsschwelle</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these are considered possible.</source>
+        <translation>Unterschiedsschwellen dazwischen gelten als möglich.</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ für Rangfolgen</translation>
+    </message>
+    <message>
+        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ mit einem Beobachtermodell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
+        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt. Er muss in der Tabelle der Unterschiede liegen.</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>Richtige Antworten bis zum Schritt nach unten</translation>
+    </message>
+    <message>
+        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
+        <translation>So viele richtige Antworten nacheinander machen den nächsten Durchgang schwerer; 3 führen zu etwa 80 % richtigen.</translation>
+    </message>
+    <message>
+        <source>Wrong answers for a step up</source>
+        <translation>Falsche Antworten bis zum Schritt nach oben</translation>
+    </message>
+    <message>
+        <source>So many wrong answers in succession make the next trial easier.</source>
+        <translation>So viele falsche Antworten nacheinander machen den nächsten Durchgang leichter.</translation>
+    </message>
+    <message>
+        <source>Step down as a share of a step up</source>
+        <translation>Schritt nach unten, Anteil des Schritts nach oben</translation>
+    </message>
+    <message>
+        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
+        <translation>Schritte nach unten sind meist kleiner als Schritte nach oben, damit der Lauf konvergiert: 73,93 % bei drei richtigen Antworten (García-Pérez 1998).</translation>
+    </message>
+    <message>
+        <source>as listed</source>
+        <translation>wie aufgeführt</translation>
+    </message>
+    <message>
+        <source>Reversals averaged</source>
+        <translation>Gemittelte Umkehrungen</translation>
+    </message>
+    <message>
+        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
+        <translation>Die eigene Schätzung der Treppe ist das Mittel so vieler letzter Umkehrungen; die Anpassung nutzt alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Steps up</source>
+        <translation>Schritte nach oben</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; the last one is kept.</source>
+        <translation>Einer für jede bisherige Umkehrung; der letzte bleibt.</translation>
+    </message>
+    <message>
+        <source>Steps down</source>
+        <translation>Schritte nach unten</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; none: the same as up.</source>
+        <translation>Einer für jede bisherige Umkehrung; keiner: wie nach oben.</translation>
+    </message>
+    <message>
+        <source>One up, one down at first</source>
+        <translation>Anfangs einer auf, einer ab</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
+        <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort es schwerer: Der Lauf kommt schneller in die Nähe der Schwelle.</translation>
+    </message>
+    <message>
+        <source>Count anew after each step</source>
+        <translation>Nach jedem Schritt neu zählen</translation>
+    </message>
+    <message>
+        <source>Right and wrong answers before a step do not count for the next one.</source>
+        <translation>Richtige und falsche Antworten vor einem Schritt zählen für den nächsten nicht.</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal</source>
+        <translation>Neue Schrittweite bei der Umkehrung</translation>
+    </message>
+    <message>
+        <source>The step that makes the reversal already has the new size.</source>
+        <translation>Schon der Schritt, der die Umkehrung bildet, hat die neue Weite.</translation>
+    </message>
+    <message>
+        <source>Stay within the table</source>
+        <translation>In der Tabelle bleiben</translation>
+    </message>
+    <message>
+        <source>The run never asks for differences beyond the smallest and largest.</source>
+        <translation>Der Lauf verlangt nie Unterschiede jenseits des kleinsten und des größten.</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Treppenverfahren (auf–ab)</translation>
+    </message>
+    <message>
+        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Wird nach richtigen Antworten schwerer und nach falschen leichter. Robust und leicht zu erklären.</translation>
+    </message>
+</context>
+<context>
     <name>QDialogButtonBox</name>
     <message>
         <source>OK</source>
@@ -5006,22 +5433,6 @@ Einzelheiten: %2</translation>
         <translation>Größenschätzung</translation>
     </message>
     <message>
-        <source>Staircase (up–down)</source>
-        <translation>Treppenverfahren (auf–ab)</translation>
-    </message>
-    <message>
-        <source>Constant stimuli</source>
-        <translation>Konstante Reize</translation>
-    </message>
-    <message>
-        <source>Descending ranking (legacy)</source>
-        <translation>Absteigende Rangfolge (alt)</translation>
-    </message>
-    <message>
-        <source>QUEST+ for rankings</source>
-        <translation>QUEST+ für Rangfolgen</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Wie aufgeführt</translation>
     </message>
@@ -5912,34 +6323,6 @@ Einzelheiten: %2</translation>
         <translation>Ratewahrscheinlichkeit</translation>
     </message>
     <message>
-        <source>Staircase (up–down)</source>
-        <translation>Treppenverfahren (auf–ab)</translation>
-    </message>
-    <message>
-        <source>PEST</source>
-        <translation>PEST</translation>
-    </message>
-    <message>
-        <source>Constant stimuli</source>
-        <translation>Konstante Reize</translation>
-    </message>
-    <message>
-        <source>Descending ranking (legacy)</source>
-        <translation>Absteigende Rangfolge (alt)</translation>
-    </message>
-    <message>
-        <source>QUEST</source>
-        <translation>QUEST</translation>
-    </message>
-    <message>
-        <source>QUEST+</source>
-        <translation>QUEST+</translation>
-    </message>
-    <message>
-        <source>QUEST+ for rankings</source>
-        <translation>QUEST+ für Rangfolgen</translation>
-    </message>
-    <message>
         <source>limited by the device</source>
         <translation>vom Gerät begrenzt</translation>
     </message>
@@ -6092,34 +6475,6 @@ Einzelheiten: %2</translation>
         <translation>Ordnen Sie dem, was Sie fühlen, eine Zahl zu. Jede positive Zahl ist erlaubt.</translation>
     </message>
     <message>
-        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
-        <translation>Wird nach richtigen Antworten schwerer und nach falschen leichter. Robust und leicht zu erklären.</translation>
-    </message>
-    <message>
-        <source>A sequential test halves and doubles the steps. For replications only.</source>
-        <translation>Ein sequenzieller Test halbiert und verdoppelt die Schritte. Nur für Replikationen früherer Arbeiten.</translation>
-    </message>
-    <message>
-        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
-        <translation>Bietet jeden Unterschied gleich oft dar, in zufälliger Reihenfolge. Misst die ganze Kurve, braucht aber viele Durchgänge.</translation>
-    </message>
-    <message>
-        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
-        <translation>Der Unterschied wird kleiner, bis eine Antwort falsch ist. Die so bestimmte JND ist 1,5- bis 3-mal zu groß; nur für Replikationen früherer Arbeiten.</translation>
-    </message>
-    <message>
-        <source>Bayesian; places each trial where the threshold probably is.</source>
-        <translation>Bayes-Verfahren; legt jeden Durchgang dorthin, wo die Schwelle wahrscheinlich liegt.</translation>
-    </message>
-    <message>
-        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
-        <translation>Bayes-Verfahren; wählt den Durchgang, der am meisten über Schwelle, Steigung und Lapse-Rate verrät.</translation>
-    </message>
-    <message>
-        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
-        <translation>QUEST+ mit einem Beobachtermodell für Rangfolgen von dreien. Braucht die wenigsten Durchgänge; die Voreinstellung.</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Wie aufgeführt</translation>
     </message>
@@ -6238,34 +6593,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>“%1” is not a number. Separate numbers by semicolons or line ends.</source>
         <translation>„%1“ ist keine Zahl. Trennen Sie Zahlen durch Strichpunkte oder Zeilenenden.</translation>
-    </message>
-    <message>
-        <source>Weibull</source>
-        <translation>Weibull</translation>
-    </message>
-    <message>
-        <source>Normal (probit)</source>
-        <translation>Normal (Probit)</translation>
-    </message>
-    <message>
-        <source>Normal, lapses on both sides</source>
-        <translation>Normal, Lapses auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Logistic (logit)</source>
-        <translation>Logistisch (Logit)</translation>
-    </message>
-    <message>
-        <source>Gumbel</source>
-        <translation>Gumbel</translation>
-    </message>
-    <message>
-        <source>Gumbel, mirrored</source>
-        <translation>Gumbel, gespiegelt</translation>
-    </message>
-    <message>
-        <source>Hyperbolic secant</source>
-        <translation>Sekans hyperbolicus</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -11453,196 +11780,8 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Anderes Verfahren</translation>
     </message>
     <message>
-        <source>Right answers for a step down</source>
-        <translation>Richtige Antworten bis zum Schritt nach unten</translation>
-    </message>
-    <message>
-        <source>Wrong answers for a step up</source>
-        <translation>Falsche Antworten bis zum Schritt nach oben</translation>
-    </message>
-    <message>
-        <source>Reversals averaged</source>
-        <translation>Gemittelte Umkehrungen</translation>
-    </message>
-    <message>
-        <source>First step</source>
-        <translation>Erster Schritt</translation>
-    </message>
-    <message>
-        <source>Smallest step</source>
-        <translation>Kleinster Schritt</translation>
-    </message>
-    <message>
-        <source>Largest step</source>
-        <translation>Größter Schritt</translation>
-    </message>
-    <message>
-        <source>Trials per level</source>
-        <translation>Durchgänge je Stufe</translation>
-    </message>
-    <message>
-        <source>In random order</source>
-        <translation>In zufälliger Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Presentations per level</source>
-        <translation>Darbietungen je Stufe</translation>
-    </message>
-    <message>
-        <source>Slope β</source>
-        <translation>Steigung β</translation>
-    </message>
-    <message>
-        <source>Place trials at</source>
-        <translation>Durchgänge liegen bei</translation>
-    </message>
-    <message>
-        <source>Quantile</source>
-        <translation>Quantil</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Mittelwert</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Modus</translation>
-    </message>
-    <message>
-        <source>Psychometric function</source>
-        <translation>Psychometrische Funktion</translation>
-    </message>
-    <message>
         <source>Change of the procedure</source>
         <translation>Änderung des Verfahrens</translation>
-    </message>
-    <message>
-        <source>Maximum trials</source>
-        <translation>Höchstzahl Durchgänge</translation>
-    </message>
-    <message>
-        <source>Minimum trials</source>
-        <translation>Mindestzahl Durchgänge</translation>
-    </message>
-    <message>
-        <source>never</source>
-        <translation>nie</translation>
-    </message>
-    <message>
-        <source>The run ends after so many trials at the latest.</source>
-        <translation>Der Lauf endet spätestens nach so vielen Durchgängen.</translation>
-    </message>
-    <message>
-        <source>Reversals until stop</source>
-        <translation>Umkehrungen bis zum Ende</translation>
-    </message>
-    <message>
-        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
-        <translation>Der Lauf endet, sobald die Richtung so oft gewechselt hat; 0: nur die Durchgänge beenden ihn.</translation>
-    </message>
-    <message>
-        <source>The run does not end earlier, however sure the estimate is.</source>
-        <translation>Früher endet der Lauf nicht, wie sicher die Schätzung auch ist.</translation>
-    </message>
-    <message>
-        <source>Stop when known within</source>
-        <translation>Ende, wenn bekannt auf</translation>
-    </message>
-    <message>
-        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
-        <translation>Der Lauf endet, sobald die Schwelle auf diesen Faktor bekannt ist (eine Standardabweichung). Meist × 1,15.</translation>
-    </message>
-    <message>
-        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
-        <translation>Der Lauf endet, sobald die Schwelle auf diesen Unterschied bekannt ist (eine Standardabweichung).</translation>
-    </message>
-    <message>
-        <source>Same difference in a row</source>
-        <translation>Gleicher Unterschied in Folge</translation>
-    </message>
-    <message>
-        <source>A difference is shown at most so often in succession; 0: no limit.</source>
-        <translation>Ein Unterschied kommt höchstens so oft nacheinander; 0: unbegrenzt.</translation>
-    </message>
-    <message>
-        <source>First difference</source>
-        <translation>Erster Unterschied</translation>
-    </message>
-    <message>
-        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
-        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt. Er muss in der Tabelle der Unterschiede liegen.</translation>
-    </message>
-    <message>
-        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
-        <translation>So viele richtige Antworten nacheinander machen den nächsten Durchgang schwerer; 3 führen zu etwa 80 % richtigen.</translation>
-    </message>
-    <message>
-        <source>So many wrong answers in succession make the next trial easier.</source>
-        <translation>So viele falsche Antworten nacheinander machen den nächsten Durchgang leichter.</translation>
-    </message>
-    <message>
-        <source>Step down as a share of a step up</source>
-        <translation>Schritt nach unten, Anteil des Schritts nach oben</translation>
-    </message>
-    <message>
-        <source>as listed</source>
-        <translation>wie aufgeführt</translation>
-    </message>
-    <message>
-        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
-        <translation>Schritte nach unten sind meist kleiner als Schritte nach oben, damit der Lauf konvergiert: 73,93 % bei drei richtigen Antworten (García-Pérez 1998).</translation>
-    </message>
-    <message>
-        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
-        <translation>Die eigene Schätzung der Treppe ist das Mittel so vieler letzter Umkehrungen; die Anpassung nutzt alle Durchgänge.</translation>
-    </message>
-    <message>
-        <source>Steps up</source>
-        <translation>Schritte nach oben</translation>
-    </message>
-    <message>
-        <source>One for each reversal so far; the last one is kept.</source>
-        <translation>Einer für jede bisherige Umkehrung; der letzte bleibt.</translation>
-    </message>
-    <message>
-        <source>Steps down</source>
-        <translation>Schritte nach unten</translation>
-    </message>
-    <message>
-        <source>One for each reversal so far; none: the same as up.</source>
-        <translation>Einer für jede bisherige Umkehrung; keiner: wie nach oben.</translation>
-    </message>
-    <message>
-        <source>One up, one down at first</source>
-        <translation>Anfangs einer auf, einer ab</translation>
-    </message>
-    <message>
-        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
-        <translation>Bis zur ersten Umkehrung macht schon eine richtige Antwort es schwerer: Der Lauf kommt schneller in die Nähe der Schwelle.</translation>
-    </message>
-    <message>
-        <source>Count anew after each step</source>
-        <translation>Nach jedem Schritt neu zählen</translation>
-    </message>
-    <message>
-        <source>Right and wrong answers before a step do not count for the next one.</source>
-        <translation>Richtige und falsche Antworten vor einem Schritt zählen für den nächsten nicht.</translation>
-    </message>
-    <message>
-        <source>New step size at the reversal</source>
-        <translation>Neue Schrittweite bei der Umkehrung</translation>
-    </message>
-    <message>
-        <source>The step that makes the reversal already has the new size.</source>
-        <translation>Schon der Schritt, der die Umkehrung bildet, hat die neue Weite.</translation>
-    </message>
-    <message>
-        <source>Stay within the table</source>
-        <translation>In der Tabelle bleiben</translation>
-    </message>
-    <message>
-        <source>The run never asks for differences beyond the smallest and largest.</source>
-        <translation>Der Lauf verlangt nie Unterschiede jenseits des kleinsten und des größten.</translation>
     </message>
     <message>
         <source>Logarithmic steps of an imported design.</source>
@@ -11657,140 +11796,12 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>In Prozent der Referenz.</translation>
     </message>
     <message>
-        <source>Where the run begins: large enough to be felt by everybody.</source>
-        <translation>Wo der Lauf beginnt: so groß, dass ihn jeder spürt.</translation>
-    </message>
-    <message>
-        <source>Right answers aimed at</source>
-        <translation>Angestrebte richtige Antworten</translation>
-    </message>
-    <message>
-        <source>The run looks for the difference at which so many answers are right.</source>
-        <translation>Der Lauf sucht den Unterschied, bei dem so viele Antworten richtig sind.</translation>
-    </message>
-    <message>
-        <source>Deviation tolerated</source>
-        <translation>Erlaubte Abweichung</translation>
-    </message>
-    <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
-        <translation>Wie viele Antworten mehr oder weniger als erwartet eine Stufe beenden: Größere Werte dauern länger und sind sicherer.</translation>
-    </message>
-    <message>
-        <source>How far the difference changes at first.</source>
-        <translation>Wie stark sich der Unterschied anfangs ändert.</translation>
-    </message>
-    <message>
-        <source>The run ends when a step would be as small as this.</source>
-        <translation>Der Lauf endet, wenn ein Schritt so klein würde.</translation>
-    </message>
-    <message>
-        <source>Steps never grow beyond this.</source>
-        <translation>Größer werden die Schritte nie.</translation>
-    </message>
-    <message>
         <source>Trials</source>
         <translation>Durchgänge</translation>
     </message>
     <message>
         <source>How often a participant looks for the apex.</source>
         <translation>Wie oft eine Person den Scheitel sucht.</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often.</source>
-        <translation>Jede Stufe wird so oft dargeboten.</translation>
-    </message>
-    <message>
-        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
-        <translation>Stufen kommen in zufälligen Blöcken mit je einer; sonst in der Reihenfolge der Tabelle.</translation>
-    </message>
-    <message>
-        <source>Levels</source>
-        <translation>Stufen</translation>
-    </message>
-    <message>
-        <source>What is presented. Levels must lie within the table of differences.</source>
-        <translation>Was dargeboten wird. Stufen müssen in der Tabelle der Unterschiede liegen.</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often before it is decided.</source>
-        <translation>Jede Stufe wird so oft dargeboten, bevor entschieden wird.</translation>
-    </message>
-    <message>
-        <source>Right answers to go on</source>
-        <translation>Richtige Antworten zum Weitergehen</translation>
-    </message>
-    <message>
-        <source>With fewer right answers at a level the run ends there.</source>
-        <translation>Bei weniger richtigen Antworten auf einer Stufe endet der Lauf dort.</translation>
-    </message>
-    <message>
-        <source>What is presented, from the largest to the smallest difference.</source>
-        <translation>Was dargeboten wird, vom größten zum kleinsten Unterschied.</translation>
-    </message>
-    <message>
-        <source>Expected threshold</source>
-        <translation>Erwartete Schwelle</translation>
-    </message>
-    <message>
-        <source>Where the threshold is expected before the first answer.</source>
-        <translation>Wo die Schwelle vor der ersten Antwort erwartet wird.</translation>
-    </message>
-    <message>
-        <source>Uncertainty of it</source>
-        <translation>Unsicherheit der Erwartung</translation>
-    </message>
-    <message>
-        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
-        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung). Meist × 3.</translation>
-    </message>
-    <message>
-        <source>How far off the expectation may be (one standard deviation).</source>
-        <translation>Wie weit die Erwartung danebenliegen kann (eine Standardabweichung).</translation>
-    </message>
-    <message>
-        <source>The threshold is where so many answers are right.</source>
-        <translation>Die Schwelle liegt dort, wo so viele Antworten richtig sind.</translation>
-    </message>
-    <message>
-        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
-        <translation>Wie steil die richtigen Antworten mit dem Unterschied zunehmen; das wird angenommen, nicht gemessen.</translation>
-    </message>
-    <message>
-        <source>Lapses</source>
-        <translation>Lapses</translation>
-    </message>
-    <message>
-        <source>Answers that are wrong although the difference is felt.</source>
-        <translation>Antworten, die falsch sind, obwohl der Unterschied gespürt wird.</translation>
-    </message>
-    <message>
-        <source>Right by guessing</source>
-        <translation>Durch Raten richtig</translation>
-    </message>
-    <message>
-        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
-        <translation>Antworten, die ohne jedes Spüren richtig sind: 50 % bei zwei Alternativen.</translation>
-    </message>
-    <message>
-        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
-        <translation>Welcher Punkt des Wissens als Nächstes gefragt wird; das Quantil ist am wirksamsten.</translation>
-    </message>
-    <message>
-        <source>Another function</source>
-        <translation>Andere Funktion</translation>
-    </message>
-    <message>
-        <source>The shape by which right answers are assumed to grow with the difference.</source>
-        <translation>Die Form, in der die richtigen Antworten mit dem Unterschied zunehmen sollen.</translation>
-    </message>
-    <message>
-        <source>Catch trials</source>
-        <translation>Kontrolldurchgänge</translation>
-    </message>
-    <message>
-        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
-        <translation>Anteil der Durchgänge mit dem größten Unterschied; sie zeigen, ob jemand aufmerksam ist.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -11821,10 +11832,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Steigungen, die als möglich gelten: wie steil die richtigen Antworten mit dem Unterschied zunehmen. Meist 1,5 bis 7.</translation>
     </message>
     <message>
-        <source>Values of this parameter that are considered possible.</source>
-        <translation>Werte dieses Parameters, die als möglich gelten.</translation>
-    </message>
-    <message>
         <source>%1 (%)</source>
         <translation>%1 (%)</translation>
     </message>
@@ -11851,26 +11858,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
-    </message>
-    <message>
-        <source>Shares of careless answers that are considered possible.</source>
-        <translation>Anteile unachtsamer Antworten, die als möglich gelten.</translation>
-    </message>
-    <message>
-        <source>Ties (in σ)</source>
-        <translation>Gleichstände (in σ)</translation>
-    </message>
-    <message>
-        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
-        <translation>Unterschiede, unter denen Objekte gleich genannt werden, in Standardabweichungen des Gespürten, die als möglich gelten.</translation>
-    </message>
-    <message>
-        <source>Just noticeable difference</source>
-        <translation>Unterschiedsschwelle</translation>
-    </message>
-    <message>
-        <source>Just noticeable differences between these are considered possible.</source>
-        <translation>Unterschiedsschwellen dazwischen gelten als möglich.</translation>
     </message>
 </context>
 <context>

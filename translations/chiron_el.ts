@@ -3227,6 +3227,433 @@ Details: %2</source>
     </message>
 </context>
 <context>
+    <name>Procedures</name>
+    <message>
+        <source>Trials per level</source>
+        <translation>Δοκιμές ανά επίπεδο</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often.</source>
+        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές.</translation>
+    </message>
+    <message>
+        <source>In random order</source>
+        <translation>Με τυχαία σειρά</translation>
+    </message>
+    <message>
+        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
+        <translation>Τα επίπεδα έρχονται σε τυχαία μπλοκ με ένα από το καθένα· αλλιώς με τη σειρά του πίνακα.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Επίπεδα</translation>
+    </message>
+    <message>
+        <source>What is presented. Levels must lie within the table of differences.</source>
+        <translation>Τι παρουσιάζεται. Τα επίπεδα πρέπει να βρίσκονται στον πίνακα διαφορών.</translation>
+    </message>
+    <message>
+        <source>Constant stimuli</source>
+        <translation>Σταθερά ερεθίσματα</translation>
+    </message>
+    <message>
+        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
+        <translation>Παρουσιάζει κάθε διαφορά εξίσου συχνά, με τυχαία σειρά. Μετρά όλη την καμπύλη, αλλά χρειάζεται πολλές δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Presentations per level</source>
+        <translation>Παρουσιάσεις ανά επίπεδο</translation>
+    </message>
+    <message>
+        <source>Each level is presented so often before it is decided.</source>
+        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές πριν κριθεί.</translation>
+    </message>
+    <message>
+        <source>Right answers to go on</source>
+        <translation>Σωστές απαντήσεις για συνέχεια</translation>
+    </message>
+    <message>
+        <source>With fewer right answers at a level the run ends there.</source>
+        <translation>Με λιγότερες σωστές απαντήσεις σε ένα επίπεδο η εκτέλεση τελειώνει εκεί.</translation>
+    </message>
+    <message>
+        <source>What is presented, from the largest to the smallest difference.</source>
+        <translation>Τι παρουσιάζεται, από τη μεγαλύτερη προς τη μικρότερη διαφορά.</translation>
+    </message>
+    <message>
+        <source>Descending ranking (legacy)</source>
+        <translation>Φθίνουσα κατάταξη (παλαιά)</translation>
+    </message>
+    <message>
+        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
+        <translation>Η διαφορά μικραίνει ώσπου μια απάντηση να είναι λάθος. Η JND που προκύπτει είναι 1,5 έως 3 φορές μεγαλύτερη από την πραγματική· μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+    </message>
+    <message>
+        <source>Maximum trials</source>
+        <translation>Μέγιστος αριθμός δοκιμών</translation>
+    </message>
+    <message>
+        <source>The run ends after so many trials at the latest.</source>
+        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από τόσες δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Reversals until stop</source>
+        <translation>Αναστροφές ως το τέλος</translation>
+    </message>
+    <message>
+        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
+        <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζουν μόνο οι δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Minimum trials</source>
+        <translation>Ελάχιστος αριθμός δοκιμών</translation>
+    </message>
+    <message>
+        <source>The run does not end earlier, however sure the estimate is.</source>
+        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο ασφαλής κι αν είναι η εκτίμηση.</translation>
+    </message>
+    <message>
+        <source>Stop when known within</source>
+        <translation>Τέλος όταν είναι γνωστό έως</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
+        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτή τη διαφορά (μία τυπική απόκλιση).</translation>
+    </message>
+    <message>
+        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
+        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτόν τον συντελεστή (μία τυπική απόκλιση). Συνήθως × 1,15.</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>ποτέ</translation>
+    </message>
+    <message>
+        <source>First difference</source>
+        <translation>Πρώτη διαφορά</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody.</source>
+        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι.</translation>
+    </message>
+    <message>
+        <source>Right answers aimed at</source>
+        <translation>Επιδιωκόμενες σωστές απαντήσεις</translation>
+    </message>
+    <message>
+        <source>The run looks for the difference at which so many answers are right.</source>
+        <translation>Η εκτέλεση αναζητά τη διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>Deviation tolerated</source>
+        <translation>Ανεκτή απόκλιση</translation>
+    </message>
+    <message>
+        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
+        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και είναι ασφαλέστερες.</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>Πρώτο βήμα</translation>
+    </message>
+    <message>
+        <source>How far the difference changes at first.</source>
+        <translation>Πόσο αλλάζει αρχικά η διαφορά.</translation>
+    </message>
+    <message>
+        <source>Smallest step</source>
+        <translation>Μικρότερο βήμα</translation>
+    </message>
+    <message>
+        <source>The run ends when a step would be as small as this.</source>
+        <translation>Η εκτέλεση τελειώνει όταν ένα βήμα θα γινόταν τόσο μικρό.</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Μεγαλύτερο βήμα</translation>
+    </message>
+    <message>
+        <source>Steps never grow beyond this.</source>
+        <translation>Τα βήματα δεν γίνονται ποτέ μεγαλύτερα.</translation>
+    </message>
+    <message>
+        <source>PEST</source>
+        <translation>PEST</translation>
+    </message>
+    <message>
+        <source>A sequential test halves and doubles the steps. For replications only.</source>
+        <translation>Ένας διαδοχικός έλεγχος υποδιπλασιάζει και διπλασιάζει τα βήματα. Μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
+    </message>
+    <message>
+        <source>Expected threshold</source>
+        <translation>Αναμενόμενο κατώφλι</translation>
+    </message>
+    <message>
+        <source>Where the threshold is expected before the first answer.</source>
+        <translation>Πού αναμένεται το κατώφλι πριν από την πρώτη απάντηση.</translation>
+    </message>
+    <message>
+        <source>Uncertainty of it</source>
+        <translation>Αβεβαιότητά του</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation).</source>
+        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση).</translation>
+    </message>
+    <message>
+        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
+        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση). Συνήθως × 3.</translation>
+    </message>
+    <message>
+        <source>The threshold is where so many answers are right.</source>
+        <translation>Το κατώφλι βρίσκεται εκεί όπου τόσες απαντήσεις είναι σωστές.</translation>
+    </message>
+    <message>
+        <source>Slope β</source>
+        <translation>Κλίση β</translation>
+    </message>
+    <message>
+        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
+        <translation>Πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά· θεωρείται δεδομένο, δεν μετριέται.</translation>
+    </message>
+    <message>
+        <source>Lapses</source>
+        <translation>Αβλεψίες</translation>
+    </message>
+    <message>
+        <source>Answers that are wrong although the difference is felt.</source>
+        <translation>Απαντήσεις λανθασμένες, αν και η διαφορά γίνεται αισθητή.</translation>
+    </message>
+    <message>
+        <source>Right by guessing</source>
+        <translation>Σωστές από τύχη</translation>
+    </message>
+    <message>
+        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
+        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
+    </message>
+    <message>
+        <source>Quantile</source>
+        <translation>Ποσοστημόριο</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Μέση τιμή</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Επικρατούσα τιμή</translation>
+    </message>
+    <message>
+        <source>Place trials at</source>
+        <translation>Τοποθέτηση δοκιμών</translation>
+    </message>
+    <message>
+        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
+        <translation>Ποιο σημείο όσων είναι γνωστά ρωτιέται στη συνέχεια· το ποσοστημόριο είναι το αποδοτικότερο.</translation>
+    </message>
+    <message>
+        <source>QUEST</source>
+        <translation>QUEST</translation>
+    </message>
+    <message>
+        <source>Bayesian; places each trial where the threshold probably is.</source>
+        <translation>Μπεϋζιανή· τοποθετεί κάθε δοκιμή εκεί όπου πιθανώς βρίσκεται το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Weibull</source>
+        <translation>Weibull</translation>
+    </message>
+    <message>
+        <source>Normal (probit)</source>
+        <translation>Κανονική (probit)</translation>
+    </message>
+    <message>
+        <source>Normal, lapses on both sides</source>
+        <translation>Κανονική, αβλεψίες και στις δύο πλευρές</translation>
+    </message>
+    <message>
+        <source>Logistic (logit)</source>
+        <translation>Λογιστική (logit)</translation>
+    </message>
+    <message>
+        <source>Gumbel</source>
+        <translation>Gumbel</translation>
+    </message>
+    <message>
+        <source>Gumbel, mirrored</source>
+        <translation>Gumbel, κατοπτρική</translation>
+    </message>
+    <message>
+        <source>Hyperbolic secant</source>
+        <translation>Υπερβολική τέμνουσα</translation>
+    </message>
+    <message>
+        <source>Psychometric function</source>
+        <translation>Ψυχομετρική συνάρτηση</translation>
+    </message>
+    <message>
+        <source>The shape by which right answers are assumed to grow with the difference.</source>
+        <translation>Η μορφή με την οποία θεωρείται ότι αυξάνονται οι σωστές απαντήσεις με τη διαφορά.</translation>
+    </message>
+    <message>
+        <source>Another function</source>
+        <translation>Άλλη συνάρτηση</translation>
+    </message>
+    <message>
+        <source>Same difference in a row</source>
+        <translation>Ίδια διαφορά στη σειρά</translation>
+    </message>
+    <message>
+        <source>A difference is shown at most so often in succession; 0: no limit.</source>
+        <translation>Μια διαφορά παρουσιάζεται το πολύ τόσες φορές συνεχόμενα· 0: χωρίς όριο.</translation>
+    </message>
+    <message>
+        <source>Catch trials</source>
+        <translation>Δοκιμές ελέγχου</translation>
+    </message>
+    <message>
+        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
+        <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
+    </message>
+    <message>
+        <source>Values of this parameter that are considered possible.</source>
+        <translation>Τιμές αυτής της παραμέτρου που θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>QUEST+</source>
+        <translation>QUEST+</translation>
+    </message>
+    <message>
+        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
+        <translation>Μπεϋζιανή· επιλέγει τη δοκιμή που δίνει τις περισσότερες πληροφορίες για κατώφλι, κλίση και ποσοστό αβλεψιών.</translation>
+    </message>
+    <message>
+        <source>Shares of careless answers that are considered possible.</source>
+        <translation>Ποσοστά απρόσεκτων απαντήσεων που θεωρούνται πιθανά.</translation>
+    </message>
+    <message>
+        <source>Ties (in σ)</source>
+        <translation>Ισοπαλίες (σε σ)</translation>
+    </message>
+    <message>
+        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
+        <translation>Διαφορές κάτω από τις οποίες τα αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης, που θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>Just noticeable difference</source>
+        <translation>Ελάχιστη αντιληπτή διαφορά</translation>
+    </message>
+    <message>
+        <source>Just noticeable differences between these are considered possible.</source>
+        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών θεωρούνται πιθανές.</translation>
+    </message>
+    <message>
+        <source>QUEST+ for rankings</source>
+        <translation>QUEST+ για κατατάξεις</translation>
+    </message>
+    <message>
+        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
+        <translation>QUEST+ με μοντέλο παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
+    </message>
+    <message>
+        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
+        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι. Πρέπει να βρίσκεται στον πίνακα διαφορών.</translation>
+    </message>
+    <message>
+        <source>Right answers for a step down</source>
+        <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
+    </message>
+    <message>
+        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
+        <translation>Τόσες σωστές απαντήσεις συνεχόμενα δυσκολεύουν την επόμενη δοκιμή· 3 συγκλίνουν περίπου στο 80 % σωστών.</translation>
+    </message>
+    <message>
+        <source>Wrong answers for a step up</source>
+        <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
+    </message>
+    <message>
+        <source>So many wrong answers in succession make the next trial easier.</source>
+        <translation>Τόσες λανθασμένες απαντήσεις συνεχόμενα διευκολύνουν την επόμενη δοκιμή.</translation>
+    </message>
+    <message>
+        <source>Step down as a share of a step up</source>
+        <translation>Βήμα κάτω ως ποσοστό του βήματος πάνω</translation>
+    </message>
+    <message>
+        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
+        <translation>Τα βήματα κάτω είναι συνήθως μικρότερα από τα βήματα πάνω, ώστε να συγκλίνει η εκτέλεση: 73,93 % για τρεις σωστές απαντήσεις (García-Pérez 1998).</translation>
+    </message>
+    <message>
+        <source>as listed</source>
+        <translation>όπως στον κατάλογο</translation>
+    </message>
+    <message>
+        <source>Reversals averaged</source>
+        <translation>Αναστροφές στον μέσο όρο</translation>
+    </message>
+    <message>
+        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
+        <translation>Η εκτίμηση της ίδιας της κλιμακωτής μεθόδου είναι ο μέσος όρος τόσων τελευταίων αναστροφών· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
+    </message>
+    <message>
+        <source>Steps up</source>
+        <translation>Βήματα πάνω</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; the last one is kept.</source>
+        <translation>Ένα για κάθε αναστροφή ως τώρα· το τελευταίο διατηρείται.</translation>
+    </message>
+    <message>
+        <source>Steps down</source>
+        <translation>Βήματα κάτω</translation>
+    </message>
+    <message>
+        <source>One for each reversal so far; none: the same as up.</source>
+        <translation>Ένα για κάθε αναστροφή ως τώρα· κανένα: όπως τα βήματα πάνω.</translation>
+    </message>
+    <message>
+        <source>One up, one down at first</source>
+        <translation>Αρχικά ένα πάνω, ένα κάτω</translation>
+    </message>
+    <message>
+        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
+        <translation>Ως την πρώτη αναστροφή αρκεί μία σωστή απάντηση για να δυσκολέψει: η εκτέλεση πλησιάζει νωρίτερα το κατώφλι.</translation>
+    </message>
+    <message>
+        <source>Count anew after each step</source>
+        <translation>Νέα μέτρηση μετά από κάθε βήμα</translation>
+    </message>
+    <message>
+        <source>Right and wrong answers before a step do not count for the next one.</source>
+        <translation>Σωστές και λανθασμένες απαντήσεις πριν από ένα βήμα δεν μετρούν για το επόμενο.</translation>
+    </message>
+    <message>
+        <source>New step size at the reversal</source>
+        <translation>Νέο βήμα στην αναστροφή</translation>
+    </message>
+    <message>
+        <source>The step that makes the reversal already has the new size.</source>
+        <translation>Το βήμα που κάνει την αναστροφή έχει ήδη το νέο μέγεθος.</translation>
+    </message>
+    <message>
+        <source>Stay within the table</source>
+        <translation>Παραμονή στον πίνακα</translation>
+    </message>
+    <message>
+        <source>The run never asks for differences beyond the smallest and largest.</source>
+        <translation>Η εκτέλεση δεν ζητά ποτέ διαφορές πέρα από τη μικρότερη και τη μεγαλύτερη.</translation>
+    </message>
+    <message>
+        <source>Staircase (up–down)</source>
+        <translation>Σκάλα (πάνω–κάτω)</translation>
+    </message>
+    <message>
+        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
+        <translation>Γίνεται δυσκολότερη μετά από σωστές και ευκολότερη μετά από λάθος απαντήσεις. Ανθεκτική και εύκολη στην εξήγηση.</translation>
+    </message>
+</context>
+<context>
     <name>QDialogButtonBox</name>
     <message>
         <source>OK</source>
@@ -5006,22 +5433,6 @@ Details: %2</source>
         <translation>Εκτίμηση μεγέθους</translation>
     </message>
     <message>
-        <source>Staircase (up–down)</source>
-        <translation>Σκάλα (πάνω–κάτω)</translation>
-    </message>
-    <message>
-        <source>Constant stimuli</source>
-        <translation>Σταθερά ερεθίσματα</translation>
-    </message>
-    <message>
-        <source>Descending ranking (legacy)</source>
-        <translation>Φθίνουσα κατάταξη (παλαιά)</translation>
-    </message>
-    <message>
-        <source>QUEST+ for rankings</source>
-        <translation>QUEST+ για κατατάξεις</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Όπως αναγράφεται</translation>
     </message>
@@ -5912,34 +6323,6 @@ Details: %2</source>
         <translation>Ποσοστό τυχαίων απαντήσεων</translation>
     </message>
     <message>
-        <source>Staircase (up–down)</source>
-        <translation>Σκάλα (πάνω–κάτω)</translation>
-    </message>
-    <message>
-        <source>PEST</source>
-        <translation>PEST</translation>
-    </message>
-    <message>
-        <source>Constant stimuli</source>
-        <translation>Σταθερά ερεθίσματα</translation>
-    </message>
-    <message>
-        <source>Descending ranking (legacy)</source>
-        <translation>Φθίνουσα κατάταξη (παλαιά)</translation>
-    </message>
-    <message>
-        <source>QUEST</source>
-        <translation>QUEST</translation>
-    </message>
-    <message>
-        <source>QUEST+</source>
-        <translation>QUEST+</translation>
-    </message>
-    <message>
-        <source>QUEST+ for rankings</source>
-        <translation>QUEST+ για κατατάξεις</translation>
-    </message>
-    <message>
         <source>limited by the device</source>
         <translation>περιορίζεται από τη συσκευή</translation>
     </message>
@@ -6092,34 +6475,6 @@ Details: %2</source>
         <translation>Δώστε έναν αριθμό σε αυτό που νιώθετε. Επιτρέπεται κάθε θετικός αριθμός.</translation>
     </message>
     <message>
-        <source>Gets harder after right answers and easier after wrong ones. Robust and easy to explain.</source>
-        <translation>Γίνεται δυσκολότερη μετά από σωστές και ευκολότερη μετά από λάθος απαντήσεις. Ανθεκτική και εύκολη στην εξήγηση.</translation>
-    </message>
-    <message>
-        <source>A sequential test halves and doubles the steps. For replications only.</source>
-        <translation>Ένας διαδοχικός έλεγχος υποδιπλασιάζει και διπλασιάζει τα βήματα. Μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
-    </message>
-    <message>
-        <source>Presents every difference equally often, in random order. Measures the whole curve, but needs many trials.</source>
-        <translation>Παρουσιάζει κάθε διαφορά εξίσου συχνά, με τυχαία σειρά. Μετρά όλη την καμπύλη, αλλά χρειάζεται πολλές δοκιμές.</translation>
-    </message>
-    <message>
-        <source>The difference shrinks until an answer is wrong. The resulting JND is 1.5 to 3 times too large; for replications only.</source>
-        <translation>Η διαφορά μικραίνει ώσπου μια απάντηση να είναι λάθος. Η JND που προκύπτει είναι 1,5 έως 3 φορές μεγαλύτερη από την πραγματική· μόνο για επαναλήψεις παλαιότερων εργασιών.</translation>
-    </message>
-    <message>
-        <source>Bayesian; places each trial where the threshold probably is.</source>
-        <translation>Μπεϋζιανή· τοποθετεί κάθε δοκιμή εκεί όπου πιθανώς βρίσκεται το κατώφλι.</translation>
-    </message>
-    <message>
-        <source>Bayesian; chooses the trial that tells most about threshold, slope and lapse rate.</source>
-        <translation>Μπεϋζιανή· επιλέγει τη δοκιμή που δίνει τις περισσότερες πληροφορίες για κατώφλι, κλίση και ποσοστό αβλεψιών.</translation>
-    </message>
-    <message>
-        <source>QUEST+ with an observer model for rankings of three. Needs the fewest trials; the default.</source>
-        <translation>QUEST+ με μοντέλο παρατηρητή για κατατάξεις τριών. Χρειάζεται τις λιγότερες δοκιμές· η προεπιλογή.</translation>
-    </message>
-    <message>
         <source>As listed</source>
         <translation>Όπως αναγράφεται</translation>
     </message>
@@ -6238,34 +6593,6 @@ Details: %2</source>
     <message>
         <source>“%1” is not a number. Separate numbers by semicolons or line ends.</source>
         <translation>Το «%1» δεν είναι αριθμός. Χωρίστε τους αριθμούς με «;» ή αλλαγές γραμμής.</translation>
-    </message>
-    <message>
-        <source>Weibull</source>
-        <translation>Weibull</translation>
-    </message>
-    <message>
-        <source>Normal (probit)</source>
-        <translation>Κανονική (probit)</translation>
-    </message>
-    <message>
-        <source>Normal, lapses on both sides</source>
-        <translation>Κανονική, αβλεψίες και στις δύο πλευρές</translation>
-    </message>
-    <message>
-        <source>Logistic (logit)</source>
-        <translation>Λογιστική (logit)</translation>
-    </message>
-    <message>
-        <source>Gumbel</source>
-        <translation>Gumbel</translation>
-    </message>
-    <message>
-        <source>Gumbel, mirrored</source>
-        <translation>Gumbel, κατοπτρική</translation>
-    </message>
-    <message>
-        <source>Hyperbolic secant</source>
-        <translation>Υπερβολική τέμνουσα</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -11453,196 +11780,8 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Άλλη διαδικασία</translation>
     </message>
     <message>
-        <source>Right answers for a step down</source>
-        <translation>Σωστές απαντήσεις για βήμα κάτω</translation>
-    </message>
-    <message>
-        <source>Wrong answers for a step up</source>
-        <translation>Λάθος απαντήσεις για βήμα πάνω</translation>
-    </message>
-    <message>
-        <source>Reversals averaged</source>
-        <translation>Αναστροφές στον μέσο όρο</translation>
-    </message>
-    <message>
-        <source>First step</source>
-        <translation>Πρώτο βήμα</translation>
-    </message>
-    <message>
-        <source>Smallest step</source>
-        <translation>Μικρότερο βήμα</translation>
-    </message>
-    <message>
-        <source>Largest step</source>
-        <translation>Μεγαλύτερο βήμα</translation>
-    </message>
-    <message>
-        <source>Trials per level</source>
-        <translation>Δοκιμές ανά επίπεδο</translation>
-    </message>
-    <message>
-        <source>In random order</source>
-        <translation>Με τυχαία σειρά</translation>
-    </message>
-    <message>
-        <source>Presentations per level</source>
-        <translation>Παρουσιάσεις ανά επίπεδο</translation>
-    </message>
-    <message>
-        <source>Slope β</source>
-        <translation>Κλίση β</translation>
-    </message>
-    <message>
-        <source>Place trials at</source>
-        <translation>Τοποθέτηση δοκιμών</translation>
-    </message>
-    <message>
-        <source>Quantile</source>
-        <translation>Ποσοστημόριο</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Μέση τιμή</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Επικρατούσα τιμή</translation>
-    </message>
-    <message>
-        <source>Psychometric function</source>
-        <translation>Ψυχομετρική συνάρτηση</translation>
-    </message>
-    <message>
         <source>Change of the procedure</source>
         <translation>Αλλαγή της διαδικασίας</translation>
-    </message>
-    <message>
-        <source>Maximum trials</source>
-        <translation>Μέγιστος αριθμός δοκιμών</translation>
-    </message>
-    <message>
-        <source>Minimum trials</source>
-        <translation>Ελάχιστος αριθμός δοκιμών</translation>
-    </message>
-    <message>
-        <source>never</source>
-        <translation>ποτέ</translation>
-    </message>
-    <message>
-        <source>The run ends after so many trials at the latest.</source>
-        <translation>Η εκτέλεση τελειώνει το αργότερο μετά από τόσες δοκιμές.</translation>
-    </message>
-    <message>
-        <source>Reversals until stop</source>
-        <translation>Αναστροφές ως το τέλος</translation>
-    </message>
-    <message>
-        <source>The run ends once the direction has changed so often; 0: the trials alone end it.</source>
-        <translation>Η εκτέλεση τελειώνει όταν η φορά αλλάξει τόσες φορές· 0: την τερματίζουν μόνο οι δοκιμές.</translation>
-    </message>
-    <message>
-        <source>The run does not end earlier, however sure the estimate is.</source>
-        <translation>Η εκτέλεση δεν τελειώνει νωρίτερα, όσο ασφαλής κι αν είναι η εκτίμηση.</translation>
-    </message>
-    <message>
-        <source>Stop when known within</source>
-        <translation>Τέλος όταν είναι γνωστό έως</translation>
-    </message>
-    <message>
-        <source>The run ends once the threshold is known within this factor (one standard deviation). Usually × 1.15.</source>
-        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτόν τον συντελεστή (μία τυπική απόκλιση). Συνήθως × 1,15.</translation>
-    </message>
-    <message>
-        <source>The run ends once the threshold is known within this difference (one standard deviation).</source>
-        <translation>Η εκτέλεση τελειώνει όταν το κατώφλι είναι γνωστό με αυτή τη διαφορά (μία τυπική απόκλιση).</translation>
-    </message>
-    <message>
-        <source>Same difference in a row</source>
-        <translation>Ίδια διαφορά στη σειρά</translation>
-    </message>
-    <message>
-        <source>A difference is shown at most so often in succession; 0: no limit.</source>
-        <translation>Μια διαφορά παρουσιάζεται το πολύ τόσες φορές συνεχόμενα· 0: χωρίς όριο.</translation>
-    </message>
-    <message>
-        <source>First difference</source>
-        <translation>Πρώτη διαφορά</translation>
-    </message>
-    <message>
-        <source>Where the run begins: large enough to be felt by everybody. It must lie in the table of differences.</source>
-        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι. Πρέπει να βρίσκεται στον πίνακα διαφορών.</translation>
-    </message>
-    <message>
-        <source>So many right answers in succession make the next trial harder; 3 converge at about 80 % right.</source>
-        <translation>Τόσες σωστές απαντήσεις συνεχόμενα δυσκολεύουν την επόμενη δοκιμή· 3 συγκλίνουν περίπου στο 80 % σωστών.</translation>
-    </message>
-    <message>
-        <source>So many wrong answers in succession make the next trial easier.</source>
-        <translation>Τόσες λανθασμένες απαντήσεις συνεχόμενα διευκολύνουν την επόμενη δοκιμή.</translation>
-    </message>
-    <message>
-        <source>Step down as a share of a step up</source>
-        <translation>Βήμα κάτω ως ποσοστό του βήματος πάνω</translation>
-    </message>
-    <message>
-        <source>as listed</source>
-        <translation>όπως στον κατάλογο</translation>
-    </message>
-    <message>
-        <source>Steps down are usually smaller than steps up, so that the run converges: 73.93 % for three right answers (García-Pérez 1998).</source>
-        <translation>Τα βήματα κάτω είναι συνήθως μικρότερα από τα βήματα πάνω, ώστε να συγκλίνει η εκτέλεση: 73,93 % για τρεις σωστές απαντήσεις (García-Pérez 1998).</translation>
-    </message>
-    <message>
-        <source>The staircase&apos;s own estimate is the mean of so many last reversals; the fit uses all trials.</source>
-        <translation>Η εκτίμηση της ίδιας της κλιμακωτής μεθόδου είναι ο μέσος όρος τόσων τελευταίων αναστροφών· η προσαρμογή χρησιμοποιεί όλες τις δοκιμές.</translation>
-    </message>
-    <message>
-        <source>Steps up</source>
-        <translation>Βήματα πάνω</translation>
-    </message>
-    <message>
-        <source>One for each reversal so far; the last one is kept.</source>
-        <translation>Ένα για κάθε αναστροφή ως τώρα· το τελευταίο διατηρείται.</translation>
-    </message>
-    <message>
-        <source>Steps down</source>
-        <translation>Βήματα κάτω</translation>
-    </message>
-    <message>
-        <source>One for each reversal so far; none: the same as up.</source>
-        <translation>Ένα για κάθε αναστροφή ως τώρα· κανένα: όπως τα βήματα πάνω.</translation>
-    </message>
-    <message>
-        <source>One up, one down at first</source>
-        <translation>Αρχικά ένα πάνω, ένα κάτω</translation>
-    </message>
-    <message>
-        <source>Until the first reversal a single right answer makes it harder: the run gets near the threshold sooner.</source>
-        <translation>Ως την πρώτη αναστροφή αρκεί μία σωστή απάντηση για να δυσκολέψει: η εκτέλεση πλησιάζει νωρίτερα το κατώφλι.</translation>
-    </message>
-    <message>
-        <source>Count anew after each step</source>
-        <translation>Νέα μέτρηση μετά από κάθε βήμα</translation>
-    </message>
-    <message>
-        <source>Right and wrong answers before a step do not count for the next one.</source>
-        <translation>Σωστές και λανθασμένες απαντήσεις πριν από ένα βήμα δεν μετρούν για το επόμενο.</translation>
-    </message>
-    <message>
-        <source>New step size at the reversal</source>
-        <translation>Νέο βήμα στην αναστροφή</translation>
-    </message>
-    <message>
-        <source>The step that makes the reversal already has the new size.</source>
-        <translation>Το βήμα που κάνει την αναστροφή έχει ήδη το νέο μέγεθος.</translation>
-    </message>
-    <message>
-        <source>Stay within the table</source>
-        <translation>Παραμονή στον πίνακα</translation>
-    </message>
-    <message>
-        <source>The run never asks for differences beyond the smallest and largest.</source>
-        <translation>Η εκτέλεση δεν ζητά ποτέ διαφορές πέρα από τη μικρότερη και τη μεγαλύτερη.</translation>
     </message>
     <message>
         <source>Logarithmic steps of an imported design.</source>
@@ -11657,140 +11796,12 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Επί τοις εκατό της αναφοράς.</translation>
     </message>
     <message>
-        <source>Where the run begins: large enough to be felt by everybody.</source>
-        <translation>Από πού αρχίζει η εκτέλεση: αρκετά μεγάλη ώστε να την αισθάνονται όλοι.</translation>
-    </message>
-    <message>
-        <source>Right answers aimed at</source>
-        <translation>Επιδιωκόμενες σωστές απαντήσεις</translation>
-    </message>
-    <message>
-        <source>The run looks for the difference at which so many answers are right.</source>
-        <translation>Η εκτέλεση αναζητά τη διαφορά στην οποία τόσες απαντήσεις είναι σωστές.</translation>
-    </message>
-    <message>
-        <source>Deviation tolerated</source>
-        <translation>Ανεκτή απόκλιση</translation>
-    </message>
-    <message>
-        <source>How many answers more or fewer than expected end a level: larger values take longer and are surer.</source>
-        <translation>Πόσες απαντήσεις πάνω ή κάτω από τις αναμενόμενες τερματίζουν ένα επίπεδο: μεγαλύτερες τιμές διαρκούν περισσότερο και είναι ασφαλέστερες.</translation>
-    </message>
-    <message>
-        <source>How far the difference changes at first.</source>
-        <translation>Πόσο αλλάζει αρχικά η διαφορά.</translation>
-    </message>
-    <message>
-        <source>The run ends when a step would be as small as this.</source>
-        <translation>Η εκτέλεση τελειώνει όταν ένα βήμα θα γινόταν τόσο μικρό.</translation>
-    </message>
-    <message>
-        <source>Steps never grow beyond this.</source>
-        <translation>Τα βήματα δεν γίνονται ποτέ μεγαλύτερα.</translation>
-    </message>
-    <message>
         <source>Trials</source>
         <translation>Δοκιμές</translation>
     </message>
     <message>
         <source>How often a participant looks for the apex.</source>
         <translation>Πόσες φορές αναζητά ένα άτομο την κορυφή.</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often.</source>
-        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές.</translation>
-    </message>
-    <message>
-        <source>Levels come in random blocks of one of each; else in the order of the table.</source>
-        <translation>Τα επίπεδα έρχονται σε τυχαία μπλοκ με ένα από το καθένα· αλλιώς με τη σειρά του πίνακα.</translation>
-    </message>
-    <message>
-        <source>Levels</source>
-        <translation>Επίπεδα</translation>
-    </message>
-    <message>
-        <source>What is presented. Levels must lie within the table of differences.</source>
-        <translation>Τι παρουσιάζεται. Τα επίπεδα πρέπει να βρίσκονται στον πίνακα διαφορών.</translation>
-    </message>
-    <message>
-        <source>Each level is presented so often before it is decided.</source>
-        <translation>Κάθε επίπεδο παρουσιάζεται τόσες φορές πριν κριθεί.</translation>
-    </message>
-    <message>
-        <source>Right answers to go on</source>
-        <translation>Σωστές απαντήσεις για συνέχεια</translation>
-    </message>
-    <message>
-        <source>With fewer right answers at a level the run ends there.</source>
-        <translation>Με λιγότερες σωστές απαντήσεις σε ένα επίπεδο η εκτέλεση τελειώνει εκεί.</translation>
-    </message>
-    <message>
-        <source>What is presented, from the largest to the smallest difference.</source>
-        <translation>Τι παρουσιάζεται, από τη μεγαλύτερη προς τη μικρότερη διαφορά.</translation>
-    </message>
-    <message>
-        <source>Expected threshold</source>
-        <translation>Αναμενόμενο κατώφλι</translation>
-    </message>
-    <message>
-        <source>Where the threshold is expected before the first answer.</source>
-        <translation>Πού αναμένεται το κατώφλι πριν από την πρώτη απάντηση.</translation>
-    </message>
-    <message>
-        <source>Uncertainty of it</source>
-        <translation>Αβεβαιότητά του</translation>
-    </message>
-    <message>
-        <source>How far off the expectation may be (one standard deviation). Usually × 3.</source>
-        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση). Συνήθως × 3.</translation>
-    </message>
-    <message>
-        <source>How far off the expectation may be (one standard deviation).</source>
-        <translation>Πόσο μπορεί να αστοχεί η πρόβλεψη (μία τυπική απόκλιση).</translation>
-    </message>
-    <message>
-        <source>The threshold is where so many answers are right.</source>
-        <translation>Το κατώφλι βρίσκεται εκεί όπου τόσες απαντήσεις είναι σωστές.</translation>
-    </message>
-    <message>
-        <source>How steeply right answers grow with the difference; it is assumed, not measured.</source>
-        <translation>Πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά· θεωρείται δεδομένο, δεν μετριέται.</translation>
-    </message>
-    <message>
-        <source>Lapses</source>
-        <translation>Αβλεψίες</translation>
-    </message>
-    <message>
-        <source>Answers that are wrong although the difference is felt.</source>
-        <translation>Απαντήσεις λανθασμένες, αν και η διαφορά γίνεται αισθητή.</translation>
-    </message>
-    <message>
-        <source>Right by guessing</source>
-        <translation>Σωστές από τύχη</translation>
-    </message>
-    <message>
-        <source>Answers that are right without feeling anything: 50 % of two alternatives.</source>
-        <translation>Απαντήσεις σωστές χωρίς καμία αίσθηση: 50 % με δύο εναλλακτικές.</translation>
-    </message>
-    <message>
-        <source>Which point of what is known is asked next; the quantile is the most efficient.</source>
-        <translation>Ποιο σημείο όσων είναι γνωστά ρωτιέται στη συνέχεια· το ποσοστημόριο είναι το αποδοτικότερο.</translation>
-    </message>
-    <message>
-        <source>Another function</source>
-        <translation>Άλλη συνάρτηση</translation>
-    </message>
-    <message>
-        <source>The shape by which right answers are assumed to grow with the difference.</source>
-        <translation>Η μορφή με την οποία θεωρείται ότι αυξάνονται οι σωστές απαντήσεις με τη διαφορά.</translation>
-    </message>
-    <message>
-        <source>Catch trials</source>
-        <translation>Δοκιμές ελέγχου</translation>
-    </message>
-    <message>
-        <source>Share of trials at the largest difference, which show whether a participant attends.</source>
-        <translation>Ποσοστό δοκιμών με τη μεγαλύτερη διαφορά, που δείχνουν αν το άτομο προσέχει.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -11821,10 +11832,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Κλίσεις που θεωρούνται πιθανές: πόσο απότομα αυξάνονται οι σωστές απαντήσεις με τη διαφορά. Συνήθως 1,5 έως 7.</translation>
     </message>
     <message>
-        <source>Values of this parameter that are considered possible.</source>
-        <translation>Τιμές αυτής της παραμέτρου που θεωρούνται πιθανές.</translation>
-    </message>
-    <message>
         <source>%1 (%)</source>
         <translation>%1 (%)</translation>
     </message>
@@ -11851,26 +11858,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
-    </message>
-    <message>
-        <source>Shares of careless answers that are considered possible.</source>
-        <translation>Ποσοστά απρόσεκτων απαντήσεων που θεωρούνται πιθανά.</translation>
-    </message>
-    <message>
-        <source>Ties (in σ)</source>
-        <translation>Ισοπαλίες (σε σ)</translation>
-    </message>
-    <message>
-        <source>Differences below which objects are called equal, in standard deviations of what is felt, that are considered possible.</source>
-        <translation>Διαφορές κάτω από τις οποίες τα αντικείμενα θεωρούνται ίσα, σε τυπικές αποκλίσεις της αίσθησης, που θεωρούνται πιθανές.</translation>
-    </message>
-    <message>
-        <source>Just noticeable difference</source>
-        <translation>Ελάχιστη αντιληπτή διαφορά</translation>
-    </message>
-    <message>
-        <source>Just noticeable differences between these are considered possible.</source>
-        <translation>Ελάχιστες αντιληπτές διαφορές μεταξύ αυτών θεωρούνται πιθανές.</translation>
     </message>
 </context>
 <context>

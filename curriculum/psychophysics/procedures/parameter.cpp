@@ -9,7 +9,7 @@ namespace chiron::psychophysics {
 
 namespace {
 
-constexpr double kMostTrials = 1e6;
+constexpr double kMostTrialsOfStop = 1e6;
 
 using RuleOf = std::function<StopRule&(ProcedureSpec&)>;
 
@@ -65,18 +65,18 @@ struct RangeCheck {
 std::vector<Parameter> stopRows(const StopRows& has, std::function<StopRule&(ProcedureSpec&)> rule) {
     std::vector<Parameter> rows;
     rows.push_back(stopRow(rule, &StopRule::trials,
-                           {.key = "trials", .maximum = kMostTrials, .description = "at most so many scored trials.",
+                           {.key = "trials", .maximum = kMostTrialsOfStop, .description = "at most so many scored trials.",
                             .title = QT_TRANSLATE_NOOP("Procedures", "Maximum trials"),
                             .meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends after so many trials at the latest."),
                             .sensible = SensibleRange{0, 100000}}));
-    Parameter reversals{.key = "reversals", .maximum = kMostTrials, .description = "so many reversals.", .ignored = !has.reversals};
+    Parameter reversals{.key = "reversals", .maximum = kMostTrialsOfStop, .description = "so many reversals.", .ignored = !has.reversals};
     if (has.asksReversals) {
         reversals.title = QT_TRANSLATE_NOOP("Procedures", "Reversals until stop");
         reversals.meaning = QT_TRANSLATE_NOOP("Procedures", "The run ends once the direction has changed so often; 0: the trials alone end it.");
         reversals.sensible = SensibleRange{0, 100, 12};
     }
     rows.push_back(stopRow(rule, &StopRule::reversals, reversals));
-    Parameter fewest{.key = "minimum_trials", .maximum = kMostTrials, .description = "never before so many; at most as many as trials.", .noMoreThan = "trials"};
+    Parameter fewest{.key = "minimum_trials", .maximum = kMostTrialsOfStop, .description = "never before so many; at most as many as trials.", .noMoreThan = "trials"};
     Parameter sd{.key = "sd", .unit = "x", .quantity = has.sd, .description = "posterior sd of the first parameter at most.", .ignored = !has.precision};
     if (has.precision) {
         fewest.title = QT_TRANSLATE_NOOP("Procedures", "Minimum trials");
