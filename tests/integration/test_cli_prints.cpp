@@ -22,6 +22,7 @@ private slots:
     void jsonIsOneDocument();
     void lawsAreListed();
     void hemisphereByHand();
+    void hemisphereWithoutStiffness();
     void columnsInAnyOrder();
     void parametersChangeTheLaw();
     void palpationByHand();
@@ -179,6 +180,14 @@ void TestCliPrints::hemisphereByHand() {
     QVERIFY(qAbs(row["energy_J"] - 0.25e-3) < 1e-15);
     QCOMPARE(row["fx_N"], 0.0);
     QVERIFY(run.out.split('\n')[2].startsWith("0,0,0,"));
+}
+
+// A surface without stiffness answers with no force and is no mistake, though a force of 0 in contact is how a surface that would pull shows.
+void TestCliPrints::hemisphereWithoutStiffness() {
+    const QString parameters = file("soft.json", "{\"stiffness_N_per_m\": 0}");
+    const CliRun run = runCli({"evaluate", "hemisphere", "--parameters", parameters}, kHeader + "0,0,0.019,0,0,0\n");
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(firstRow(run)["fz_N"], 0.0);
 }
 
 void TestCliPrints::columnsInAnyOrder() {
