@@ -86,6 +86,12 @@ void TestCliStudyData::magnitudeTellsTheExponent() {
         QCOMPARE(cells[heading.indexOf(column)].toDouble(), value);
     }
     QVERIFY(fileIn("magnitude/csv/data_dictionary.csv").contains("estimates,exponent,1,"));
+    const QList<QByteArray> trials = fileIn("magnitude/csv/trials.csv").trimmed().split('\n');
+    const qsizetype said = trials[0].split(',').indexOf("value");
+    for (const QByteArray& trial : trials.mid(1)) { // numbers are said relative to the reference, to which the observer gives about 10
+        const double value = trial.split(',')[said].toDouble();
+        QVERIFY2(value > 1.0 && value < 100.0, trial.constData());
+    }
     const QDir beh(m_folder.filePath("magnitude/bids/sub-M01/beh"));
     const QJsonObject sidecar = QJsonDocument::fromJson(fileIn("magnitude/bids/sub-M01/beh/" + beh.entryList({"*_beh.json"}).value(0))).object();
     QCOMPARE(sidecar["Estimate"]["exponent"].toDouble(), exponent);
