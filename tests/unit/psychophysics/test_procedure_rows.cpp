@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QRegularExpression>
+#include <QSet>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -105,7 +106,7 @@ struct OutsideOf {
         if (row.most <= kMostTried) {
             QJsonArray tooMany;
             for (int i = 0; i <= row.most; ++i)
-                tooMany.append(std::max(row.minimum, 0.01));
+                tooMany.append(std::max(row.minimum, 1e-5 * (i + 1))); // each of them allowed
             outside.append(tooMany);
         }
         return outside;
@@ -164,16 +165,18 @@ QJsonObject propertiesFor(const QJsonObject& schema, const Parameter& row) {
     return row.object.empty() ? properties : properties.value(text(row.object)).toObject().value("properties").toObject();
 }
 
+QStringList textsOf(const QJsonValue& list) { return list.toVariant().toStringList(); }
+
 /// Where a node of the schema and a row differ; empty: nowhere.
 QString differenceOf(const QJsonObject& node, const Parameter& row, const SchemaOf& expected) {
     if (node.value("type").toString() != QLatin1String(expected.type))
         return QStringLiteral("type: expected ") + expected.type;
     if (expected.isList && (node.value("minItems").toDouble(-1.0) != row.fewest || node.value("maxItems").toDouble(-1.0) != row.most))
         return QStringLiteral("items: expected %1 to %2").arg(row.fewest).arg(row.most);
-    QJsonArray words;
+    QStringList words;
     for (const ParameterWord& word : row.words)
         words.append(text(word.word));
-    if (node.value("enum").toArray() != words)
+    if (textsOf(node.value("enum")) != words)
         return QStringLiteral("enum: expected the words of the row, in its order");
     if (!expected.numberType)
         return {};
@@ -229,8 +232,8 @@ void TestProcedureRows::wordsAreThere() {
             const QString name = nameOf(*kind, row);
             const ParameterValue value = row.get(kind->defaults());
             QVERIFY2(!row.description.empty() && !row.unit.empty(), qPrintable(name));
-            const bool titledByGrid = std::holds_alternative<std::vector<ParameterGrid>>(value); // a field for each parameter, by its own name
-            QVERIFY2(titledByGrid || row.title.empty() == row.meaning.empty(), qPrintable(name));
+            const bool ofGrids = std::holds_alternative<std::vector<ParameterGrid>>(value); // a field for each parameter, by its own name
+            QVERIFY2(ofGrids || row.title.empty() == row.meaning.empty(), qPrintable(name));
             QVERIFY2(row.words.empty() != std::holds_alternative<std::string>(value), qPrintable(name));
             QSet<QString> words;
             for (const ParameterWord& word : row.words) {
@@ -272,7 +275,7 @@ void TestProcedureRows::whatAKindBeginsWithSurvivesJson() {
             const auto again = read(json);
             QVERIFY2(again, again ? "" : again.error().message.c_str());
             QCOMPARE(&kindFor(*again), kind);
-            QCOMPARE(writeProcedure(*again), json);
+            QCOMPARE(QJsonDocument(writeProcedure(*again)).toJson(), QJsonDocument(json).toJson());
         }
 }
 
@@ -323,12 +326,14 @@ void TestProcedureRows::valuesOutsideAreRefused() {
         for (const Parameter& row : kind->rows()) {
             const QJsonArray outside = std::visit(OutsideOf{row, shortest.value(text(row.key))}, row.get(kind->defaults()));
             for (const QJsonValue& value : outside) {
-                const QString what = nameOf(*kind, row) + ' ' + QString::fromUtf8(QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact)).left(100);
+                const QByteArray json = QJsonDocument(QJsonArray{value}).toJson(QJsonDocument::Compact);
+                const QString what = nameOf(*kind, row) + ' ' + QString::fromUtf8(json.left(100));
                 const auto spec = read(with(shortest, row, value));
                 QVERIFY2(!spec, qPrintable(what + ": was taken"));
                 QCOMPARE(spec.error().code, core::ErrorCode::badInput);
                 const QRegularExpression key("\\b" + text(row.key) + "\\b"); // "step" is not named by "smallest_step"
-                QVERIFY2(QString::fromStdString(spec.error().message).contains(key), qPrintable(what + ": " + QString::fromStdString(spec.error().message)));
+                const QString said = QString::fromStdString(spec.error().message);
+                QVERIFY2(said.contains(key), qPrintable(what + ": " + said));
             }
         }
     }
@@ -336,7 +341,7 @@ void TestProcedureRows::valuesOutsideAreRefused() {
 
 void TestProcedureRows::theSchemaAgreesWithTheRows() {
     const QJsonObject schema = committedSchema();
-    QJsonArray ids;
+    QStringList ids;
     for (const ProcedureKind* kind : procedureKinds()) {
         ids.append(text(kind->id()));
         for (const Parameter& row : kind->rows()) {
@@ -346,7 +351,7 @@ void TestProcedureRows::theSchemaAgreesWithTheRows() {
             QVERIFY2(difference.isEmpty(), qPrintable(nameOf(*kind, row) + ": " + difference));
         }
     }
-    QCOMPARE(schema.value("properties").toObject().value("kind").toObject().value("enum").toArray(), ids);
+    QCOMPARE(textsOf(schema.value("properties").toObject().value("kind").toObject().value("enum")), ids);
 }
 
 void TestProcedureRows::theSchemaHasNoOtherKeys() {
