@@ -6,3 +6,4 @@ add_test(NAME test_procedure_simulations_400 COMMAND test_procedure_simulations)
 set_tests_properties(test_procedure_simulations_400 PROPERTIES LABELS "long;unit" TIMEOUT 1800
                      ENVIRONMENT "CHIRON_SIMULATED_RUNS=400;QT_QPA_PLATFORM=offscreen")
 chiron_test(test_procedure_reader SOURCES test_procedure_reader.cpp LINKS catalogue LABELS fast unit QT)
+chiron_test(test_procedure_rows SOURCES test_procedure_rows.cpp LINKS catalogue LABELS fast unit QT)
