@@ -167,7 +167,8 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
         else if (listed == QLatin1String("both"))
             wrong << QStringLiteral("%1: does less than it did: let its line in %2 say \"%3\"").arg(path, kKept, does);
         else
-            wrong << QStringLiteral("%1: %2: what belongs to one exercise stands in its folder (includes: a header from there; names: its id)")
+            wrong << QStringLiteral("%1: %2: what belongs to one exercise stands in its folder "
+                                    "(includes: a header from there; names: its id)")
                          .arg(path, does);
     }
     for (auto gone = kept.constBegin(); gone != kept.constEnd(); ++gone)
@@ -210,8 +211,9 @@ void TestExerciseSlices::everyExerciseIsInTheLists() {
             const bool adds = parts.contains(QStringLiteral("chiron_part(%1 IN ").arg(QLatin1String(each.module)));
             const bool listed = code.contains(QStringLiteral("#include \"%1/%2/").arg(folder, id));
             if (adds != listed)
-                wrong << QStringLiteral("%1: %2: %3").arg(QLatin1String(each.list), id,
-                                                          adds ? QStringLiteral("not listed") : QStringLiteral("listed, but has no part of the module"));
+                wrong << QStringLiteral("%1: %2: %3")
+                             .arg(QLatin1String(each.list), id,
+                                  adds ? QStringLiteral("not listed") : QStringLiteral("listed, but adds nothing to the module"));
         }
     }
     for (const QString& id : exercises()) {
