@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/content_reader.h"
 
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/level_checks.h"
 #include "catalogue/resolved_level.h"
 #include "scoring/metric_catalogue.h"

@@ -3,7 +3,7 @@
 
 #include "catalogue/content_texts.h"
 #include "catalogue/exercise.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/named_content.h"
 #include "catalogue/schema.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/level_checks.h"
 
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "scoring/metric_catalogue.h"
 
 #include <QJsonArray>

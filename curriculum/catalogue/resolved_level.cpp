@@ -3,7 +3,7 @@
 
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "core/units.h"

@@ -45,7 +45,7 @@ bool mayNameExercises(const QString& path) {
     static const QRegularExpression own(
         QStringLiteral("^((app|curriculum|modules)/exercises|modules/simulation/exercises|modules/operators)/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
-        QStringLiteral("^(app/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_kinds)\\.cpp$"));
+        QStringLiteral("^(app/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents)\\.cpp$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
@@ -98,7 +98,7 @@ constexpr Listed kLists[]{
     {"app", "session", "app/exercises/session_catalogue.cpp"},
     {"app", "scene3d", "app/exercises/flat_catalogue.cpp"},
     {"app", "scene3d_plugin", "app/exercises/scene_catalogue.cpp"},
-    {"curriculum", "catalogue", "curriculum/catalogue/exercise_kinds.cpp"},
+    {"curriculum", "catalogue", "curriculum/catalogue/exercise_contents.cpp"},
 };
 
 } // namespace

@@ -7,7 +7,7 @@
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "catalogue/schema.h"

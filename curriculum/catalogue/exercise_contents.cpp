@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "curriculum/exercises/elastic_tube/catalogue/elastic_tube_content.h"
