@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/content_reader.h"
 
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/level_checks.h"
 #include "catalogue/resolved_level.h"
 #include "scoring/metric_catalogue.h"
@@ -38,8 +38,8 @@ void checkName(const QJsonObject& json, const QString& expected, Problems& probl
 }
 
 /// The parameter that names a preset.
-QString presetKeyOf(const ExerciseKind& kind) {
-    return QString::fromUtf8(kind.presetKey.data(), static_cast<qsizetype>(kind.presetKey.size()));
+QString presetKeyOf(const ExerciseContent& content) {
+    return QString::fromUtf8(content.presetKey.data(), static_cast<qsizetype>(content.presetKey.size()));
 }
 
 } // namespace
@@ -53,10 +53,10 @@ core::Result<const Schema*> ContentReader::schema(const QString& name) {
     return &m_schemas.emplace(name, std::move(*read)).first->second;
 }
 
-core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const ExerciseKind& kind,
+core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const ExerciseContent& content,
                                                     const Schema& parameterSchema, const QJsonObject& given,
                                                     Problems& problems) {
-    const QString key = presetKeyOf(kind);
+    const QString key = presetKeyOf(content);
     const QString name = given.contains(key) ? given[key].toString()
                                              : parameterSchema.properties.at(key)->defaultValue.toString();
     if (given.contains(key) && !given[key].isString())
@@ -77,14 +77,14 @@ core::Result<QJsonObject> ContentReader::withPreset(const QString& folder, const
     return preset;
 }
 
-core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseKind& kind, ContentTexts& texts) {
-    if (kind.presetKey.empty())
+core::Result<void> ContentReader::checkPresets(const QString& folder, const ExerciseContent& content, ContentTexts& texts) {
+    if (content.presetKey.empty())
         return {};
-    const auto parameterSchema = schema(QString::fromUtf8(kind.parametersSchema.data()));
+    const auto parameterSchema = schema(QString::fromUtf8(content.parametersSchema.data()));
     if (!parameterSchema)
         return tl::unexpected(parameterSchema.error());
     for (const QFileInfo& file : QDir(folder).entryInfoList({"*.json"}, QDir::Files, QDir::Name))
-        if (auto preset = presetParameters(file.filePath(), presetKeyOf(kind), **parameterSchema, &texts); !preset)
+        if (auto preset = presetParameters(file.filePath(), presetKeyOf(content), **parameterSchema, &texts); !preset)
             return tl::unexpected(preset.error());
     return {};
 }
@@ -121,17 +121,17 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
     const auto json = JsonFile::read(path);
     if (!json)
         return tl::unexpected(json.error());
-    const ExerciseKind* kind = findExerciseKind(exercise["id"].toString().toStdString());
+    const ExerciseContent* content = findExerciseContent(exercise["id"].toString().toStdString());
     const auto levelSchema = schema(QStringLiteral("level"));
-    const auto parameterSchema = schema(QString::fromUtf8(kind->parametersSchema.data()));
+    const auto parameterSchema = schema(QString::fromUtf8(content->parametersSchema.data()));
     for (const auto* read : {&levelSchema, &parameterSchema})
         if (!*read)
             return tl::unexpected(read->error());
     Problems problems;
     QJsonObject resolved = json->root();
     QJsonValue given = resolved["parameters"];
-    if (!kind->presetKey.empty() && given.isObject()) {
-        const auto merged = withPreset(QFileInfo(path).dir().filePath(QStringLiteral("../presets")), *kind,
+    if (!content->presetKey.empty() && given.isObject()) {
+        const auto merged = withPreset(QFileInfo(path).dir().filePath(QStringLiteral("../presets")), *content,
                                        **parameterSchema, given.toObject(), problems);
         if (!merged)
             return tl::unexpected(merged.error());
@@ -149,7 +149,7 @@ core::Result<ExerciseLevel> ContentReader::level(const QString& path, const QJso
     resolved["parameters"] = parameters;
     ExerciseLevel level = levelFromResolved(resolvedDocument(exercise, resolved), problems);
     checkLevel(level, resolved, problems);
-    kind->check(level.parameters, QStringLiteral("$.parameters"), problems);
+    content->check(level.parameters, QStringLiteral("$.parameters"), problems);
     if (!problems.empty())
         return tl::unexpected(json->error(problems));
     return level;
@@ -167,8 +167,8 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
         validated(json->root(), **exerciseSchema, QStringLiteral("$"), problems).toObject();
     const QString id = resolved["id"].toString();
     checkName(resolved, QFileInfo(folder).fileName(), problems);
-    const ExerciseKind* kind = findExerciseKind(id.toStdString());
-    if (kind == nullptr)
+    const ExerciseContent* content = findExerciseContent(id.toStdString());
+    if (content == nullptr)
         problems.push_back(
             {QStringLiteral("$.id"), quoted(id), QStringLiteral("an exercise this program knows")});
     if (!problems.empty())
@@ -198,7 +198,7 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
     QJsonObject stored = resolved; // with a session; words about it are not part of what was done
     stored.remove(QStringLiteral("advice"));
     stored.remove(QStringLiteral("legend"));
-    if (auto presets = checkPresets(folder + "/presets", *kind, *texts); !presets)
+    if (auto presets = checkPresets(folder + "/presets", *content, *texts); !presets)
         return tl::unexpected(presets.error());
     if (auto levels = readLevels(folder, stored, *texts, out); !levels)
         return tl::unexpected(levels.error());
@@ -236,7 +236,7 @@ core::Result<std::vector<Exercise>> ContentReader::exercises() {
             return tl::unexpected(read.error());
         out.push_back(std::move(*read));
     }
-    const auto place = [](const Exercise& exercise) { return findExerciseKind(exercise.id) - exerciseKinds().data(); };
+    const auto place = [](const Exercise& exercise) { return findExerciseContent(exercise.id) - exerciseContents().data(); };
     std::stable_sort(out.begin(), out.end(), [&](const Exercise& a, const Exercise& b) { return place(a) < place(b); });
     if (out.empty())
         return core::fail(

@@ -3,7 +3,7 @@
 
 #include "catalogue/content_texts.h"
 #include "catalogue/exercise.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/named_content.h"
 #include "catalogue/schema.h"
@@ -32,9 +32,9 @@ private:
     core::Result<ExerciseLevel> level(const QString& path, const QJsonObject& exercise, ContentTexts& texts);
     core::Result<void> readLevels(const QString& folder, const QJsonObject& exercise, ContentTexts& texts, Exercise& out);
     core::Result<const Schema*> schema(const QString& name);
-    core::Result<void> checkPresets(const QString& folder, const ExerciseKind& kind, ContentTexts& texts);
+    core::Result<void> checkPresets(const QString& folder, const ExerciseContent& content, ContentTexts& texts);
     /// `given` over the parameters of the preset that it names, or the schema's default one.
-    core::Result<QJsonObject> withPreset(const QString& folder, const ExerciseKind& kind, const Schema& parameterSchema,
+    core::Result<QJsonObject> withPreset(const QString& folder, const ExerciseContent& content, const Schema& parameterSchema,
                                          const QJsonObject& given, Problems& problems);
     /// Of a preset's file, checked against the parameters' schema; a fault is told with its place in that file. Its translations are checked
     /// too where `texts` are given.

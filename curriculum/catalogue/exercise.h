@@ -24,7 +24,7 @@ using Translated = std::map<std::string, std::string>;
 /// The text in `language` ("de", "el", ...), else in English.
 const std::string& textIn(const Translated& text, const std::string& language);
 
-/// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_kinds.cpp.
+/// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_contents.cpp.
 using ExerciseParameters = std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters,
                                         simulation::ElasticTubeParameters, simulation::ObjectHandlingParameters, simulation::PalpationParameters,
                                         simulation::ComparisonParameters>;

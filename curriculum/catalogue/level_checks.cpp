@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/level_checks.h"
 
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "scoring/metric_catalogue.h"
 
 #include <QJsonArray>
@@ -75,8 +75,8 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
 void checkMounting(const ExerciseLevel& level, Problems& problems) {
     if (level.mounting.empty())
         return;
-    const ExerciseKind* kind = findExerciseKind(level.exercise);
-    const int most = kind != nullptr && kind->mountable != nullptr ? kind->mountable(level.parameters) : 0;
+    const ExerciseContent* content = findExerciseContent(level.exercise);
+    const int most = content != nullptr && content->mountable != nullptr ? content->mountable(level.parameters) : 0;
     const auto given = static_cast<int>(level.mounting.size());
     if (most == 0)
         problems.push_back({QStringLiteral("$.mounting"), QStringLiteral("given"),

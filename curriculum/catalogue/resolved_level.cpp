@@ -3,7 +3,7 @@
 
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "core/units.h"
@@ -95,8 +95,8 @@ ExerciseLevel levelFromResolved(const QJsonObject& document, Problems& problems)
     if (json.has("mounting"))
         json.eachObject("mounting", [&](const ObjectReader& base) { level.mounting.push_back(readMounting(base)); });
     readMetricsAndGates(json, level);
-    if (const ExerciseKind* kind = findExerciseKind(level.exercise))
-        level.parameters = kind->read(json.object("parameters"), level.cues);
+    if (const ExerciseContent* content = findExerciseContent(level.exercise))
+        level.parameters = content->read(json.object("parameters"), level.cues);
     else
         problems.push_back({QStringLiteral("$.exercise.id"), quoted(QString::fromStdString(level.exercise)),
                             QStringLiteral("an exercise this program knows")});

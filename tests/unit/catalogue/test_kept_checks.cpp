@@ -7,7 +7,7 @@
 #include "catalogue/canonical_json.h"
 #include "catalogue/catalogue.h"
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 #include "catalogue/json_file.h"
 #include "catalogue/object_reader.h"
 #include "catalogue/schema.h"
@@ -166,9 +166,9 @@ void TestKeptChecks::levels() {
     QFETCH(QString, exercise);
     QFETCH(int, level);
     const ExerciseLevel* found = m_catalogue.find(exercise.toStdString(), level);
-    const ExerciseKind* kind = findExerciseKind(exercise.toStdString());
-    QVERIFY(found && kind);
-    const auto schema = readSchema(kContent + QStringLiteral("/schema"), QString::fromUtf8(kind->parametersSchema.data(), static_cast<qsizetype>(kind->parametersSchema.size())));
+    const ExerciseContent* content = findExerciseContent(exercise.toStdString());
+    QVERIFY(found && content);
+    const auto schema = readSchema(kContent + QStringLiteral("/schema"), QString::fromUtf8(content->parametersSchema.data(), static_cast<qsizetype>(content->parametersSchema.size())));
     QVERIFY(schema);
     const QJsonObject given = QJsonDocument::fromJson(QByteArray::fromStdString(found->resolvedJson)).object()["level"].toObject()["parameters"].toObject();
     QVERIFY(!given.isEmpty());
@@ -182,8 +182,8 @@ void TestKeptChecks::levels() {
             const QJsonObject parameters = validated(changed(given, leaf.steps, value), *schema, QStringLiteral("$"), problems).toObject();
             const bool inRange = problems.empty();
             if (inRange) {
-                const ExerciseParameters read = kind->read(ObjectReader(parameters, QStringLiteral("$"), problems), found->cues);
-                kind->check(read, QStringLiteral("$"), problems);
+                const ExerciseParameters read = content->read(ObjectReader(parameters, QStringLiteral("$"), problems), found->cues);
+                content->check(read, QStringLiteral("$"), problems);
             }
             const QString shown = QString::number(value, 'g', 6);
             if (problems.empty())

@@ -9,9 +9,8 @@
 
 namespace chiron::catalogue {
 
-/// A kind of exercise that the code can run: which schema its levels' parameters follow and how they become a
-/// struct.
-struct ExerciseKind {
+/// How the content of an exercise is read: which schema its levels' parameters follow and how they become a struct.
+struct ExerciseContent {
     std::string_view id;
     std::string_view parametersSchema; ///< file in content/schema, without .json
     /// From the level's `parameters` with every default filled in. A key that is not there (content stored
@@ -20,13 +19,13 @@ struct ExerciseKind {
     /// What no single key's range can say.
     void (*check)(const ExerciseParameters& parameters, const QString& path, Problems& problems);
     /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json), whose parameters hold where the
-    /// level gives none of its own; "" where the kind has none.
+    /// level gives none of its own; "" where it has none.
     std::string_view presetKey = "";
-    /// How many instruments a level may say the mounting of: those of a kind whose hands know where their device stands; null: none.
+    /// How many instruments a level may say the mounting of: those of an exercise whose hands know where their device stands; null: none.
     int (*mountable)(const ExerciseParameters& parameters) = nullptr;
 };
 
-std::span<const ExerciseKind> exerciseKinds();
-const ExerciseKind* findExerciseKind(std::string_view id);
+std::span<const ExerciseContent> exerciseContents();
+const ExerciseContent* findExerciseContent(std::string_view id);
 
 } // namespace chiron::catalogue

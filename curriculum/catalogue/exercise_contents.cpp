@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalogue/exercise_kinds.h"
+#include "catalogue/exercise_contents.h"
 
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "curriculum/exercises/elastic_tube/catalogue/elastic_tube_content.h"
@@ -19,9 +19,9 @@ int toolsOf(const ExerciseParameters& parameters) {
 }
 } // namespace
 
-std::span<const ExerciseKind> exerciseKinds() {
-    // One line a kind of exercise, in the order in which people are shown them.
-    static constexpr auto kKinds = std::to_array<ExerciseKind>({
+std::span<const ExerciseContent> exerciseContents() {
+    // One line an exercise, in the order in which people are shown them.
+    static constexpr auto kContents = std::to_array<ExerciseContent>({
         {"sphere_apex", "sphere_apex_parameters", readSphereApex, checkSphereApex},
         {"urethra_insertion", "urethra_insertion_parameters", readUrethraInsertion, checkUrethraInsertion, "tissue"},
         {"elastic_tube", "elastic_tube_parameters", readElasticTube, checkElasticTube, "", toolsOf<simulation::ElasticTubeParameters>},
@@ -29,13 +29,13 @@ std::span<const ExerciseKind> exerciseKinds() {
         {"palpation", "palpation_parameters", readPalpation, checkPalpation, "", toolsOf<simulation::PalpationParameters>},
         {"comparison", "comparison_parameters", readComparison, checkComparison}, // studies: no file of content has one
     });
-    return kKinds;
+    return kContents;
 }
 
-const ExerciseKind* findExerciseKind(std::string_view id) {
-    for (const ExerciseKind& kind : exerciseKinds())
-        if (kind.id == id)
-            return &kind;
+const ExerciseContent* findExerciseContent(std::string_view id) {
+    for (const ExerciseContent& content : exerciseContents())
+        if (content.id == id)
+            return &content;
     return nullptr;
 }
 

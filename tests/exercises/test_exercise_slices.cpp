@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exercises/source_text.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QMap>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace chiron::test;
+
+namespace {
+
+const QString kRoot = QStringLiteral(CHIRON_SOURCE_DIR);
+const QString kKept = QStringLiteral("tests/exercises/still_name_an_exercise.txt");
+
+/// Empty where it cannot be read; `path` is relative to the root, as everywhere here.
+QString contentOf(const QString& path) {
+    QFile file(kRoot + u'/' + path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QStringList foldersIn(const QString& path) {
+    return QDir(kRoot + u'/' + path).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+/// Every exercise that has a folder on a floor.
+QStringList exercises() {
+    QStringList ids = foldersIn(QStringLiteral("app/exercises")) + foldersIn(QStringLiteral("curriculum/exercises"));
+    ids.removeDuplicates();
+    ids.sort();
+    return ids;
+}
+
+/// The same for a pattern.
+QString anyExercise() {
+    return u'(' + exercises().join(u'|') + u')';
+}
+
+/// Where an exercise may be named: its own folders, and the lists with a line an exercise.
+bool mayNameExercises(const QString& path) {
+    static const QRegularExpression own(
+        QStringLiteral("^((app|curriculum|modules)/exercises|modules/simulation/exercises|modules/operators)/%1/").arg(anyExercise()));
+    static const QRegularExpression catalogue(
+        QStringLiteral("^(app/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents)\\.cpp$"));
+    return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
+}
+
+bool includesAnExercise(const SourceText& source) {
+    static const QRegularExpression include(
+        QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?(exercises|operators)/%1/").arg(anyExercise()),
+        QRegularExpression::MultilineOption);
+    return include.match(source.code).hasMatch();
+}
+
+bool namesAnExercise(const SourceText& source) {
+    static const QStringList ids = [] {
+        QStringList named = exercises();
+        named.removeAll(QStringLiteral("comparison")); // also a word for other things
+        return named;
+    }();
+    return std::any_of(source.literals.begin(), source.literals.end(), [](const QString& literal) { return ids.contains(literal); });
+}
+
+/// "includes", "names", "both", or empty.
+QString whatItDoes(const QString& text) {
+    const SourceText source = readSource(text);
+    const bool includes = includesAnExercise(source), names = namesAnExercise(source);
+    if (includes && names)
+        return QStringLiteral("both");
+    return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
+}
+
+QStringList productSources() {
+    QStringList files;
+    for (const char* floor : {"app", "modules", "curriculum", "database"})
+        for (QDirIterator it(kRoot + u'/' + QLatin1String(floor), {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                             QDirIterator::Subdirectories);
+             it.hasNext();)
+            files << QDir(kRoot).relativeFilePath(it.next());
+    return files;
+}
+
+QStringList keptLines() {
+    return contentOf(kKept).split(u'\n', Qt::SkipEmptyParts);
+}
+
+/// A module that exercises add to, and the list that must then have a line for them.
+struct Listed {
+    const char* floor;
+    const char* module;
+    const char* list;
+};
+constexpr Listed kLists[]{
+    {"app", "session", "app/exercises/session_catalogue.cpp"},
+    {"app", "scene3d", "app/exercises/flat_catalogue.cpp"},
+    {"app", "scene3d_plugin", "app/exercises/scene_catalogue.cpp"},
+    {"curriculum", "catalogue", "curriculum/catalogue/exercise_contents.cpp"},
+};
+
+} // namespace
+
+/// What belongs to one exercise stands in its folders (docs/exercises-as-slices.md); what still stands elsewhere is listed, and the list
+/// may only shrink.
+class TestExerciseSlices : public QObject {
+    Q_OBJECT
+private slots:
+    void codeIsReadWithoutComments();
+    void whatAFileDoesIsFound();
+    void keptListIsSorted();
+    void nothingElseNamesAnExercise();
+    void everyExerciseIsOnEachFloor();
+    void everyFolderIsBuilt();
+    void everyExerciseIsInTheLists();
+};
+
+void TestExerciseSlices::codeIsReadWithoutComments() {
+    const SourceText source = readSource(QStringLiteral("a(\"x//\\\"y\"); // \"no\"\n"
+                                                        "/* \"no\" */b('\"', 1'000, \"z\") R\"q(raw \"in\")q\" end"));
+    QCOMPARE(source.literals, (QStringList{"x//\\\"y", "z", "raw \"in\""}));
+    QCOMPARE(source.code, QStringLiteral("a(\"x//\\\"y\"); \n b('\"', 1'000, \"z\") R\"\" end"));
+    QCOMPARE(readSource(QStringLiteral("/* open")).code, QStringLiteral(" "));
+    QCOMPARE(readSource(QStringLiteral("\"open\\")).literals, QStringList{"open\\"});
+}
+
+void TestExerciseSlices::whatAFileDoesIsFound() {
+    const QString include = QStringLiteral("#include \"app/exercises/palpation/session/palpation_kind.h\"\n");
+    QCOMPARE(whatItDoes(include), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/elastic_tube/a.h\"\n")), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/laparoscopy/a.h\"\n")), QString());
+    QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
+    QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
+    QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
+    QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
+    QVERIFY(mayNameExercises("modules/operators/palpation/a.cpp") && mayNameExercises("app/exercises/flat_catalogue.cpp"));
+    QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") && !mayNameExercises("app/session/exercise_kind.h"));
+}
+
+void TestExerciseSlices::keptListIsSorted() {
+    QStringList paths;
+    for (const QString& line : keptLines())
+        paths << line.section(u' ', 0, 0);
+    QStringList sorted = paths;
+    sorted.sort();
+    sorted.removeDuplicates();
+    QCOMPARE(paths, sorted);
+}
+
+void TestExerciseSlices::nothingElseNamesAnExercise() {
+    QMap<QString, QString> kept;
+    for (const QString& line : keptLines())
+        kept.insert(line.section(u' ', 0, 0), line.section(u' ', 1));
+    QStringList wrong;
+    int read = 0;
+    for (const QString& path : productSources()) {
+        if (mayNameExercises(path))
+            continue;
+        ++read;
+        const QString does = whatItDoes(contentOf(path)), listed = kept.take(path);
+        if (does == listed)
+            continue;
+        if (does.isEmpty())
+            wrong << QStringLiteral("%1: names no exercise any more: remove its line from %2").arg(path, kKept);
+        else if (listed == QLatin1String("both"))
+            wrong << QStringLiteral("%1: does less than it did: let its line in %2 say \"%3\"").arg(path, kKept, does);
+        else
+            wrong << QStringLiteral("%1: %2: what belongs to one exercise stands in its folder "
+                                    "(includes: a header from there; names: its id)")
+                         .arg(path, does);
+    }
+    for (auto gone = kept.constBegin(); gone != kept.constEnd(); ++gone)
+        wrong << QStringLiteral("%1: no such file, or one that may name exercises: remove its line from %2").arg(gone.key(), kKept);
+    QVERIFY(read > 500);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+void TestExerciseSlices::everyExerciseIsOnEachFloor() {
+    QVERIFY(exercises().size() > 1);
+    QCOMPARE(foldersIn(QStringLiteral("app/exercises")), exercises());
+    QCOMPARE(foldersIn(QStringLiteral("curriculum/exercises")), exercises());
+}
+
+void TestExerciseSlices::everyFolderIsBuilt() {
+    QStringList wrong;
+    for (const char* floor : {"app", "curriculum"}) {
+        const QString folder = QLatin1String(floor) + QStringLiteral("/exercises");
+        const QString all = contentOf(folder + QStringLiteral("/CMakeLists.txt"));
+        for (const QString& id : foldersIn(folder)) {
+            if (!all.contains(QStringLiteral("add_subdirectory(%1)").arg(id)))
+                wrong << QStringLiteral("%1/CMakeLists.txt: no add_subdirectory(%2)").arg(folder, id);
+            const QString own = folder + u'/' + id;
+            const QString parts = contentOf(own + QStringLiteral("/CMakeLists.txt"));
+            for (const QString& part : foldersIn(own))
+                if (!parts.contains(QStringLiteral(" IN %1\n").arg(part)))
+                    wrong << QStringLiteral("%1/CMakeLists.txt: no chiron_part(… IN %2").arg(own, part);
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+void TestExerciseSlices::everyExerciseIsInTheLists() {
+    QStringList wrong;
+    for (const Listed& each : kLists) {
+        const QString folder = QLatin1String(each.floor) + QStringLiteral("/exercises");
+        const QString code = readSource(contentOf(QLatin1String(each.list))).code;
+        for (const QString& id : foldersIn(folder)) {
+            const QString parts = contentOf(folder + u'/' + id + QStringLiteral("/CMakeLists.txt"));
+            const bool adds = parts.contains(QStringLiteral("chiron_part(%1 IN ").arg(QLatin1String(each.module)));
+            const bool listed = code.contains(QStringLiteral("#include \"%1/%2/").arg(folder, id));
+            if (adds != listed)
+                wrong << QStringLiteral("%1: %2: %3")
+                             .arg(QLatin1String(each.list), id,
+                                  adds ? QStringLiteral("not listed") : QStringLiteral("listed, but adds nothing to the module"));
+        }
+    }
+    for (const QString& id : exercises()) {
+        if (!contentOf(QStringLiteral("app/exercises/%1/CMakeLists.txt").arg(id)).contains(QLatin1String("(session IN ")))
+            wrong << QStringLiteral("app/exercises/%1: cannot be run").arg(id);
+        if (!contentOf(QStringLiteral("curriculum/exercises/%1/CMakeLists.txt").arg(id)).contains(QLatin1String("(catalogue IN ")))
+            wrong << QStringLiteral("curriculum/exercises/%1: its levels cannot be read").arg(id);
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
+QTEST_GUILESS_MAIN(TestExerciseSlices)
+#include "test_exercise_slices.moc"
