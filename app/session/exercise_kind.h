@@ -5,6 +5,7 @@
 #include "core/result.h"
 #include "core/quantity.h"
 #include "devices/api/device_descriptor.h"
+#include "devices/driver.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 #include "scoring/trace.h"
@@ -52,7 +53,7 @@ inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strat
 }
 
 /// What a mouse and a keyboard move: a point, an endoscope, or the graspers of a laparoscopy, one at a time.
-enum class PointerTool { point, endoscope, grasper };
+using PointerTool = devices::ToolShape;
 
 /// How the tools of an exercise on fingertip platforms (P3) are fingers of hands: tool = hand · perHand + finger.
 struct FingersOfHand {

@@ -12,7 +12,7 @@ core::Result<std::unique_ptr<LiveTraining>> LiveTraining::start(database::Databa
                                                                 std::function<void()> onFinished) {
     if (!database.isWritable())
         return core::fail(core::ErrorCode::wrongUse, database.file() + ": opened read-only, nothing can be recorded");
-    if (request.station.devices.empty())
+    if (request.station.tools.empty())
         return core::fail(core::ErrorCode::wrongUse, "a session needs a device");
     return std::unique_ptr<LiveTraining>(
         new LiveTraining(database, actor, std::move(request), std::move(onFinished)));
@@ -22,8 +22,7 @@ LiveTraining::LiveTraining(database::Database& database, const database::Actor& 
                            std::function<void()> onFinished)
     : m_database(database), m_actor(actor), m_request(std::move(request)), m_onFinished(std::move(onFinished)),
       m_result(core::fail(core::ErrorCode::wrongUse, "the session has not ended yet")) {
-    m_felt = std::any_of(m_request.station.devices.begin(), m_request.station.devices.end(),
-                         [](const auto& device) { return device->descriptor().rendersForce; });
+    m_felt = m_request.station.felt();
     m_request.realtime = true;
     m_request.live = &m_link;
     m_request.cancel = &m_cancel;

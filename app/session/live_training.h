@@ -10,8 +10,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <span>
 #include <thread>
+#include <vector>
 
 namespace chiron::session {
 
@@ -51,13 +51,14 @@ public:
     const core::Result<TrainingResult>& result() const noexcept { return m_result; } ///< once finished()
 
     const Station& station() const noexcept { return m_request.station; }
-    /// Where a mouse and a keyboard go that move a point; null where the station has none. Valid as long as this.
-    devices::PointerMailbox* pointer() noexcept { return m_request.station.pointer; }
-    devices::EndoscopeMailbox* endoscope() noexcept { return m_request.station.endoscope; } ///< the same for an endoscope
-    /// The same for graspers, one a tool; empty where the station has none.
-    std::span<devices::PointerMailbox* const> graspers() noexcept { return m_request.station.graspers; }
-    /// The same for the points of several fingers, one a tool; empty where the station has one point or none.
-    std::span<devices::PointerMailbox* const> fingers() noexcept { return m_request.station.fingers; }
+    /// Where a mouse and a keyboard go that move points or graspers, one a tool; empty where the station has none. Valid as long as this.
+    std::vector<devices::PointerMailbox*> pointers() const { return m_request.station.pointers(); }
+    /// The same where the station has just one tool; null elsewhere.
+    devices::PointerMailbox* pointer() const {
+        const std::vector<devices::PointerMailbox*> all = pointers();
+        return all.size() == 1 ? all.front() : nullptr;
+    }
+    devices::EndoscopeMailbox* endoscope() const noexcept { return m_request.station.endoscope(); } ///< the same for an endoscope
     bool felt() const noexcept { return m_felt; } ///< whether any device of the station renders force
 
 private:

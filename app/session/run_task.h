@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/haptic_frame.h"
-#include "devices/drivers/replay/replay_device.h"
+#include "devices/api/device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "session/live_link.h"
@@ -36,7 +36,7 @@ private:
 /// What ends a scripted run, beside the exercise itself.
 struct RunLimits {
     std::uint64_t tickLimit = 0;
-    const devices::ReplayDevice* trace = nullptr; ///< its end marks the last position and ends the session
+    const devices::IDevice* device = nullptr; ///< where it comes to an end (IDevice::finished()), that marks the last position and ends the session
     const std::atomic<bool>* cancel = nullptr;
     LiveLink* live = nullptr; ///< a window that looks on: gets every tick
     bool endIsMark = true; ///< ExerciseKind::traceEndIsMark()
@@ -54,7 +54,7 @@ public:
             m_limits.live->publish(m_loop.shown());
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
-            if (m_limits.endIsMark && m_limits.trace && m_limits.trace->finished() && m_sink.phase() == core::TrialPhase::running)
+            if (m_limits.endIsMark && m_limits.device && m_limits.device->finished() && m_sink.phase() == core::TrialPhase::running)
                 m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
             else
                 m_inputs.postOwn({core::CommandKind::end});
@@ -72,7 +72,7 @@ public:
 
 private:
     bool wantsEnd(const realtime::HapticTick& now) const noexcept {
-        return now.index() >= m_limits.tickLimit || (m_limits.trace && m_limits.trace->finished()) ||
+        return now.index() >= m_limits.tickLimit || (m_limits.device && m_limits.device->finished()) ||
                (m_limits.cancel && m_limits.cancel->load(std::memory_order_relaxed));
     }
 

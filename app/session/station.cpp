@@ -2,10 +2,6 @@
 #include "session/station.h"
 
 #include "core/random.h"
-#include "devices/drivers/simulated/simulated_device.h"
-#include "devices/drivers/simulated/simulated_endoscope_device.h"
-#include "devices/drivers/simulated/simulated_fingertip_device.h"
-#include "devices/drivers/simulated/simulated_second_finger.h"
 #include "haptics/friction_compensation.h"
 #include "simulation/exercises/urethra_insertion/procedure_plan.h"
 
@@ -17,68 +13,26 @@
 namespace chiron::session {
 
 namespace {
-constexpr double kInside_m = 0.001;    // between where a grasper begins and the edge of its box
-constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
-
 core::Vec3 endoscopeStart_W() {
     return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -simulation::kStartBeforeEntrance_m});
 }
 
-/// A driver whose box of W stays the same whatever the scale, so that the hand's part of it shrinks as the scale grows.
-template <class Device, class Settings>
-core::Result<std::unique_ptr<Device>> makePointer(Settings settings, double scale) {
-    settings.following_s = kFollowing_s;
-    for (std::size_t i = 0; i < 3; ++i) {
-        settings.minimum_m[i] /= scale;
-        settings.maximum_m[i] /= scale;
-        settings.home_m[i] /= scale;
-    }
-    return Device::create(settings);
-}
-
-/// One device a hand; each hand trembles for itself, the first as it always did.
-template <class Device>
-core::Result<Station> withDevices(Station station, const typename Device::Configuration& usual, ScriptedTrainee trainee,
-                                  std::uint64_t handSeed, std::span<const devices::WorkspaceMapping> places) {
-    for (std::size_t i = 0; i < trainee.strategies.size(); ++i) {
-        typename Device::Configuration configuration = usual;
-        configuration.seed = i == 0 ? handSeed : core::Random::mix(handSeed, "hand " + std::to_string(i));
-        configuration.hand = trainee.hand;
-        configuration.mapping = places[i];
-        auto device = Device::create(configuration, std::move(trainee.strategies[i]));
-        if (!device)
-            return tl::unexpected(device.error());
-        station.mappings.push_back(configuration.mapping);
-        station.devices.push_back(std::move(*device));
-    }
-    return station;
-}
-
-/// One arm a hand; further fingers of a hand are tools on the first one's arm.
-core::Result<Station> withFingers(Station station, const FingersOfHand& fingers, ScriptedTrainee trainee, std::uint64_t handSeed,
-                                  std::span<const devices::WorkspaceMapping> places) {
-    const devices::SimulatedFingertipDevice* hand = nullptr;
-    for (std::size_t i = 0; i < trainee.strategies.size(); ++i) {
-        const int finger = static_cast<int>(i) % std::max(fingers.perHand, 1);
-        const std::uint64_t seed = i == 0 ? handSeed : core::Random::mix(handSeed, "hand " + std::to_string(i));
-        station.mappings.push_back(places[i - static_cast<std::size_t>(finger)]); // of its hand
-        if (finger > 0) {
-            auto device = devices::SimulatedSecondFinger::create(*hand, {finger * fingers.spacing_m, 0.0, 0.0}, seed,
-                                                                 std::move(trainee.strategies[i]));
-            if (!device)
-                return tl::unexpected(device.error());
-            station.devices.push_back(std::move(*device));
-            continue;
-        }
-        devices::SimulatedFingertipDevice::Configuration configuration;
-        configuration.seed = seed;
-        configuration.hand = trainee.hand;
-        configuration.mapping = station.mappings.back();
-        auto device = devices::SimulatedFingertipDevice::create(configuration, std::move(trainee.strategies[i]));
-        if (!device)
-            return tl::unexpected(device.error());
-        hand = device->get();
-        station.devices.push_back(std::move(*device));
+/// Asks the driver for a device for each tool of the request.
+core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRequest request) {
+    Station station;
+    for (const devices::ToolRequest& tool : request.tools)
+        station.tools.push_back({nullptr, tool.mapping, {}});
+    auto made = driver.open(std::move(request));
+    if (!made)
+        return tl::unexpected(made.error());
+    if (made->size() != station.tools.size())
+        return core::fail(core::ErrorCode::device, "device " + std::string(driver.id) + ": " + std::to_string(made->size()) + " tools for " +
+                                                       std::to_string(station.tools.size()));
+    for (std::size_t i = 0; i < made->size(); ++i) {
+        station.tools[i].device = std::move((*made)[i].device);
+        station.tools[i].input = (*made)[i].input;
+        if (const auto base = (*made)[i].standsOn)
+            station.tools[i].mapping = station.tools[*base].mapping;
     }
     return station;
 }
@@ -162,34 +116,8 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     }
 }
 
-/// A finger's reach, and the jaw that its hand can close (0: none). `start_m`: where it begins, z in W.
-devices::KeyboardMouseSettings fingerSettings(double widestJaw_rad, const devices::WorkspaceMapping& mapping, std::optional<double> start_m) {
-    devices::KeyboardMouseSettings settings;
-    settings.widestJaw_rad = widestJaw_rad;
-    if (start_m)
-        settings.home_m[2] = std::clamp(*start_m - mapping.origin_m[2], settings.minimum_m[2] + kInside_m, settings.maximum_m[2] - kInside_m);
-    return settings;
-}
-
 std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const devices::WorkspaceMapping& mapping) {
     return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]); // a pointer begins in the middle of its box
-}
-
-/// What all graspers reach, as seen from each tool's own place; each begins under its entry point, its jaw open.
-devices::KeyboardMouseSettings grasperSettings(const devices::WorkspaceMapping& mapping, const std::array<double, 3>& middle_m) {
-    devices::KeyboardMouseSettings settings;
-    const double mirror = mapping.leftHanded ? -1.0 : 1.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double aside = (i == 0 ? mirror : 1.0) * (middle_m[i] - mapping.origin_m[i]);
-        const double least = settings.minimum_m[i] + aside;
-        const double most = settings.maximum_m[i] + aside;
-        settings.home_m[i] = std::clamp(settings.home_m[i], least + kInside_m, most - kInside_m);
-        settings.minimum_m[i] = least;
-        settings.maximum_m[i] = most;
-    }
-    settings.widestJaw_rad = mechanisms::JawParameters{}.widest_rad;
-    settings.homeJaw_rad = settings.widestJaw_rad; // an instrument that comes closed cannot take hold of anything
-    return settings;
 }
 } // namespace
 
@@ -219,29 +147,15 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 }
 
 namespace {
-core::Result<Station> onePointerStation(const WorkspaceChoice& choice, PointerTool tool, const devices::KeyboardMouseSettings& finger) {
-    auto mapping = mappingOf(choice);
-    if (!mapping)
-        return tl::unexpected(mapping.error());
-    Station station;
-    station.mappings.push_back(*mapping);
-    if (tool == PointerTool::point) {
-        auto device = makePointer<devices::KeyboardMouseDevice>(finger, choice.scale);
-        if (!device)
-            return tl::unexpected(device.error());
-        station.pointer = &(*device)->mailbox();
-        station.devices.push_back(std::move(*device));
-        return station;
-    }
-    devices::EndoscopePointerSettings settings;
-    const core::Vec3 start_W = endoscopeStart_W();
-    settings.home_m = {start_W.x(), start_W.y(), start_W.z()};
-    auto device = makePointer<devices::EndoscopePointerDevice>(settings, choice.scale);
-    if (!device)
-        return tl::unexpected(device.error());
-    station.endoscope = &(*device)->mailbox();
-    station.devices.push_back(std::move(*device));
-    return station;
+/// What a session asks of a driver whose devices a person moves, without its tools.
+devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool, double widestJaw_rad) {
+    devices::DriverRequest request;
+    request.shape = tool;
+    request.scale = choice.scale;
+    request.middle_m = choice.origin_m;
+    request.widestJaw_rad = widestJaw_rad;
+    request.endoscopeStart_W = endoscopeStart_W();
+    return request;
 }
 
 /// A pointer is mounted nowhere: each tool stands where the kind puts it, with the workspace that the person chose.
@@ -264,35 +178,68 @@ core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const Exercis
 }
 } // namespace
 
+std::vector<devices::WorkspaceMapping> Station::mappings() const {
+    std::vector<devices::WorkspaceMapping> all;
+    for (const StationTool& tool : tools)
+        all.push_back(tool.mapping);
+    return all;
+}
+
+bool Station::felt() const noexcept {
+    return std::any_of(tools.begin(), tools.end(), [](const StationTool& tool) { return tool.device->descriptor().rendersForce; });
+}
+
+std::vector<devices::PointerMailbox*> Station::pointers() const {
+    std::vector<devices::PointerMailbox*> all;
+    for (const StationTool& tool : tools)
+        if (devices::PointerMailbox* const* mailbox = std::get_if<devices::PointerMailbox*>(&tool.input))
+            all.push_back(*mailbox);
+    return all;
+}
+
+devices::EndoscopeMailbox* Station::endoscope() const noexcept {
+    for (const StationTool& tool : tools)
+        if (devices::EndoscopeMailbox* const* mailbox = std::get_if<devices::EndoscopeMailbox*>(&tool.input))
+            return *mailbox;
+    return nullptr;
+}
+
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool, double widestJaw_rad) {
-    return onePointerStation(ofPointer(given), tool, fingerSettings(widestJaw_rad, {}, {}));
+    const WorkspaceChoice choice = ofPointer(given);
+    const auto mapping = mappingOf(choice);
+    if (!mapping)
+        return tl::unexpected(mapping.error());
+    devices::DriverRequest request = requestOf(choice, tool == PointerTool::point ? tool : PointerTool::endoscope, widestJaw_rad);
+    request.tools.push_back({*mapping, {}, nullptr, {}});
+    return stationOf(devices::usualDriver(devices::MovedBy::person), std::move(request));
 }
 
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level) {
+    return personStation(devices::usualDriver(devices::MovedBy::person), given, kind, level);
+}
+
+core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& given, const ExerciseKind& kind,
+                                    const catalogue::ExerciseLevel& level) {
     const WorkspaceChoice choice = ofPointer(given);
-    const bool fingers = kind.pointerTool() == PointerTool::point && kind.toolCount(level) > 1;
-    if (kind.pointerTool() != PointerTool::grasper && !fingers) {
+    const PointerTool tool = kind.pointerTool();
+    const bool fingers = tool == PointerTool::point && kind.toolCount(level) > 1;
+    std::vector<devices::WorkspaceMapping> places;
+    if (tool == PointerTool::grasper || fingers) {
+        auto several = pointerPlaces(kind, level, choice);
+        if (!several)
+            return tl::unexpected(several.error());
+        places = std::move(*several);
+    } else {
         const auto mapping = mappingOf(choice);
         if (!mapping)
             return tl::unexpected(mapping.error());
-        return onePointerStation(choice, kind.pointerTool(), fingerSettings(kind.fingerJaw_rad(level), *mapping, startOf(kind, level, *mapping)));
+        places = {*mapping};
     }
-    const auto places = pointerPlaces(kind, level, choice);
-    if (!places)
-        return tl::unexpected(places.error());
-    Station station;
-    for (const devices::WorkspaceMapping& mapping : *places) {
-        const auto settings = fingers ? fingerSettings(kind.fingerJaw_rad(level), mapping, startOf(kind, level, mapping))
-                                      : grasperSettings(mapping, choice.origin_m);
-        auto device = makePointer<devices::KeyboardMouseDevice>(settings, choice.scale);
-        if (!device)
-            return tl::unexpected(device.error());
-        (fingers ? station.fingers : station.graspers).push_back(&(*device)->mailbox());
-        station.mappings.push_back(mapping);
-        station.devices.push_back(std::move(*device));
-    }
-    return station;
+    devices::DriverRequest request = requestOf(choice, tool, tool == PointerTool::point ? kind.fingerJaw_rad(level) : 0.0);
+    for (const devices::WorkspaceMapping& place : places)
+        request.tools.push_back({place, tool == PointerTool::point ? startOf(kind, level, place) : std::nullopt, nullptr, {}});
+    return stationOf(driver, std::move(request));
 }
 
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const std::string& operatorName,
@@ -313,28 +260,29 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
         return tl::unexpected(trainee.error());
     if (trainee->strategies.size() != hands)
         return differingHands(kind, trainee->strategies.size(), hands);
-    Station station;
-    station.operatorName = operatorName;
-    const std::uint64_t handSeed = core::Random::mix(seed, "hand");
-    if (chosen == devices::FiveBarSphericalKinematics::kId) {
-        devices::SimulatedEndoscopeDevice::Configuration configuration;
-        configuration.start_D = endoscopeStart_W(); // D is W where nothing else is said
-        return withDevices<devices::SimulatedEndoscopeDevice>(std::move(station), configuration, std::move(*trainee), handSeed,
-                                                              *places);
-    }
-    if (chosen == devices::GimbalHprdKinematics::kId) {
-        devices::SimulatedDevice::Configuration configuration;
-        configuration.map = map;
-        configuration.frictionCompensation = haptics::FrictionCompensation::kMost;
-        if (kind.pointerTool() == PointerTool::grasper)
-            configuration.jaw = mechanisms::JawParameters{};
-        return withDevices<devices::SimulatedDevice>(std::move(station), configuration, std::move(*trainee), handSeed, *places);
-    }
-    if (chosen == devices::FingertipArmKinematics::kId)
-        return withFingers(std::move(station), kind.fingers(level), std::move(*trainee), handSeed, *places);
-    return core::fail(core::ErrorCode::wrongUse,
-                      "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(chosen) +
-                          "\"");
+    devices::DriverRequest request;
+    request.shape = kind.pointerTool();
+    request.endoscopeStart_W = endoscopeStart_W();
+    request.mechanism = std::string(chosen);
+    request.hand = trainee->hand;
+    request.seed = core::Random::mix(seed, "hand");
+    request.map = map;
+    request.frictionCompensation = haptics::FrictionCompensation::kMost;
+    const devices::Driver& driver = devices::usualDriver(devices::MovedBy::scriptedOperator);
+    const bool there = std::any_of(driver.kinematics.begin(), driver.kinematics.end(),
+                                   [chosen](const devices::KinematicsEntry& entry) { return entry.id == chosen; });
+    if (!there)
+        return core::fail(core::ErrorCode::wrongUse,
+                          "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(chosen) + "\"");
+    const FingersOfHand fingers = kind.fingers(level);
+    request.fingersPerHand = std::max(fingers.perHand, 1);
+    request.fingerSpacing_m = fingers.spacing_m;
+    for (std::size_t i = 0; i < hands; ++i)
+        request.tools.push_back({(*places)[i], {}, std::move(trainee->strategies[i]), {}});
+    auto station = stationOf(driver, std::move(request));
+    if (station)
+        station->operatorName = operatorName;
+    return station;
 }
 
 core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool, int tools) {
@@ -354,17 +302,14 @@ core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool t
             return refuse("no row of tool " + std::to_string(i) + "; the level needs rows of tools 0 to " +
                           std::to_string(tools - 1) + " (column tool)");
     playTogether(points);
-    Station station;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        auto device = devices::ReplayDevice::create(points[i]);
-        if (!device)
-            return refuse((tools > 1 ? "tool " + std::to_string(i) + ": " : std::string()) + device.error().message);
-        if (i == 0)
-            station.trace = device->get();
-        station.mappings.emplace_back();
-        station.devices.push_back(std::move(*device));
-    }
-    station.operatorName = "trace:" + std::filesystem::path(rows.source).filename().string();
+    devices::DriverRequest request;
+    request.shape = tool;
+    for (std::vector<devices::TracePoint>& trace : points)
+        request.tools.push_back({{}, {}, nullptr, std::move(trace)});
+    auto station = stationOf(devices::usualDriver(devices::MovedBy::recording), std::move(request));
+    if (!station)
+        return refuse(station.error().message);
+    station->operatorName = "trace:" + std::filesystem::path(rows.source).filename().string();
     return station;
 }
 

@@ -4,9 +4,8 @@
 #include "core/base_mounting.h"
 #include "core/result.h"
 #include "devices/api/device.h"
-#include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
-#include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/drivers/replay/replay_device.h"
+#include "devices/api/hand_input.h"
+#include "devices/driver_catalogue.h"
 #include "mechanisms/gimbal_kinematics.h"
 #include "scoring/trace_rows.h"
 #include "session/exercise_kind.h"
@@ -20,17 +19,23 @@
 
 namespace chiron::session {
 
-/// The tools a session is done with: one device each, and where each workspace lies in W. Moved, not copied.
+/// One tool of a session: what is held, where its workspace lies in W, and where the window puts what a person does.
+struct StationTool {
+    std::unique_ptr<devices::IDevice> device;
+    devices::WorkspaceMapping mapping;
+    devices::HandInput input; ///< of `device`; empty where it is not moved through the window
+};
+
+/// The tools a session is done with. Moved, not copied.
 struct Station {
-    std::vector<std::unique_ptr<devices::IDevice>> devices;
-    std::vector<devices::WorkspaceMapping> mappings;
+    std::vector<StationTool> tools;
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
-    devices::PointerMailbox* pointer = nullptr;   ///< of `devices`, where a mouse and a keyboard move a point
-    std::vector<devices::PointerMailbox*> graspers; ///< of `devices`, one a tool, where they move graspers
-    std::vector<devices::PointerMailbox*> fingers; ///< of `devices`, one a tool, where they move the points of several fingers
-    devices::EndoscopeMailbox* endoscope = nullptr; ///< of `devices`, where they move an endoscope
-    const devices::ReplayDevice* trace = nullptr; ///< of `devices`, where a trace is played (all of them end with it): its end
-                                                  ///< ends the session
+
+    std::vector<devices::WorkspaceMapping> mappings() const; ///< one a tool
+    bool felt() const noexcept; ///< whether any device renders force, as its descriptor says
+    /// Of each tool that a mouse and a keyboard move as a point or a grasper, in the order of the tools.
+    std::vector<devices::PointerMailbox*> pointers() const;
+    devices::EndoscopeMailbox* endoscope() const noexcept; ///< of the first tool that they move as an endoscope, or nullptr
 };
 
 /// How a person's workspace lies in W: what the set-up screen and the command line offer. What it says takes the place of what the level
@@ -51,6 +56,10 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, P
 /// 1..kMaxTools instruments.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level);
+
+/// The same with any driver whose devices a person moves (MovedBy::person).
+core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice, const ExerciseKind& kind,
+                                    const catalogue::ExerciseLevel& level);
 
 /// A simulated mechanism of the kind's (`mechanism`: its kinematics id; "": the usual one), one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
 /// wrongUse for a mechanism that does not exist, or that the kind is not done on.

@@ -78,19 +78,19 @@ SessionSetup setupOf(const TrainingRequest& request) {
     SessionSetup setup;
     setup.level = request.level;
     setup.seed = request.seed;
-    setup.mappings = request.station.mappings;
+    setup.mappings = request.station.mappings();
     setup.safety = headlessSafety(request.level);
     setup.safety.heartbeatWatched = request.live != nullptr;
-    for (const auto& device : request.station.devices)
-        setup.devices.push_back(device->descriptor());
+    for (const StationTool& tool : request.station.tools)
+        setup.devices.push_back(tool.device->descriptor());
     return setup;
 }
 
-core::Result<void> openAll(std::vector<std::unique_ptr<devices::IDevice>>& devices) {
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        if (auto opened = devices[i]->open(); !opened) {
+core::Result<void> openAll(std::vector<StationTool>& tools) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (auto opened = tools[i].device->open(); !opened) {
             for (std::size_t j = 0; j < i; ++j)
-                devices[j]->close();
+                tools[j].device->close();
             return opened;
         }
     }
@@ -129,9 +129,9 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
                                  const ExerciseKind& kind, LiveRecording& recording) {
     std::vector<devices::IDevice*> devices;
     std::vector<haptics::LoopTool> tools;
-    for (std::size_t i = 0; i < request.station.devices.size(); ++i) {
-        devices.push_back(request.station.devices[i].get());
-        tools.push_back({*request.station.devices[i], request.station.mappings[i]});
+    for (const StationTool& tool : request.station.tools) {
+        devices.push_back(tool.device.get());
+        tools.push_back({*tool.device, tool.mapping});
     }
     haptics::LiveInputs own;
     haptics::LiveInputs& inputs = request.live ? request.live->inputs() : own;
@@ -153,7 +153,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
     if (request.director)
         request.director->connect(inputs);
     const std::uint64_t tickLimit = request.live || request.director ? kNoTickLimit : kind.tickLimit(setup.level);
-    RunTask task(**loop, inputs, sink, {tickLimit, request.station.trace, request.cancel, request.live, kind.traceEndIsMark()});
+    RunTask task(**loop, inputs, sink, {tickLimit, devices.front(), request.cancel, request.live, kind.traceEndIsMark()});
     LoopReport report = request.realtime ? runRealtime(task, **loop, slowModel) : runAsFast(task, database.writer());
     report.passivity_J = (*loop)->passivityKept_J();
     return report;
@@ -185,7 +185,7 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
     const SessionSetup setup = setupOf(request);
     if (request.ringFolder.empty())
         request.ringFolder = recording::defaultRingFolder();
-    if (auto opened = openAll(request.station.devices); !opened)
+    if (auto opened = openAll(request.station.tools); !opened)
         return tl::unexpected(opened.error());
     TrainingResult result;
     auto session = beginSession(database, actor, request, setup);
@@ -200,8 +200,8 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
     if (!recording)
         return abandon(database, actor, *session, recording.error());
     auto loop = runLoop(database, request, setup, **kind, **recording);
-    for (auto& device : request.station.devices)
-        device->close();
+    for (StationTool& tool : request.station.tools)
+        tool.device->close();
     if (!loop) { // no tick was made: nothing is in the ring
         (void)(*recording)->finish();
         return abandon(database, actor, *session, loop.error());

@@ -4,6 +4,8 @@
 #include "catalogue/exercise.h"
 #include "catalogue/problems.h"
 
+class QJsonObject;
+
 namespace chiron::catalogue {
 
 /// What a level of any exercise must keep beyond its keys' ranges: metrics that exist, gates on the level's

@@ -1,26 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/driver_catalogue.h"
 
+#include "devices/drivers/keyboard_mouse/keyboard_mouse_driver.h"
+#include "devices/drivers/replay/replay_driver.h"
+#include "devices/drivers/simulated/simulated_driver.h"
+
 #include <array>
 
 namespace chiron::devices {
 
 namespace {
-constexpr std::array kDrivers{
-    DriverEntry{"simulated", "Simulated mechanism with a scripted hand", "nothing", DeviceClass::felt},
-    DriverEntry{"keyboard_mouse", "Mouse and keyboard: force is shown, not felt", "a pointer or a keyboard, and a screen",
-                DeviceClass::shown},
-    DriverEntry{"replay", "Recorded trace", "a trace file", DeviceClass::shown},
+constexpr std::array<const Driver*, 3> kDrivers{
+    &kSimulatedDriver,
+    &kKeyboardMouseDriver,
+    &kReplayDriver,
 };
+
+template <class Fits> const Driver* firstThat(Fits fits) noexcept {
+    for (const Driver* driver : kDrivers)
+        if (fits(*driver))
+            return driver;
+    return nullptr;
+}
 } // namespace
 
-std::span<const DriverEntry> driverCatalogue() noexcept { return kDrivers; }
+std::span<const Driver* const> driverCatalogue() noexcept { return kDrivers; }
 
-const DriverEntry* findDriver(std::string_view id) noexcept {
-    for (const DriverEntry& entry : kDrivers)
-        if (entry.id == id)
-            return &entry;
-    return nullptr;
+const Driver* findDriver(std::string_view id) noexcept {
+    return firstThat([id](const Driver& driver) { return driver.id == id; });
+}
+
+const Driver* findDriverOfPlan(std::string_view planWord) noexcept {
+    return firstThat([planWord](const Driver& driver) { return driver.planWord == planWord; });
+}
+
+const Driver& usualDriver(MovedBy movedBy) noexcept {
+    const Driver* found = firstThat([movedBy](const Driver& driver) { return driver.movedBy == movedBy; });
+    return found ? *found : *kDrivers.front();
 }
 
 } // namespace chiron::devices

@@ -10,7 +10,7 @@
 namespace chiron::devices {
 
 /// Makes the kinematics a descriptor names, so that a stored session can be computed again without its device.
-/// Ids: "cartesian", "gimbal_hprd", "five_bar_spherical", "fingertip_arm", "endoscope_pose". Fails (badInput) for an unknown id or for axes that do not fit; allocates, not in the tick.
+/// Ids: those of the drivers in the catalogue. Fails (badInput) for an unknown id or for axes that do not fit; allocates, not in the tick.
 core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor);
 
 } // namespace chiron::devices

@@ -93,16 +93,16 @@ core::Result<session::Station> stationOf(const session::SessionSetup& setup) {
     auto station = session::scriptedStation(**kind, setup.level, kOperator, setup.seed);
     if (!station)
         return station;
-    for (const auto& device : station->devices)
-        if (auto opened = device->open(); !opened)
+    for (const auto& tool : station->tools)
+        if (auto opened = tool.device->open(); !opened)
             return tl::unexpected(opened.error());
     return station;
 }
 
 std::vector<haptics::LoopTool> toolsOf(const session::Station& station) {
     std::vector<haptics::LoopTool> tools;
-    for (std::size_t i = 0; i < station.devices.size(); ++i)
-        tools.push_back({*station.devices[i], station.mappings[i]});
+    for (std::size_t i = 0; i < station.tools.size(); ++i)
+        tools.push_back({*station.tools[i].device, station.tools[i].mapping});
     return tools;
 }
 
@@ -156,9 +156,9 @@ core::Result<RecordedSession> recordSession(const char* exercise, int level, std
     auto station = stationOf(recorded.setup);
     if (!station)
         return tl::unexpected(station.error());
-    for (const auto& device : station->devices)
-        recorded.setup.devices.push_back(device->descriptor());
-    recorded.setup.mappings = station->mappings;
+    for (const auto& tool : station->tools)
+        recorded.setup.devices.push_back(tool.device->descriptor());
+    recorded.setup.mappings = station->mappings();
     haptics::LiveInputs inputs;
     tests::FrameStore store(ticks);
     tests::LoopBench bench(toolsOf(*station), inputs, store, sceneOf(recorded.setup),

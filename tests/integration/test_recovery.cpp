@@ -24,8 +24,8 @@ session::SessionSetup setupOf(const session::TrainingRequest& request) {
     session::SessionSetup setup;
     setup.level = request.level;
     setup.seed = request.seed;
-    setup.devices = {request.station.devices.front()->descriptor()};
-    setup.mappings = request.station.mappings;
+    setup.devices = {request.station.tools.front().device->descriptor()};
+    setup.mappings = request.station.mappings();
     setup.safety = session::headlessSafety(request.level);
     return setup;
 }

@@ -59,8 +59,8 @@ LadderSession runOne(SessionFixture& site, const catalogue::ExerciseLevel& level
     session::TrainingRequest request = site.request(level, name, seed);
     request.witness = &witness;
     if (budget_Ns_per_m > 0.0)
-        for (auto& device : request.station.devices)
-            device = std::make_unique<WithBudget>(std::move(device), budget_Ns_per_m);
+        for (auto& tool : request.station.tools)
+            tool.device = std::make_unique<WithBudget>(std::move(tool.device), budget_Ns_per_m);
     auto result = site.run(std::move(request));
     if (!result)
         qFatal("%s", result.error().message.c_str());

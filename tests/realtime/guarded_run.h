@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/drivers/endoscope_pointer/endoscope_mailbox.h"
-#include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
+#include "devices/api/endoscope_mailbox.h"
+#include "devices/api/pointer_mailbox.h"
 #include "realtime/tick_guard.h"
 #include "support/haptic_bench.h"
 

@@ -107,8 +107,8 @@ private slots:
         auto station = session::scriptedStation(**session::exerciseKind("palpation"), level, "expert", 7, mechanisms::PolarMap::exact,
                                                 mechanism.toStdString());
         QVERIFY2(station, station ? "" : station.error().message.c_str());
-        QCOMPARE(station->devices.size(), std::size_t(number >= 4 ? 2 : 1));
-        QCOMPARE(QString::fromStdString(station->devices[0]->descriptor().kinematics), mechanism.isEmpty() ? "fingertip_arm" : mechanism);
+        QCOMPARE(station->tools.size(), std::size_t(number >= 4 ? 2 : 1));
+        QCOMPARE(QString::fromStdString(station->tools[0].device->descriptor().kinematics), mechanism.isEmpty() ? "fingertip_arm" : mechanism);
         request.station = std::move(*station);
         const auto result = site.run(std::move(request));
         QVERIFY2(result, result ? "" : result.error().message.c_str());

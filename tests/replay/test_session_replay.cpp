@@ -25,8 +25,7 @@ void addSecondTool(session::Station& station) {
                            core::Vec3(0.0, 0.0, 0.01),
                            std::vector<mechanisms::ScriptedMotion::Term>{{core::Vec3(0.03, 0.02, 0.015), 0.4, 0.0}}));
     QVERIFY(device);
-    station.devices.push_back(std::move(*device));
-    station.mappings.push_back(configuration.mapping);
+    station.tools.push_back({std::move(*device), configuration.mapping, {}});
 }
 
 std::vector<core::HapticFrame> framesOf(SessionFixture& site, database::SessionId id) {

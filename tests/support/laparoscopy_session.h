@@ -169,13 +169,13 @@ inline LaparoscopyOutcome runLaparoscopy(const LaparoscopySession& asked, core::
     session::SessionSetup setup;
     setup.level = asked.level;
     setup.seed = asked.seed;
-    setup.mappings = station->mappings;
+    setup.mappings = station->mappings();
     setup.safety = session::headlessSafety(asked.level);
     std::vector<haptics::LoopTool> tools;
-    for (std::size_t i = 0; i < station->devices.size(); ++i) {
-        setup.devices.push_back(station->devices[i]->descriptor());
-        tools.push_back({*station->devices[i], station->mappings[i]});
-        if (auto opened = station->devices[i]->open(); !opened)
+    for (std::size_t i = 0; i < station->tools.size(); ++i) {
+        setup.devices.push_back(station->tools[i].device->descriptor());
+        tools.push_back({*station->tools[i].device, station->tools[i].mapping});
+        if (auto opened = station->tools[i].device->open(); !opened)
             qFatal("%s", opened.error().message.c_str());
     }
     const auto positions = session::ToolPositions::create(setup);

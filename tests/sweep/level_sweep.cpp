@@ -96,9 +96,9 @@ public:
         auto station = session::scriptedStation(*m_kind, level, m_kind->operatorNames().front(), settings.seed);
         if (!station)
             qFatal("%s", station.error().message.c_str());
-        for (std::size_t i = 0; i < station->devices.size(); ++i) {
-            m_setup.devices.push_back(station->devices[i]->descriptor());
-            m_setup.mappings.push_back(station->mappings[i]);
+        for (std::size_t i = 0; i < station->tools.size(); ++i) {
+            m_setup.devices.push_back(station->tools[i].device->descriptor());
+            m_setup.mappings.push_back(station->tools[i].mapping);
             m_reach.emplace_back(m_setup.devices.back(), m_setup.mappings.back());
         }
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;

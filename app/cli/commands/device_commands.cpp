@@ -27,7 +27,8 @@ core::Result<CommandOutput> list(const Arguments&) {
     QJsonArray drivers;
     TextTable table({QStringLiteral("driver"), QStringLiteral("class"), QStringLiteral("title"),
                      QStringLiteral("needs")});
-    for (const devices::DriverEntry& driver : devices::driverCatalogue()) {
+    for (const devices::Driver* entry : devices::driverCatalogue()) {
+        const devices::Driver& driver = *entry;
         const QString id = QString::fromStdString(std::string(driver.id));
         const QString title = QString::fromStdString(std::string(driver.title));
         const QString needs = QString::fromStdString(std::string(driver.needs));

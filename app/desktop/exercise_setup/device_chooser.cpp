@@ -3,6 +3,7 @@
 
 #include "desktop/exercise_setup/choice_tile.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
 #include "scoring/trace_csv.h"
@@ -12,6 +13,7 @@
 #include <QFileDialog>
 #include <QStackedWidget>
 #include <QStyle>
+#include <algorithm>
 
 namespace chiron::desktop {
 
@@ -32,6 +34,14 @@ core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool too
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
 
+/// A person's devices first, then demonstrations, then recordings; each in the catalogue's order.
+std::vector<const devices::Driver*> driversInOrder() {
+    const auto all = devices::driverCatalogue();
+    std::vector<const devices::Driver*> drivers(all.begin(), all.end());
+    std::stable_sort(drivers.begin(), drivers.end(), [](const auto* a, const auto* b) { return a->movedBy < b->movedBy; });
+    return drivers;
+}
+
 /// Paths and lists of columns are one long word: they may break after a slash or a comma.
 QString breakable(QString text) {
     for (const char16_t mark : {u'/', u','})
@@ -43,40 +53,69 @@ QString breakable(QString text) {
 
 DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent)
     : QWidget(parent), m_context(context), m_tool(kind ? kind->pointerTool() : session::PointerTool::point),
-      m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
-    const bool fiveBar = kind && kind->mechanism() == "five_bar_spherical";
-    const bool fingertip = kind && kind->mechanism() == "fingertip_arm";
+      m_drivers(driversInOrder()), m_group(new QButtonGroup(this)), m_pages(new QStackedWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(context.theme().px(8));
-    column->addWidget(addTile(PlanDevice::mouse, tr("Mouse and keyboard"), tr("Ready. Force is shown, not felt.")));
     const std::vector<std::string> operators = kind ? kind->operatorNames() : std::vector<std::string>();
-    QWidget* demonstrate = addTile(PlanDevice::demonstration, tr("Demonstrate"),
-                                   operators.empty() ? tr("There is no demonstration of this exercise on this station.")
-                                   : fiveBar         ? tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.")
-                                   : fingertip       ? tr("Ready. Watch a scripted operator on the simulated arm with fingertip platform.")
-                                                     : tr("Ready. Watch a scripted operator on the simulated gimbal."));
-    demonstrate->setEnabled(!operators.empty());
-    column->addWidget(demonstrate);
-    column->addWidget(addTile(PlanDevice::trace, tr("Replay a file"),
-                              m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
-                              : m_tool == session::PointerTool::grasper ? tr("A recorded movement (CSV, with the jaw) moves the instruments.")
-                                                                        : tr("A recorded movement (CSV) moves the tool.")));
-    m_pages->addWidget(new QWidget);
-    m_pages->addWidget(demonstrationPage(operators, !fiveBar));
+    for (int i = 0; i < static_cast<int>(m_drivers.size()); ++i) {
+        const devices::Driver& driver = *m_drivers[static_cast<std::size_t>(i)];
+        QWidget* tile = addTile(i, healthOf(driver, kind));
+        tile->setEnabled(driver.movedBy != devices::MovedBy::scriptedOperator || !operators.empty());
+        column->addWidget(tile);
+    }
+    m_pages->addWidget(new QWidget); // one page for each MovedBy, in its order
+    m_pages->addWidget(demonstrationPage(operators, !kind || kind->mechanism() != "five_bar_spherical"));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
-        show(static_cast<PlanDevice>(id));
+        show(*m_drivers.at(static_cast<std::size_t>(id)));
         emit changed();
     });
-    show(PlanDevice::mouse);
+    show(*m_drivers.front());
 }
 
-QWidget* DeviceChooser::addTile(PlanDevice device, const QString& title, const QString& health) {
-    auto* tile = new ChoiceTile(m_context.theme(), title, health, deviceIcon(device));
-    tile->setObjectName(QStringLiteral("setup.device.%1").arg(static_cast<int>(device)));
-    m_group->addButton(tile, static_cast<int>(device));
+QString DeviceChooser::titleOf(const devices::Driver& driver) const {
+    switch (driver.movedBy) {
+    case devices::MovedBy::scriptedOperator:
+        return tr("Demonstrate");
+    case devices::MovedBy::recording:
+        return tr("Replay a file");
+    case devices::MovedBy::person:
+        break;
+    }
+    return &driver == &devices::usualDriver(devices::MovedBy::person) ? tr("Mouse and keyboard") : StationWords::driver(driver);
+}
+
+QString DeviceChooser::healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const {
+    switch (driver.movedBy) {
+    case devices::MovedBy::scriptedOperator:
+        return demonstratedOn(kind);
+    case devices::MovedBy::recording:
+        return m_tool == session::PointerTool::endoscope ? tr("A recorded movement (CSV, with orientation) moves the endoscope.")
+               : m_tool == session::PointerTool::grasper ? tr("A recorded movement (CSV, with the jaw) moves the instruments.")
+                                                         : tr("A recorded movement (CSV) moves the tool.");
+    case devices::MovedBy::person:
+        break;
+    }
+    return driver.deviceClass == devices::DeviceClass::shown ? tr("Ready. Force is shown, not felt.") : StationWords::needs(driver);
+}
+
+QString DeviceChooser::demonstratedOn(const session::ExerciseKind* kind) const {
+    if (!kind || kind->operatorNames().empty())
+        return tr("There is no demonstration of this exercise on this station.");
+    if (kind->mechanism() == "five_bar_spherical")
+        return tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.");
+    if (kind->mechanism() == "fingertip_arm")
+        return tr("Ready. Watch a scripted operator on the simulated arm with fingertip platform.");
+    return tr("Ready. Watch a scripted operator on the simulated gimbal.");
+}
+
+QWidget* DeviceChooser::addTile(int index, const QString& health) {
+    const devices::Driver& driver = *m_drivers.at(static_cast<std::size_t>(index));
+    auto* tile = new ChoiceTile(m_context.theme(), titleOf(driver), health, deviceIcon(driver.movedBy));
+    tile->setObjectName(QStringLiteral("setup.device.%1").arg(index));
+    m_group->addButton(tile, index);
     return tile;
 }
 
@@ -144,14 +183,16 @@ QWidget* DeviceChooser::tracePage() {
     return page;
 }
 
-PlanDevice DeviceChooser::device() const { return static_cast<PlanDevice>(std::max(m_group->checkedId(), 0)); }
+const devices::Driver& DeviceChooser::driver() const {
+    return *m_drivers.at(static_cast<std::size_t>(std::max(m_group->checkedId(), 0)));
+}
 
-void DeviceChooser::show(PlanDevice device) {
-    const int index = static_cast<int>(device);
-    if (QAbstractButton* tile = m_group->button(index))
+void DeviceChooser::show(const devices::Driver& driver) {
+    const auto at = std::find(m_drivers.begin(), m_drivers.end(), &driver);
+    if (QAbstractButton* tile = m_group->button(static_cast<int>(at - m_drivers.begin())))
         tile->setChecked(true);
-    m_pages->setCurrentIndex(index);
-    m_pages->setVisible(device != PlanDevice::mouse);
+    m_pages->setCurrentIndex(static_cast<int>(driver.movedBy));
+    m_pages->setVisible(driver.movedBy != devices::MovedBy::person);
 }
 
 void DeviceChooser::setPlan(const TrainingPlan& plan) {
@@ -162,18 +203,18 @@ void DeviceChooser::setPlan(const TrainingPlan& plan) {
     m_traceFile = plan.traceFile;
     if (!m_traceFile.isEmpty())
         checkTrace();
-    const bool possible = plan.device != PlanDevice::demonstration || m_operator->count() > 0;
-    show(possible ? plan.device : PlanDevice::mouse);
+    const bool possible = !plan.movedBy(devices::MovedBy::scriptedOperator) || m_operator->count() > 0;
+    show(possible ? *plan.driver : *m_drivers.front());
 }
 
 void DeviceChooser::fillPlan(TrainingPlan& plan) const {
-    plan.device = device();
+    plan.driver = &driver();
     plan.operatorName = m_operator->currentData().toString();
     plan.forceMap = m_forceMap && m_forceMap->currentIndex() == 1 ? mechanisms::PolarMap::asPublished : mechanisms::PolarMap::exact;
     plan.traceFile = m_traceFile;
 }
 
-bool DeviceChooser::ready() const { return device() != PlanDevice::trace || m_traceReady; }
+bool DeviceChooser::ready() const { return driver().movedBy != devices::MovedBy::recording || m_traceReady; }
 
 void DeviceChooser::askTrace() {
     auto* dialog = new QFileDialog(this, tr("Choose a recorded movement"), QString(), tr("Traces (*.csv)"));

@@ -20,7 +20,7 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// What moves the tool: the mouse, a scripted operator who demonstrates, or a trace file; each with how it is. A trace is
+/// What moves the tool, a tile for each driver of the catalogue: the mouse, a scripted operator who demonstrates, or a trace file; each with how it is. A trace is
 /// read on a worker when it is chosen, and its faults are named by row. GUI thread.
 class DeviceChooser final : public QWidget {
     Q_OBJECT
@@ -38,19 +38,23 @@ signals:
     void changed();
 
 private:
-    QWidget* addTile(PlanDevice device, const QString& title, const QString& health);
+    QString titleOf(const devices::Driver& driver) const;
+    QString healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const;
+    QString demonstratedOn(const session::ExerciseKind* kind) const;
+    QWidget* addTile(int index, const QString& health);
     QWidget* demonstrationPage(const std::vector<std::string>& operators, bool gimbal);
     void addForceMap(QVBoxLayout& column);
     QWidget* tracePage();
-    void show(PlanDevice device);
+    void show(const devices::Driver& driver);
     void askTrace();
     void checkTrace();
     void setTraceWords(const QString& words, const char* kind);
-    PlanDevice device() const;
+    const devices::Driver& driver() const;
 
     AppContext& m_context;
     session::PointerTool m_tool = session::PointerTool::point;
     int m_tools = 1; ///< instruments of the level that is chosen
+    std::vector<const devices::Driver*> m_drivers; ///< a tile each, in this order
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;

@@ -176,7 +176,7 @@ void ExerciseSetupScreen::showLevel() {
 void ExerciseSetupScreen::showStart() {
     const TrainingPlan chosen = plan();
     const auto kind = session::exerciseKind(m_exercise->id);
-    const bool mountable = chosen.device == PlanDevice::demonstration && kind && (*kind)->operatorsKnowTheirPlace();
+    const bool mountable = chosen.movedBy(devices::MovedBy::scriptedOperator) && kind && (*kind)->operatorsKnowTheirPlace();
     m_workspace->setHasBase(mountable);
     m_workspace->setVisible(chosen.ownHand() || mountable);
     m_familiarisation->setVisible(chosen.ownHand());

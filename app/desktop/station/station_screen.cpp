@@ -162,7 +162,7 @@ QWidget* StationScreen::devicesCard() const {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Devices"), TextStyle::title));
-    for (const devices::DriverEntry& entry : devices::driverCatalogue()) {
+    for (const devices::Driver* driver : devices::driverCatalogue()) {
         auto* row = new QHBoxLayout;
         row->setSpacing(theme.px(12));
         auto* sign = new QLabel;
@@ -170,10 +170,10 @@ QWidget* StationScreen::devicesCard() const {
         row->addWidget(sign, 0, Qt::AlignTop);
         auto* words = new QVBoxLayout;
         words->setSpacing(theme.px(2));
-        words->addWidget(kit::label(theme, StationWords::driver(entry), TextStyle::strong));
-        words->addWidget(kit::label(theme, StationWords::needs(entry), TextStyle::body, "muted"));
+        words->addWidget(kit::label(theme, StationWords::driver(*driver), TextStyle::strong));
+        words->addWidget(kit::label(theme, StationWords::needs(*driver), TextStyle::body, "muted"));
         row->addLayout(words, 3);
-        row->addWidget(kit::label(theme, StationWords::forceClass(entry.deviceClass)), 1);
+        row->addWidget(kit::label(theme, StationWords::forceClass(driver->deviceClass)), 1);
         box.layout->addLayout(row);
     }
     box.layout->addWidget(kit::label(theme, tr("No haptic device is connected: this version does not have a driver for one yet."),

@@ -16,7 +16,7 @@ double StationWords::lateShare(const session::LoopReport& loop) {
 
 double StationWords::mostLate() noexcept { return kMostLate; }
 
-QString StationWords::driver(const devices::DriverEntry& entry) {
+QString StationWords::driver(const devices::Driver& entry) {
     if (entry.id == "simulated")
         return tr("Simulated mechanism with a scripted hand");
     if (entry.id == "keyboard_mouse")
@@ -26,7 +26,7 @@ QString StationWords::driver(const devices::DriverEntry& entry) {
     return QString::fromUtf8(entry.title.data(), static_cast<qsizetype>(entry.title.size()));
 }
 
-QString StationWords::needs(const devices::DriverEntry& entry) {
+QString StationWords::needs(const devices::Driver& entry) {
     if (entry.id == "simulated")
         return tr("Ready. Nothing needs to be connected.");
     if (entry.id == "keyboard_mouse")

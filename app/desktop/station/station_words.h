@@ -14,8 +14,8 @@ namespace chiron::desktop {
 class StationWords {
     Q_DECLARE_TR_FUNCTIONS(StationWords)
 public:
-    static QString driver(const devices::DriverEntry& entry);
-    static QString needs(const devices::DriverEntry& entry);
+    static QString driver(const devices::Driver& entry);
+    static QString needs(const devices::Driver& entry);
     static QString forceClass(devices::DeviceClass deviceClass);
     static QString priority(bool granted);
     static QString howToGetPriority();

@@ -71,7 +71,7 @@ void TrialsScreen::begin() {
         fail(station.error());
         return;
     }
-    request.measuredDelay_s = measuredDelay_s(context().settings(), station->devices.front()->descriptor());
+    request.measuredDelay_s = measuredDelay_s(context().settings(), station->tools.front().device->descriptor());
     request.station = std::move(*station);
     request.freeMinute_s = kFreeMinute_s;
     request.waitsAfterPractice = true;

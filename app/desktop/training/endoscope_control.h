@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/training/hand_control.h"
-#include "devices/drivers/endoscope_pointer/endoscope_mailbox.h"
+#include "devices/api/endoscope_mailbox.h"
 
 #include <set>
 

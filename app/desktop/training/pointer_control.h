@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/training/hand_control.h"
-#include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
+#include "devices/api/pointer_mailbox.h"
 
 #include <set>
 

@@ -18,16 +18,16 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     auto kind = session::exerciseKind(level.exercise);
     if (!kind)
         return tl::unexpected(kind.error());
-    switch (plan.device) {
-    case PlanDevice::mouse:
-        return session::keyboardMouseStation(plan.workspace, **kind, level);
-    case PlanDevice::demonstration: {
+    switch (plan.driver->movedBy) {
+    case devices::MovedBy::person:
+        return session::personStation(*plan.driver, plan.workspace, **kind, level);
+    case devices::MovedBy::scriptedOperator: {
         session::WorkspaceChoice mounting;
         if ((*kind)->operatorsKnowTheirPlace())
             mounting.turn_rad = plan.workspace.turn_rad;
         return session::scriptedStation(**kind, level, plan.operatorName.toStdString(), seed, plan.forceMap, {}, mounting);
     }
-    case PlanDevice::trace:
+    case devices::MovedBy::recording:
         break;
     }
     auto rows = scoring::readTraceCsvFile(plan.traceFile.toStdString());
@@ -36,23 +36,10 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level));
 }
 
-QString wordOf(PlanDevice device) {
-    switch (device) {
-    case PlanDevice::demonstration:
-        return QStringLiteral("demonstration");
-    case PlanDevice::trace:
-        return QStringLiteral("trace");
-    case PlanDevice::mouse:
-        break;
-    }
-    return QStringLiteral("mouse");
-}
-
-PlanDevice deviceOf(const QString& word) {
-    for (const PlanDevice device : {PlanDevice::demonstration, PlanDevice::trace})
-        if (word == wordOf(device))
-            return device;
-    return PlanDevice::mouse;
+/// The driver that a plan names so; a name that this build does not know is the usual one's.
+const devices::Driver* driverOf(const QString& word) {
+    const devices::Driver* driver = devices::findDriverOfPlan(word.toStdString());
+    return driver ? driver : TrainingPlan().driver;
 }
 
 } // namespace
@@ -60,7 +47,7 @@ PlanDevice deviceOf(const QString& word) {
 QVariantMap TrainingPlan::toMap() const {
     QVariantMap map{{QStringLiteral("exercise"), exercise},
                 {QStringLiteral("level"), level},
-                {QStringLiteral("device"), wordOf(device)},
+                {QStringLiteral("device"), QString::fromUtf8(driver->planWord.data(), qsizetype(driver->planWord.size()))},
                 {QStringLiteral("operator"), operatorName},
                 {QStringLiteral("as_published"), forceMap == mechanisms::PolarMap::asPublished},
                 {QStringLiteral("trace"), traceFile},
@@ -84,7 +71,7 @@ TrainingPlan TrainingPlan::fromMap(const QVariantMap& map) {
     TrainingPlan plan;
     plan.exercise = map.value(QStringLiteral("exercise")).toString();
     plan.level = map.value(QStringLiteral("level"), 1).toInt();
-    plan.device = deviceOf(map.value(QStringLiteral("device")).toString());
+    plan.driver = driverOf(map.value(QStringLiteral("device")).toString());
     plan.operatorName = map.value(QStringLiteral("operator")).toString();
     if (map.value(QStringLiteral("as_published")).toBool())
         plan.forceMap = mechanisms::PolarMap::asPublished;
@@ -122,7 +109,7 @@ std::optional<TrainingPlan> expertPlan(const std::string& exercise, int level) {
     TrainingPlan plan;
     plan.exercise = QString::fromStdString(exercise);
     plan.level = level;
-    plan.device = PlanDevice::demonstration;
+    plan.driver = &devices::usualDriver(devices::MovedBy::scriptedOperator);
     plan.operatorName = QString::fromStdString(kExpert);
     return plan;
 }
@@ -143,7 +130,7 @@ core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const
 }
 
 database::Actor actorOf(const TrainingPlan& plan, const database::Actor& person) {
-    return plan.device == PlanDevice::demonstration ? database::Actor::simulated() : person;
+    return plan.movedBy(devices::MovedBy::scriptedOperator) ? database::Actor::simulated() : person;
 }
 
 } // namespace chiron::desktop

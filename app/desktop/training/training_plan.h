@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/catalogue.h"
+#include "devices/driver_catalogue.h"
 #include "session/station.h"
 #include "session/training_run.h"
 
@@ -11,14 +12,11 @@
 
 namespace chiron::desktop {
 
-/// Who or what moves the tool.
-enum class PlanDevice { mouse, demonstration, trace };
-
 /// What was chosen on the set-up screen: enough to begin the session, and small enough for a Place.
 struct TrainingPlan {
     QString exercise;
     int level = 1;
-    PlanDevice device = PlanDevice::mouse;
+    const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::person); ///< of the catalogue, never null
     QString operatorName; ///< demonstration
     mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< demonstration on the gimbal
     QString traceFile;    ///< trace
@@ -28,7 +26,8 @@ struct TrainingPlan {
     int trials = 0; ///< no more than so many: the level is tried, as a familiarisation. 0: all of them
     std::optional<bool> depthOfField; ///< as the person switched it; empty: as the level begins
 
-    bool ownHand() const { return device == PlanDevice::mouse; }
+    bool movedBy(devices::MovedBy mover) const { return driver->movedBy == mover; }
+    bool ownHand() const { return movedBy(devices::MovedBy::person); }
     bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;
     static TrainingPlan fromMap(const QVariantMap& map); ///< what is missing or unknown is as in a new plan

@@ -128,12 +128,12 @@ void TrainingScreen::connectPointer() {
     const double scale = context().theme().scale();
     if (m_palpated)
         takeFingers(scale);
+    else if (isGrasper())
+        takeGraspers(scale);
     else if (training.pointer())
         m_hand = std::make_unique<PointerControl>(*training.pointer(), scale, m_plan.workspace.leftHanded);
     else if (training.endoscope())
         m_hand = std::make_unique<EndoscopeControl>(*training.endoscope(), scale, m_plan.workspace.leftHanded);
-    else if (!training.graspers().empty())
-        takeGraspers(scale);
     if (!m_hand)
         return; // somebody else's hand
     m_keys->setToolKeys(handKeys());
@@ -146,7 +146,10 @@ void TrainingScreen::connectPointer() {
 }
 
 void TrainingScreen::takeGraspers(double scale) {
-    auto graspers = std::make_unique<GrasperControl>(m_feed->training().graspers(), scale, m_plan.workspace.leftHanded);
+    const std::vector<devices::PointerMailbox*> mailboxes = m_feed->training().pointers();
+    if (mailboxes.empty())
+        return; // somebody else's hand
+    auto graspers = std::make_unique<GrasperControl>(mailboxes, scale, m_plan.workspace.leftHanded);
     graspers->onChosen([this](int tool) {
         if (m_activeText)
             m_activeText->setText(activeToolInWords(tool, m_tools));

@@ -189,7 +189,8 @@ QWidget* TrainingScreen::buildSide() {
     column->addWidget(m_info, 1);
     column->addWidget(buildDetailsSwitch());
     side->setWidget(inner);
-    m_notice->show(forceWords({}, {.felt = false, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()}, context().locale()));
+    const bool felt = m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::felt;
+    m_notice->show(forceWords({}, {.felt = felt, .ownHand = m_plan.ownHand(), .endoscope = isEndoscope(), .grasper = isGrasper()}, context().locale()));
     return side;
 }
 

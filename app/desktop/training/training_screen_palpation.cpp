@@ -29,9 +29,7 @@ InfoView* TrainingScreen::makePalpationInfo() {
 
 void TrainingScreen::takeFingers(double scale) {
     session::LiveTraining& training = m_feed->training();
-    std::vector<devices::PointerMailbox*> mailboxes(training.fingers().begin(), training.fingers().end());
-    if (mailboxes.empty() && training.pointer())
-        mailboxes.push_back(training.pointer());
+    const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
         return; // somebody else's hand
     auto fingers = std::make_unique<FingerControl>(mailboxes, m_palpated->fingers, scale, m_plan.workspace.leftHanded, m_palpated->pinch.has_value());

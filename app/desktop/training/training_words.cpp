@@ -27,8 +27,8 @@ QString operatorTitle(const std::string& name) {
 }
 
 QString deviceTitle(const TrainingPlan& plan) {
-    switch (plan.device) {
-    case PlanDevice::demonstration: {
+    switch (plan.driver->movedBy) {
+    case devices::MovedBy::scriptedOperator: {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
         if (kind && (*kind)->mechanism() == "five_bar_spherical")
@@ -37,21 +37,23 @@ QString deviceTitle(const TrainingPlan& plan) {
             return Words::tr("Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt").arg(who);
         return Words::tr("Demonstration on the simulated gimbal (%1): force shown, not felt").arg(who);
     }
-    case PlanDevice::trace:
+    case devices::MovedBy::recording:
         return Words::tr("Replayed file %1: force shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
-    case PlanDevice::mouse:
+    case devices::MovedBy::person:
         break;
     }
-    return Words::tr("Mouse and keyboard: force shown, not felt");
+    if (plan.driver == &devices::usualDriver(devices::MovedBy::person))
+        return Words::tr("Mouse and keyboard: force shown, not felt");
+    return QString::fromUtf8(plan.driver->title.data(), qsizetype(plan.driver->title.size()));
 }
 
-QString deviceIcon(PlanDevice device) {
-    switch (device) {
-    case PlanDevice::demonstration:
+QString deviceIcon(devices::MovedBy movedBy) {
+    switch (movedBy) {
+    case devices::MovedBy::scriptedOperator:
         return QStringLiteral("media-playback-start");
-    case PlanDevice::trace:
+    case devices::MovedBy::recording:
         return QStringLiteral("document-open");
-    case PlanDevice::mouse:
+    case devices::MovedBy::person:
         break;
     }
     return QStringLiteral("input-mouse");

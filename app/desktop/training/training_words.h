@@ -12,7 +12,7 @@ namespace chiron::desktop {
 /// Words that set-up and training share.
 QString operatorTitle(const std::string& name); ///< "an expert"; a name that is not known as it is
 QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
-QString deviceIcon(PlanDevice device);          ///< Breeze name
+QString deviceIcon(devices::MovedBy movedBy);   ///< Breeze name
 /// How the tool is moved, marked, paused, stopped.
 QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1);
 /// The same of a palpation, with how findings are told; `rates`: a level asks for more than the place.

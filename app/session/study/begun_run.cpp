@@ -59,7 +59,7 @@ core::Result<ConductedSitting> conductSitting(database::Database& database, cons
     auto label = chosenLabel(*study, request.condition);
     if (!label)
         return tl::unexpected(label.error());
-    if (request.station.devices.empty())
+    if (request.station.tools.empty())
         return core::fail(core::ErrorCode::wrongUse, "a sitting needs a device");
     auto run = conduct(database, actor, *study, *label);
     if (!run)

@@ -29,7 +29,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     const psychophysics::Condition& condition = *sitting.condition();
     if (auto possible = studyLevel(study.design, condition); !possible)
         return tl::unexpected(possible.error()); // before a run is begun
-    const RenderingLimits limits = limitsAt(request.station.devices.front()->descriptor(), request.measuredDelay_s);
+    const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     if (!begun)
@@ -38,7 +38,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     if (!level)
         return tl::unexpected(level.error());
     auto state = std::make_unique<State>(database, actor, study, std::move(begun->progress), std::move(*level),
-                                         !request.station.devices.front()->descriptor().rendersForce, request.language);
+                                         !request.station.tools.front().device->descriptor().rendersForce, request.language);
     state->tryFor_s = sitting.run.trials.empty() ? request.freeMinute_s : 0.0;
     state->waitsAfterPractice = request.waitsAfterPractice;
     state->view.firstPart = study.firstPart(sitting.label);

@@ -22,7 +22,7 @@ namespace {
 /// A loop with a director as its only listener, from first tick to last.
 core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed, ITickDirector& director) {
     const auto& parameters = std::get<simulation::ComparisonParameters>(level.parameters);
-    if (auto opened = station.devices.front()->open(); !opened)
+    if (auto opened = station.tools.front().device->open(); !opened)
         return opened;
     haptics::LiveInputs inputs;
     director.connect(inputs);
@@ -30,7 +30,7 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
     haptics::SceneExchange scenes;
     std::unique_ptr<simulation::IScene> scene = std::make_unique<simulation::ComparisonScene>(parameters, seed);
     scenes.offer(scene);
-    const haptics::LoopTool tool{*station.devices.front(), station.mappings.front()};
+    const haptics::LoopTool tool{*station.tools.front().device, station.tools.front().mapping};
     auto loop = haptics::HapticLoop::create({{&tool, 1}, inputs, supervisor, headlessSafety(level), scenes, director});
     if (!loop)
         return tl::unexpected(loop.error());
@@ -43,7 +43,7 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
         bool tick(const realtime::HapticTick& now) noexcept { return loop.tick(now); }
     } task{**loop};
     runner.run(task, stop);
-    station.devices.front()->close();
+    station.tools.front().device->close();
     return {};
 }
 

@@ -38,8 +38,7 @@ core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLev
     if (!device)
         return tl::unexpected(device.error());
     out.station.operatorName = "participant";
-    out.station.mappings.push_back(configuration.mapping);
-    out.station.devices.push_back(std::move(*device));
+    out.station.tools.push_back({std::move(*device), configuration.mapping, {}});
     return out;
 }
 

@@ -38,6 +38,8 @@ public:
     virtual void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept = 0;
     /// What is on the screen at this tick: scripted operators look at it, hardware ignores it.
     virtual void show(const realtime::HapticTick&, const core::VisibleCues&) noexcept {}
+    /// Whether what moves the device has come to its end, which ends the session: a recording does, a hand does not. Any thread.
+    virtual bool finished() const noexcept { return false; }
 };
 
 } // namespace chiron::devices

@@ -128,8 +128,8 @@ private slots:
     }
 
     void station() {
-        for (const devices::DriverEntry& entry : devices::driverCatalogue())
-            say({StationWords::driver(entry), StationWords::needs(entry)});
+        for (const devices::Driver* driver : devices::driverCatalogue())
+            say({StationWords::driver(*driver), StationWords::needs(*driver)});
         say({StationWords::forceClass(devices::DeviceClass::felt), StationWords::forceClass(devices::DeviceClass::shown)});
         for (const bool yes : {false, true})
             say({StationWords::priority(yes), StationWords::memory(yes)});
@@ -371,13 +371,13 @@ private slots:
         for (const char* name : {"expert", "intermediate", "novice", "hesitant", "unsafe", "somebody"})
             say({operatorTitle(name)});
         for (const char* exercise : {"sphere_apex", "urethra_insertion", "elastic_tube", "object_handling", "palpation", "of_another"})
-            for (const PlanDevice device : {PlanDevice::mouse, PlanDevice::demonstration, PlanDevice::trace}) {
+            for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording}) {
                 TrainingPlan plan;
                 plan.exercise = QLatin1String(exercise);
-                plan.device = device;
+                plan.driver = &devices::usualDriver(mover);
                 plan.operatorName = QStringLiteral("novice");
                 plan.traceFile = QStringLiteral("/a/folder/hand.csv");
-                say({deviceTitle(plan), deviceIcon(device)});
+                say({deviceTitle(plan), deviceIcon(mover)});
             }
         for (const bool own : {false, true}) {
             for (const auto tool : {session::PointerTool::point, session::PointerTool::endoscope, session::PointerTool::grasper})
@@ -420,15 +420,15 @@ private slots:
             for (auto it = map.begin(); it != map.end(); ++it)
                 say({it.key(), it.value().toString()});
         };
-        for (const PlanDevice device : {PlanDevice::mouse, PlanDevice::demonstration, PlanDevice::trace})
+        for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
             for (const auto depth : {std::optional<bool>(), std::optional(false), std::optional(true)}) {
-                plan.device = device;
+                plan.driver = &devices::usualDriver(mover);
                 plan.depthOfField = depth;
                 const TrainingPlan back = TrainingPlan::fromMap(plan.toMap());
                 QCOMPARE(back.toMap(), plan.toMap());
-                QVERIFY(back.device == device && back.depthOfField == depth && back.workspace.turn_rad == plan.workspace.turn_rad && back.forceMap == plan.forceMap);
+                QVERIFY(back.driver == plan.driver && back.depthOfField == depth && back.workspace.turn_rad == plan.workspace.turn_rad && back.forceMap == plan.forceMap);
                 const database::Actor tina = actorOf(plan, database::Actor::anonymous());
-                say({QString::number(static_cast<int>(device)), QString::number(static_cast<int>(tina.kind())), plan.ownHand() ? QStringLiteral("own hand") : QStringLiteral("watched")});
+                say({QString::number(static_cast<int>(mover)), QString::number(static_cast<int>(tina.kind())), plan.ownHand() ? QStringLiteral("own hand") : QStringLiteral("watched")});
             }
         told(plan.toMap());
         told(TrainingPlan::fromMap({}).toMap());

@@ -83,7 +83,7 @@ void TestExerciseSetup::anExpertCanBeWatchedFirst() {
     QTest::keyClick(watch, Qt::Key_Return); // the button that has the focus, and not Start
     QVERIFY(bench.at(QStringLiteral("training")));
     const desktop::TrainingPlan plan = desktop::TrainingPlan::fromMap(bench.desktop.context.navigator().current().parameters);
-    QVERIFY(plan.device == desktop::PlanDevice::demonstration);
+    QVERIFY(plan.movedBy(devices::MovedBy::scriptedOperator));
     QCOMPARE(plan.operatorName, QStringLiteral("expert"));
     QCOMPARE(plan.level, 2);
 }
@@ -119,7 +119,7 @@ void TestExerciseSetup::demonstrationIsNobodysScore() {
     TrainingBench bench;
     open(bench);
     tile(bench, QStringLiteral("setup.device.1"))->click();
-    QVERIFY(screen(bench)->plan().device == desktop::PlanDevice::demonstration);
+    QVERIFY(screen(bench)->plan().movedBy(devices::MovedBy::scriptedOperator));
     QCOMPARE(screen(bench)->plan().operatorName, QStringLiteral("expert"));
     QCOMPARE(tile(bench, QStringLiteral("setup.start"))->text(), QStringLiteral("Watch"));
     tile(bench, QStringLiteral("setup.start"))->click();

@@ -324,7 +324,7 @@ void TestTrainingParts::aPlanComesBackFromItsPlace() {
     TrainingPlan plan;
     plan.exercise = QStringLiteral("sphere_apex");
     plan.level = 3;
-    plan.device = PlanDevice::trace;
+    plan.driver = &devices::usualDriver(devices::MovedBy::recording);
     plan.operatorName = QStringLiteral("novice");
     plan.traceFile = QStringLiteral("/a/b.csv");
     plan.workspace = {.scale = 1.5, .origin_m = {0.01, -0.02, 0.03}, .leftHanded = true};
@@ -332,7 +332,7 @@ void TestTrainingParts::aPlanComesBackFromItsPlace() {
     const TrainingPlan again = TrainingPlan::fromMap(plan.toMap());
     QCOMPARE(again.toMap(), plan.toMap());
     QCOMPARE(TrainingPlan::fromMap({}).workspace.scale, 1.0);
-    QVERIFY(TrainingPlan::fromMap({{QStringLiteral("device"), QStringLiteral("lathe")}}).device == PlanDevice::mouse);
+    QVERIFY(TrainingPlan::fromMap({{QStringLiteral("device"), QStringLiteral("lathe")}}).ownHand());
 }
 
 QTEST_MAIN(TestTrainingParts)

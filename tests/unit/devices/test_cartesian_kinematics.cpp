@@ -133,9 +133,9 @@ private slots:
     }
 
     void everyDriverIsListedOnceAndFound() {
-        for (const devices::DriverEntry& entry : devices::driverCatalogue()) {
-            QVERIFY(!entry.title.empty() && !entry.needs.empty());
-            QVERIFY(devices::findDriver(entry.id) == &entry);
+        for (const devices::Driver* driver : devices::driverCatalogue()) {
+            QVERIFY(!driver->title.empty() && !driver->needs.empty());
+            QVERIFY(devices::findDriver(driver->id) == driver);
         }
         QVERIFY(devices::findDriver("keyboard_mouse") != nullptr);
         QVERIFY(devices::findDriver("replay") != nullptr);

@@ -29,8 +29,8 @@ session::SessionSetup onMechanism() {
         qFatal("%s", station.error().message.c_str());
     session::SessionSetup setup;
     setup.level = *catalogue->find("urethra_insertion", 3);
-    setup.devices = {station->devices[0]->descriptor()};
-    setup.mappings = station->mappings;
+    setup.devices = {station->tools[0].device->descriptor()};
+    setup.mappings = station->mappings();
     return setup;
 }
 
@@ -73,7 +73,7 @@ void TestDeviceFriction::countAtTheTip() {
     QVERIFY(std::abs(session::tipCount_m(coarse) - 3.0 * count) < 0.01 * count);
     const auto pointer = session::keyboardMouseStation({}, session::PointerTool::endoscope);
     QVERIFY(pointer.has_value());
-    const devices::DeviceDescriptor& mouse = pointer->devices[0]->descriptor();
+    const devices::DeviceDescriptor& mouse = pointer->tools[0].device->descriptor();
     QVERIFY(std::abs(session::tipCount_m(mouse) - mouse.axes[0].resolution) < 1e-15);
     devices::DeviceDescriptor unknown = setup.devices[0];
     unknown.kinematics = "hexapod";

@@ -44,8 +44,7 @@ session::Station pressers(std::size_t tools, const catalogue::ExerciseLevel& lev
         auto device = devices::SimulatedDevice::create(configuration, presser(i));
         if (!device)
             qFatal("%s", device.error().message.c_str());
-        station->devices.push_back(std::move(*device));
-        station->mappings.push_back(configuration.mapping);
+        station->tools.push_back({std::move(*device), configuration.mapping, {}});
     }
     return std::move(*station);
 }
@@ -57,9 +56,9 @@ struct Bench {
     explicit Bench(std::size_t tools) : station(pressers(tools, tests::shortLevel(1, 2, 20.0))) {
         std::vector<haptics::LoopTool> list;
         for (std::size_t i = 0; i < tools; ++i) {
-            if (auto opened = station.devices[i]->open(); !opened)
+            if (auto opened = station.tools[i].device->open(); !opened)
                 qFatal("%s", opened.error().message.c_str());
-            list.push_back({*station.devices[i], station.mappings[i]});
+            list.push_back({*station.tools[i].device, station.tools[i].mapping});
         }
         haptics::SafetySettings safety;
         safety.heartbeatWatched = false;

@@ -198,10 +198,10 @@ void TestLiveLink::mouseStationReachesTheSameBox() {
     for (const double scale : {0.5, 1.0, 2.0}) {
         auto station = session::keyboardMouseStation({.scale = scale, .origin_m = {0.010, 0.0, 0.0}});
         QVERIFY2(station, station ? "" : station.error().message.c_str());
-        QVERIFY(station->pointer);
+        QCOMPARE(station->pointers().size(), std::size_t(1));
         QVERIFY(station->operatorName.empty());
-        const devices::WorkspaceMap map(station->mappings.front());
-        const auto& axes = station->devices.front()->descriptor().axes;
+        const devices::WorkspaceMap map(station->tools.front().mapping);
+        const auto& axes = station->tools.front().device->descriptor().axes;
         const core::Vec3 low = map.pointToW({axes[0].minimum, axes[1].minimum, axes[2].minimum});
         const core::Vec3 high = map.pointToW({axes[0].maximum, axes[1].maximum, axes[2].maximum});
         QVERIFY((low - core::Vec3(-0.070, -0.080, -0.030)).norm() < 1e-9);

@@ -21,8 +21,8 @@ database::SessionId openSession(tests::SessionFixture& site, const std::function
     session::SessionSetup setup;
     setup.level = tests::shortLevel(2, 1, 5.0);
     auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), setup.level, "expert", 1);
-    setup.devices = {station->devices.front()->descriptor()};
-    setup.mappings = station->mappings;
+    setup.devices = {station->tools.front().device->descriptor()};
+    setup.mappings = station->mappings();
     setup.safety = session::headlessSafety(setup.level);
     database::NewSession columns = session::toNewSession(setup);
     columns.channelTable = session::channelTableFor(setup)->encode();

@@ -77,7 +77,7 @@ void TestRunTask::endOfATraceMarksThenEnds() {
     const auto device = traceOf(4.0);
     QVERIFY(device->open());
     Run run(*device, 60.0);
-    QVERIFY(run.go({.tickLimit = 100'000, .trace = device.get()}, 10'000));
+    QVERIFY(run.go({.tickLimit = 100'000, .device = device.get()}, 10'000));
     const std::uint64_t last = run.frames().back().header.index;
     QCOMPARE(run.commands(), (Commands{{last - 1, CommandKind::mark}, {last, CommandKind::end}}));
     QVERIFY(last >= 4000 && last < 4010);
@@ -90,7 +90,7 @@ void TestRunTask::endOfATraceBetweenTrialsOnlyEnds() {
     const auto device = traceOf(1.5);
     QVERIFY(device->open());
     Run run(*device, 1.0); // the first trial times out, the second is still to come
-    QVERIFY(run.go({.tickLimit = 100'000, .trace = device.get()}, 10'000));
+    QVERIFY(run.go({.tickLimit = 100'000, .device = device.get()}, 10'000));
     QVERIFY(run.frames().back().header.phase == core::TrialPhase::between);
     for (const auto& [tick, kind] : run.commands())
         QCOMPARE(kind, CommandKind::end);
@@ -111,7 +111,7 @@ void TestRunTask::cancelOfATraceDoesNotMark() {
     const auto device = traceOf(60.0);
     QVERIFY(device->open());
     Run run(*device, 60.0);
-    QVERIFY(run.go({.tickLimit = 100'000, .trace = device.get()}, 10'000, 5000));
+    QVERIFY(run.go({.tickLimit = 100'000, .device = device.get()}, 10'000, 5000));
     QVERIFY(run.frames()[5000].header.phase == core::TrialPhase::running); // there was something to mark
     QCOMPARE(run.commands().front().second, CommandKind::end);
     for (const core::HapticFrame& frame : run.frames())

@@ -15,8 +15,8 @@ session::SessionSetup usualSetup() {
     setup.level = tests::shortLevel(3, 2, 5.0);
     setup.seed = 0xfedcba9876543210ULL;
     auto station = session::scriptedStation(**session::exerciseKind("sphere_apex"), setup.level, "expert", 1);
-    setup.devices = {station->devices.front()->descriptor()};
-    setup.mappings = station->mappings;
+    setup.devices = {station->tools.front().device->descriptor()};
+    setup.mappings = station->mappings();
     setup.safety = session::headlessSafety(setup.level);
     return setup;
 }

@@ -86,8 +86,8 @@ private:
 core::ToolState poseOf(session::Station& station, int ticks = 1, std::size_t index = 0) {
     core::ToolState tool;
     realtime::TickSource source;
-    devices::IDevice& device = *station.devices.at(index);
-    const devices::WorkspaceMap map(station.mappings.at(index));
+    devices::IDevice& device = *station.tools.at(index).device;
+    const devices::WorkspaceMap map(station.tools.at(index).mapping);
     for (int n = 0; n < ticks; ++n) {
         const auto now = source.next(static_cast<std::int64_t>(n) * 1'000'000);
         tool = map.pose(device.kinematics(), device.read(now));
@@ -105,15 +105,15 @@ class TestStation : public QObject {
 private slots:
     void aMouseMovesWhatTheExerciseHolds() {
         auto point = session::keyboardMouseStation();
-        QVERIFY(point && point->pointer != nullptr && point->endoscope == nullptr);
+        QVERIFY(point && point->pointers().size() == 1 && point->endoscope() == nullptr);
         for (const double scale : {0.25, 1.0, 4.0}) {
             auto station = session::keyboardMouseStation({.scale = scale, .origin_m = {}}, PointerTool::endoscope);
-            QVERIFY(station && station->pointer == nullptr && station->endoscope != nullptr);
-            QVERIFY(station->devices[0]->open().has_value());
+            QVERIFY(station && station->pointers().empty() && station->endoscope() != nullptr);
+            QVERIFY(station->tools[0].device->open().has_value());
             const core::ToolState tool = poseOf(*station);
             QVERIFY((tool.p_WT - kBeforeTheEntrance).norm() < 3e-6); // whatever the scale
             QVERIFY((tool.q_WT * -Vec3::UnitZ() - Vec3::UnitY()).norm() < 1e-9);
-            station->endoscope->move({.advance_m = 0.010 / scale});
+            station->endoscope()->move({.advance_m = 0.010 / scale});
             QVERIFY((poseOf(*station, 300).p_WT - kBeforeTheEntrance - Vec3(0.0, 0.010, 0.0)).norm() < 6e-6);
         }
         QVERIFY(!session::keyboardMouseStation({.scale = 9.0, .origin_m = {}}, PointerTool::endoscope));
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(!refused); // a hand that takes D for W would grope beside its work
         QCOMPARE(refused.error().code, core::ErrorCode::wrongUse);
         const auto pointer = session::keyboardMouseStation(turned);
-        QVERIFY(pointer && !pointer->mappings.front().turned()); // a mouse has no base
+        QVERIFY(pointer && !pointer->tools.front().mapping.turned()); // a mouse has no base
     }
 
     /// What a workspace may be, to its ends.
@@ -175,7 +175,7 @@ private slots:
         level.mounting.clear();
         const auto station = [&](const session::WorkspaceChoice& chosen) {
             auto made = session::scriptedStation(**kind, level, "expert", 5, mechanisms::PolarMap::exact, {}, chosen);
-            return made ? made->mappings : std::vector<devices::WorkspaceMapping>{};
+            return made ? made->mappings() : std::vector<devices::WorkspaceMapping>{};
         };
         const auto usual = station({});
         QVERIFY(usual.size() == 2 && !usual[0].turned());
@@ -191,12 +191,12 @@ private slots:
         const auto straight = station({.scale = 1.0, .origin_m = {}, .leftHanded = false, .turn_rad = {}, .turnGiven = true});
         QVERIFY(!straight[1].turned());
         const auto pointer = session::keyboardMouseStation({}, **kind, level);
-        QVERIFY(pointer && !pointer->mappings[1].turned() && pointer->mappings[1].scale == 1.0); // a mouse is mounted nowhere
+        QVERIFY(pointer && !pointer->tools[1].mapping.turned() && pointer->tools[1].mapping.scale == 1.0); // a mouse is mounted nowhere
         const catalogue::ExerciseLevel& fold = *catalogue->find("elastic_tube", 6); // two hands and a retractor
         const auto three = session::scriptedStation(**kind, fold, "novice", 5);
-        QVERIFY(three && three->devices.size() == 3 && three->mappings[2].turned() && three->mappings[2].origin_m[1] > 0.0);
+        QVERIFY(three && three->tools.size() == 3 && three->tools[2].mapping.turned() && three->tools[2].mapping.origin_m[1] > 0.0);
         const auto mouse = session::keyboardMouseStation({}, **kind, fold);
-        QVERIFY(mouse && mouse->graspers.size() == 3);
+        QVERIFY(mouse && mouse->pointers().size() == 3);
         level.mounting[1].turn_rad[0] = 1.0; // stored content that no schema saw
         QVERIFY(station({}).empty());
     }
@@ -204,14 +204,14 @@ private slots:
     void theScriptedOperatorHoldsTheMechanismOfTheExercise() {
         auto endoscope = session::scriptedStation(AnyKind("five_bar_spherical"), {}, "stayer", 5);
         QVERIFY(endoscope.has_value());
-        QCOMPARE(endoscope->devices[0]->descriptor().kinematics, std::string("five_bar_spherical"));
-        QVERIFY(endoscope->devices[0]->open().has_value());
+        QCOMPARE(endoscope->tools[0].device->descriptor().kinematics, std::string("five_bar_spherical"));
+        QVERIFY(endoscope->tools[0].device->open().has_value());
         const core::ToolState tool = poseOf(*endoscope);
         QVERIFY((tool.p_WT - kBeforeTheEntrance).norm() < 30e-6);
         QVERIFY((tool.q_WT * -Vec3::UnitZ() - Vec3::UnitY()).norm() < 3e-4);
         auto gimbal = session::scriptedStation(AnyKind("gimbal_hprd"), {}, "stayer", 5);
         QVERIFY(gimbal.has_value());
-        QCOMPARE(gimbal->devices[0]->descriptor().kinematics, std::string("gimbal_hprd"));
+        QCOMPARE(gimbal->tools[0].device->descriptor().kinematics, std::string("gimbal_hprd"));
         const auto unknown = session::scriptedStation(AnyKind("hexapod"), {}, "stayer", 5);
         QVERIFY(!unknown && unknown.error().code == core::ErrorCode::wrongUse);
         QVERIFY(unknown.error().message.find("hexapod") != std::string::npos);
@@ -234,7 +234,7 @@ private slots:
         }
         auto station = session::traceStation(*scoring::readTraceCsv(text, "with.csv"), PointerTool::endoscope);
         QVERIFY(station.has_value());
-        QVERIFY(station->devices[0]->open().has_value());
+        QVERIFY(station->tools[0].device->open().has_value());
         QVERIFY(poseOf(*station).q_WT.angularDistance(poseAt(0)) < 3e-6);
         const core::ToolState last = poseOf(*station, 600);
         QVERIFY(last.q_WT.angularDistance(poseAt(50)) < 3e-6);
@@ -253,27 +253,27 @@ private slots:
     void aMouseMovesOneOfSeveralGraspers() {
         for (const bool leftHanded : {false, true}) {
             auto station = session::keyboardMouseStation({.origin_m = {0.010, 0.0, 0.0}, .leftHanded = leftHanded}, Graspers(2), {});
-            QVERIFY(station && station->pointer == nullptr && station->graspers.size() == 2 && station->devices.size() == 2);
-            for (auto& device : station->devices)
-                QVERIFY(device->open().has_value());
+            QVERIFY(station && station->pointers().size() == 2 && station->tools.size() == 2);
+            for (auto& tool : station->tools)
+                QVERIFY(tool.device->open().has_value());
             const core::ToolState right = poseOf(*station, 1, 0);
             QVERIFY((right.p_WT - Vec3(0.070, 0.0, 0.060)).norm() < 3e-6);
             QVERIFY((poseOf(*station, 1, 1).p_WT - Vec3(-0.050, 0.0, 0.060)).norm() < 3e-6);
             QCOMPARE(right.jaw_rad, 1.6);
-            station->graspers[1]->move(0.0, 0.004, 0.0);
-            station->graspers[1]->setJawRate(-1.0);
+            station->pointers()[1]->move(0.0, 0.004, 0.0);
+            station->pointers()[1]->setJawRate(-1.0);
             QVERIFY((poseOf(*station, 300, 0).p_WT - right.p_WT).norm() < 1e-9);
             const core::ToolState left = poseOf(*station, 300, 1);
             QVERIFY(std::abs(left.p_WT.y() - 0.004) < 3e-6 && std::abs(left.jaw_rad - 1.3) < 2e-3);
             for (std::size_t tool = 0; tool < 2; ++tool) { // to the same edge of W: 80 mm from the middle
-                station->graspers[tool]->move(leftHanded ? -1.0 : 1.0, 0.0, 0.0);
+                station->pointers()[tool]->move(leftHanded ? -1.0 : 1.0, 0.0, 0.0);
                 QVERIFY(std::abs(poseOf(*station, 800, tool).p_WT.x() - 0.090) < 3e-6);
             }
         }
         QVERIFY(!session::keyboardMouseStation({}, Graspers(0), {}));
         QVERIFY(!session::keyboardMouseStation({}, Graspers(5), {}));
         const auto point = session::keyboardMouseStation({}, AnyKind("gimbal_hprd"), {});
-        QVERIFY(point && point->pointer != nullptr && point->graspers.empty());
+        QVERIFY(point && point->pointers().size() == 1);
     }
 
     /// A finger that palpates begins just above the skin, on every level, wherever the workspace was shifted and however it is scaled.
@@ -289,8 +289,8 @@ private slots:
                                                            session::WorkspaceChoice{.scale = 0.5, .leftHanded = true}}) {
                 auto station = session::keyboardMouseStation(choice, **kind, level);
                 QVERIFY(station.has_value());
-                for (std::size_t tool = 0; tool < station->devices.size(); ++tool) {
-                    QVERIFY(station->devices[tool]->open().has_value());
+                for (std::size_t tool = 0; tool < station->tools.size(); ++tool) {
+                    QVERIFY(station->tools[tool].device->open().has_value());
                     const Vec3 p_WT = poseOf(*station, 1, tool).p_WT;
                     const double above_m = p_WT.z() - surface.pointAt(p_WT.head<2>()).z();
                     QVERIFY2(std::abs(above_m - 0.005) < 1e-5, qPrintable(QStringLiteral("%1: %2 m").arg(QString::fromStdString(level.id)).arg(above_m)));
@@ -300,18 +300,18 @@ private slots:
         }
         QVERIFY(levels >= 5);
         auto ball = session::keyboardMouseStation({}, **session::exerciseKind("sphere_apex"), catalogue->find("sphere_apex")->levels.front());
-        QVERIFY(ball.has_value() && ball->devices.front()->open().has_value());
+        QVERIFY(ball.has_value() && ball->tools.front().device->open().has_value());
         QVERIFY(std::abs(poseOf(*ball, 1, 0).p_WT.z() - 0.060) < 1e-5); // a hidden ball has to be looked for from above
     }
 
     /// Each hand at its own gimbal, at its own place, with a tremor of its own; all with jaws.
     void everyInstrumentHasItsGimbal() {
         auto station = session::scriptedStation(Graspers(4), {}, "stayer", 5, mechanisms::PolarMap::asPublished);
-        QVERIFY(station && station->devices.size() == 4);
-        for (auto& device : station->devices) {
-            QVERIFY(device->open().has_value());
-            QVERIFY(device->descriptor().jawResolution_rad > 0.0);
-            QCOMPARE(device->descriptor().kinematicsParameters.at(1), 1.0);
+        QVERIFY(station && station->tools.size() == 4);
+        for (auto& tool : station->tools) {
+            QVERIFY(tool.device->open().has_value());
+            QVERIFY(tool.device->descriptor().jawResolution_rad > 0.0);
+            QCOMPARE(tool.device->descriptor().kinematicsParameters.at(1), 1.0);
         }
         for (std::size_t tool = 0; tool < 4; ++tool)
             QVERIFY((poseOf(*station, 1, tool).p_WT - Vec3(tool % 2 == 0 ? 0.060 : -0.060, 0.0, 0.050)).norm() < 60e-6);
@@ -330,16 +330,16 @@ private slots:
         const auto rows = scoring::readTraceCsv(text, "two.csv");
         QVERIFY(rows.has_value());
         auto station = session::traceStation(*rows, PointerTool::grasper, 2);
-        QVERIFY(station && station->devices.size() == 2 && station->mappings.size() == 2);
-        for (auto& device : station->devices)
-            QVERIFY(device->open().has_value());
+        QVERIFY(station && station->tools.size() == 2 && station->mappings().size() == 2);
+        for (auto& tool : station->tools)
+            QVERIFY(tool.device->open().has_value());
         QVERIFY((poseOf(*station, 51, 0).p_WT - Vec3(0.005, 0.0, 0.050)).norm() < 2e-6);
         QVERIFY(std::abs(poseOf(*station, 49, 0).jaw_rad - 0.99) < 1e-5);
         QVERIFY((poseOf(*station, 50, 1).p_WT - Vec3(-0.020, 0.0, 0.040)).norm() < 2e-6); // not before its time
         QVERIFY((poseOf(*station, 51, 1).p_WT - Vec3(-0.020, 0.0, 0.035)).norm() < 2e-6);
-        QVERIFY(!station->trace->finished());
+        QVERIFY(!station->tools.front().device->finished());
         QVERIFY((poseOf(*station, 60, 0).p_WT - Vec3(0.010, 0.0, 0.050)).norm() < 2e-6);
-        QVERIFY(station->trace->finished());
+        QVERIFY(station->tools.front().device->finished());
     }
 
     void aTraceThatLacksAToolIsRefused() {

@@ -25,9 +25,9 @@ core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level,
     SessionSetup setup;
     setup.level = level;
     setup.seed = seed;
-    setup.mappings = station.mappings;
-    for (const auto& device : station.devices)
-        setup.devices.push_back(device->descriptor());
+    setup.mappings = station.mappings();
+    for (const auto& tool : station.tools)
+        setup.devices.push_back(tool.device->descriptor());
     auto positions = ToolPositions::create(setup);
     if (!positions)
         return tl::unexpected(positions.error());

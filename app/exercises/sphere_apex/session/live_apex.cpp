@@ -55,7 +55,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
                                                                            const ConductedSitting& sitting, LiveStudyRequest request) {
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
-    const RenderingLimits limits = limitsAt(request.station.devices.front()->descriptor(), request.measuredDelay_s);
+    const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     if (auto possible = renderable(study, condition, limits); !possible)
         return tl::unexpected(possible.error()); // before a run is begun
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "devices/api/device.h"
-#include "devices/drivers/endoscope_pointer/endoscope_mailbox.h"
+#include "devices/api/endoscope_mailbox.h"
 #include "devices/drivers/endoscope_pointer/endoscope_pose_kinematics.h"
 #include "devices/drivers/keyboard_mouse/motion_intake.h"
 

@@ -4,7 +4,7 @@
 #include "devices/api/device.h"
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 #include "devices/drivers/keyboard_mouse/motion_intake.h"
-#include "devices/drivers/keyboard_mouse/pointer_mailbox.h"
+#include "devices/api/pointer_mailbox.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "devices/drivers/keyboard_mouse/motion_mailbox.h"
+#include "devices/api/motion_mailbox.h"
 
 #include <algorithm>
 

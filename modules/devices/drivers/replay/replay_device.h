@@ -2,6 +2,7 @@
 #pragma once
 
 #include "devices/api/device.h"
+#include "devices/api/trace_point.h"
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 
 #include <atomic>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace chiron::devices {
-
-/// One row of a trace, in W, which is this device's D: its workspace mapping is the identity.
-struct TracePoint {
-    double t_s = 0.0;
-    core::Vec3 p_WT_m = core::Vec3::Zero();
-    std::optional<core::Quat> q_WT = std::nullopt; ///< all rows have one, or none
-    double jaw_rad = 0.0;
-    std::uint32_t buttons = 0;
-};
 
 /// Plays a trace: resampled to one sample a tick from its first row on, positions and jaw linearly, orientation by slerp,
 /// buttons held from row to row (one that is pressed and released between two ticks shows for one tick), quantised to
@@ -36,7 +28,7 @@ public:
     /// a position beyond 10 m or a jaw beyond 2π; an orientation that is not a unit quaternion within 1 %, or is missing in some rows.
     static core::Result<std::unique_ptr<ReplayDevice>> create(const std::vector<TracePoint>& trace);
 
-    bool finished() const noexcept { return m_finished.load(std::memory_order_acquire); }
+    bool finished() const noexcept override { return m_finished.load(std::memory_order_acquire); }
     std::size_t ticks() const noexcept { return m_samples.size(); } ///< how long the trace is
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }

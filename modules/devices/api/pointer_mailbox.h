@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/drivers/keyboard_mouse/motion_mailbox.h"
+#include "devices/api/motion_mailbox.h"
 
 namespace chiron::devices {
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "core/result.h"
+#include "devices/api/device.h"
+#include "devices/api/hand_input.h"
+#include "devices/api/trace_point.h"
+#include "mechanisms/gimbal_kinematics.h"
+#include "mechanisms/hand_parameters.h"
+#include "mechanisms/hand_strategy.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chiron::devices {
+
+/// What kind of tool an exercise is done with.
+enum class ToolShape { point, endoscope, grasper };
+
+/// Who or what moves the tools of a driver: it decides what a screen asks before a session, and whose session it is.
+enum class MovedBy { person, scriptedOperator, recording };
+
+/// One tool of a session, as its driver is asked for it.
+struct ToolRequest {
+    WorkspaceMapping mapping{};                         ///< where its workspace lies in W
+    std::optional<double> startHeight_m{};              ///< z in W where a point begins; empty: as the driver begins
+    std::unique_ptr<mechanisms::HandStrategy> strategy{}; ///< MovedBy::scriptedOperator: never null
+    std::vector<TracePoint> trace{};                    ///< MovedBy::recording: never empty
+};
+
+/// What a session asks of a driver. A driver reads what concerns it and leaves the rest.
+struct DriverRequest {
+    ToolShape shape = ToolShape::point;
+    std::vector<ToolRequest> tools;
+    double scale = 1.0;                           ///< of a person's workspace, 0.25 to 4; the box of W stays the same
+    std::array<double, 3> middle_m{};             ///< of the box of W that all graspers reach
+    double widestJaw_rad = 0.0;                   ///< of a point that has a jaw; 0: none
+    core::Vec3 endoscopeStart_W = core::Vec3::Zero(); ///< where an endoscope's tip begins, m
+    std::string mechanism;                        ///< kinematics id, for a driver with several mechanisms
+    mechanisms::HandParameters hand;              ///< of a scripted operator
+    std::uint64_t seed = 1;                       ///< of its tremor
+    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< how a gimbal renders force
+    double frictionCompensation = 0.0;            ///< share of the Coulomb friction that is fed forward, 0 to 0.8
+    int fingersPerHand = 1;                       ///< tools of one hand that share an arm: tool = hand · fingersPerHand + finger
+    double fingerSpacing_m = 0.0;                 ///< from one pad to the next
+};
+
+/// A device that a driver made. It is not open yet (IDevice::open()).
+struct DriverTool {
+    std::unique_ptr<IDevice> device{};
+    HandInput input{};                         ///< of the device
+    std::optional<std::size_t> standsOn{};     ///< an earlier tool of the request on whose base this one stands; empty: on its own
+};
+
+/// A device that is there to be used.
+struct FoundDevice {
+    std::string model;        ///< for people
+    std::string serialNumber; ///< empty where the device tells none
+};
+
+/// A kind of kinematics that stored sessions of a driver name.
+struct KinematicsEntry {
+    std::string_view id; ///< DeviceDescriptor::kinematics
+    core::Result<std::unique_ptr<IToolKinematics>> (*make)(const DeviceDescriptor& descriptor);
+};
+
+/// One driver: everything that the rest of the program knows of it. Static data; its functions allocate and may block, so not in
+/// the tick.
+struct Driver {
+    std::string_view id;       ///< DeviceDescriptor::driver
+    std::string_view title;    ///< English; translated where it is shown
+    std::string_view needs;    ///< what must be there to use it
+    std::string_view planWord; ///< as a stored plan names it
+    DeviceClass deviceClass;   ///< as the descriptors of its devices say
+    MovedBy movedBy;
+    std::span<const KinematicsEntry> kinematics;
+
+    /// The devices that are there now; empty where none is. Never throws.
+    std::vector<FoundDevice> (*discover)();
+    /// One tool for each that is asked for, in that order. Failure: badInput or wrongUse, saying what does not fit.
+    core::Result<std::vector<DriverTool>> (*open)(DriverRequest request);
+};
+
+/// KinematicsEntry::make of a class with a create(descriptor).
+template <class Kinematics>
+core::Result<std::unique_ptr<IToolKinematics>> makeKinematicsOf(const DeviceDescriptor& descriptor) {
+    auto made = Kinematics::create(descriptor);
+    if (!made)
+        return tl::unexpected(made.error());
+    return std::make_unique<Kinematics>(*made);
+}
+
+} // namespace chiron::devices

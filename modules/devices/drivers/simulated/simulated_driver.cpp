@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/simulated/simulated_driver.h"
+
+#include "core/random.h"
+#include "devices/drivers/simulated/fingertip_arm_kinematics.h"
+#include "devices/drivers/simulated/fingertip_sliding_kinematics.h"
+#include "devices/drivers/simulated/simulated_device.h"
+#include "devices/drivers/simulated/simulated_endoscope_device.h"
+#include "devices/drivers/simulated/simulated_fingertip_device.h"
+#include "devices/drivers/simulated/simulated_second_finger.h"
+
+#include <algorithm>
+
+namespace chiron::devices {
+
+namespace {
+using Tools = core::Result<std::vector<DriverTool>>;
+
+/// Each hand trembles for itself; the first one as a single hand does.
+std::uint64_t seedOfHand(std::uint64_t seed, std::size_t hand) {
+    return hand == 0 ? seed : core::Random::mix(seed, "hand " + std::to_string(hand));
+}
+
+/// One device for each hand.
+template <class Device> Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& request) {
+    std::vector<DriverTool> made;
+    for (std::size_t i = 0; i < request.tools.size(); ++i) {
+        typename Device::Configuration configuration = usual;
+        configuration.seed = seedOfHand(request.seed, i);
+        configuration.hand = request.hand;
+        configuration.mapping = request.tools[i].mapping;
+        auto device = Device::create(configuration, std::move(request.tools[i].strategy));
+        if (!device)
+            return tl::unexpected(device.error());
+        made.push_back({std::move(*device)});
+    }
+    return made;
+}
+
+Tools makeGimbals(DriverRequest& request) {
+    SimulatedDevice::Configuration configuration;
+    configuration.map = request.map;
+    configuration.frictionCompensation = request.frictionCompensation;
+    if (request.shape == ToolShape::grasper)
+        configuration.jaw = mechanisms::JawParameters{};
+    return makeDevices<SimulatedDevice>(configuration, request);
+}
+
+Tools makeFiveBars(DriverRequest& request) {
+    SimulatedEndoscopeDevice::Configuration configuration;
+    configuration.start_D = request.endoscopeStart_W; // D is W where nothing else is said
+    return makeDevices<SimulatedEndoscopeDevice>(configuration, request);
+}
+
+/// One arm for each hand; further fingers of a hand are tools on the first one's arm.
+Tools makeFingers(DriverRequest& request) {
+    std::vector<DriverTool> made;
+    const SimulatedFingertipDevice* hand = nullptr;
+    for (std::size_t i = 0; i < request.tools.size(); ++i) {
+        const int finger = static_cast<int>(i) % std::max(request.fingersPerHand, 1);
+        const std::uint64_t seed = seedOfHand(request.seed, i);
+        if (finger > 0) {
+            auto device = SimulatedSecondFinger::create(*hand, {finger * request.fingerSpacing_m, 0.0, 0.0}, seed,
+                                                        std::move(request.tools[i].strategy));
+            if (!device)
+                return tl::unexpected(device.error());
+            made.push_back({std::move(*device), {}, i - static_cast<std::size_t>(finger)});
+            continue;
+        }
+        SimulatedFingertipDevice::Configuration configuration;
+        configuration.seed = seed;
+        configuration.hand = request.hand;
+        configuration.mapping = request.tools[i].mapping;
+        auto device = SimulatedFingertipDevice::create(configuration, std::move(request.tools[i].strategy));
+        if (!device)
+            return tl::unexpected(device.error());
+        hand = device->get();
+        made.push_back({std::move(*device)});
+    }
+    return made;
+}
+
+Tools openMechanisms(DriverRequest request) {
+    if (request.mechanism == FiveBarSphericalKinematics::kId)
+        return makeFiveBars(request);
+    if (request.mechanism == GimbalHprdKinematics::kId)
+        return makeGimbals(request);
+    if (request.mechanism == FingertipArmKinematics::kId)
+        return makeFingers(request);
+    return core::fail(core::ErrorCode::wrongUse, "no simulated mechanism \"" + request.mechanism + "\"");
+}
+
+std::vector<FoundDevice> discoverMechanisms() { return {{"simulated mechanism", {}}}; }
+
+core::Result<std::unique_ptr<IToolKinematics>> makeArm(const DeviceDescriptor& descriptor) {
+    // Sessions of models id 1 and 2 have an arm of three sliding axes under the same id.
+    const bool slides = !descriptor.axes.empty() && descriptor.axes.front().unit == AxisUnit::metre;
+    return slides ? makeKinematicsOf<FingertipSlidingKinematics>(descriptor) : makeKinematicsOf<FingertipArmKinematics>(descriptor);
+}
+
+constexpr KinematicsEntry kMechanismKinematics[]{
+    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>},
+    {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>},
+    {FingertipArmKinematics::kId, makeArm},
+};
+} // namespace
+
+const Driver kSimulatedDriver{
+    .id = "simulated",
+    .title = "Simulated mechanism with a scripted hand",
+    .needs = "nothing",
+    .planWord = "demonstration",
+    .deviceClass = DeviceClass::felt,
+    .movedBy = MovedBy::scriptedOperator,
+    .kinematics = kMechanismKinematics,
+    .discover = discoverMechanisms,
+    .open = openMechanisms,
+};
+
+} // namespace chiron::devices

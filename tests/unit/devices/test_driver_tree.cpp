@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+
+namespace {
+
+/// Shared files that still name or include a driver, each with the reason. The list may only shrink.
+struct KeptFile {
+    const char* path;
+    const char* why;
+};
+constexpr KeptFile kKept[]{
+    {"app/cli/commands/device_commands.cpp", "device check measures the simulated gimbal itself"},
+    {"app/cli/session_output.cpp", "the gimbal's force map is named by its kinematics id"},
+    {"app/desktop/plots/session_words.cpp", "translated names of stored devices"},
+    {"app/desktop/station/station_words.cpp", "translated titles; a driver that is not named here shows its own"},
+    {"app/session/friction_felt.cpp", "measures the friction of the simulated gimbal"},
+    {"app/session/replayer.cpp", "a replay stands RecordedDevice in for any device"},
+    {"app/session/site.cpp", "the gimbal's force map is asked of its kinematics id"},
+    {"app/session/study/simulated_limits.cpp", "limits of the simulated gimbal for planning a study"},
+    {"app/session/study/study_setup.cpp", "the simulated participant holds the simulated gimbal"},
+};
+
+QSet<QString> driverFolders() {
+    const QDir drivers(QStringLiteral(CHIRON_SOURCE_DIR "/modules/devices/drivers"));
+    const QStringList names = drivers.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    return QSet<QString>(names.begin(), names.end());
+}
+
+/// Whether a source includes a file of a driver, or asks whether a driver's id is this one.
+bool namesADriver(const QString& source, const QSet<QString>& drivers) {
+    for (const QString& driver : drivers) {
+        const QString asked = QStringLiteral("[dD]river(\\.id)?\\s*[=!]=\\s*(QLatin1String\\(|QStringLiteral\\()?\"%1\"|id == \"%1\"").arg(driver);
+        if (source.contains(QStringLiteral("#include \"devices/drivers/%1/").arg(driver)) || source.contains(QRegularExpression(asked)))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+/// Adding a driver touches its own folder and one line: no shared source may name one.
+class TestDriverTree : public QObject {
+    Q_OBJECT
+
+private slots:
+    void noSharedSourceNamesADriver() {
+        const QSet<QString> drivers = driverFolders();
+        QVERIFY(drivers.contains(QStringLiteral("keyboard_mouse")));
+        const QDir root(QStringLiteral(CHIRON_SOURCE_DIR));
+        QStringList found;
+        for (const char* floor : {"app", "curriculum", "database", "modules"}) {
+            QDirIterator files(root.filePath(QLatin1String(floor)), {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext()) {
+                QFile file(files.next());
+                const QString path = root.relativeFilePath(file.fileName());
+                if (path.startsWith(QStringLiteral("modules/devices/drivers/")) || path == QStringLiteral("modules/devices/driver_catalogue.cpp"))
+                    continue;
+                QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
+                if (namesADriver(QString::fromUtf8(file.readAll()), drivers))
+                    found << path;
+            }
+        }
+        found.sort();
+        QStringList kept;
+        for (const KeptFile& file : kKept)
+            kept << QLatin1String(file.path);
+        QCOMPARE(found.join('\n'), kept.join('\n')); // a file that names none any more leaves the list
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDriverTree)
+#include "test_driver_tree.moc"

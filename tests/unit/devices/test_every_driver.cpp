@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tool_state.h"
+#include "devices/driver_catalogue.h"
+#include "devices/kinematics_catalogue.h"
+#include "mechanisms/scripted_motion.h"
+
+#include <QtTest>
+#include <cmath>
+#include <set>
+
+using namespace chiron;
+
+namespace {
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+
+/// A request that any driver can serve: one point, and whatever may move it.
+devices::DriverRequest requestFor(std::string_view mechanism) {
+    devices::DriverRequest request;
+    request.mechanism = std::string(mechanism);
+    request.endoscopeStart_W = {0.0, -0.069, 0.0};
+    devices::ToolRequest tool;
+    const core::Vec3 start = mechanism == "five_bar_spherical" ? core::Vec3(0.0, -0.069, 0.0) : core::Vec3(0.0, 0.0, 0.05);
+    tool.strategy = std::make_unique<mechanisms::ScriptedMotion>(start);
+    tool.trace = {{0.0, {0.0, 0.0, 0.05}}, {1.0, {0.01, 0.0, 0.05}}};
+    request.tools.push_back(std::move(tool));
+    return request;
+}
+
+/// A request that none can serve: no such scale, no such mechanism, nobody and nothing that moves the tool.
+devices::DriverRequest wrongRequest() {
+    devices::DriverRequest request;
+    request.scale = 0.0;
+    request.mechanism = "hexapod";
+    request.tools.emplace_back();
+    return request;
+}
+
+void isValid(const devices::DeviceDescriptor& descriptor) {
+    QVERIFY(!descriptor.model.empty());
+    QVERIFY(!descriptor.axes.empty() && descriptor.axes.size() <= std::size_t(core::kMaxCoordinates));
+    std::set<std::string> ids;
+    for (const devices::AxisDescriptor& axis : descriptor.axes) {
+        QVERIFY2(ids.insert(axis.id).second, axis.id.c_str());
+        QVERIFY2(axis.resolution > 0.0 && axis.minimum <= axis.maximum, axis.id.c_str());
+        QVERIFY2(axis.continuousRating >= 0.0 && axis.coulombFriction >= 0.0 && axis.viscousFriction >= 0.0, axis.id.c_str());
+    }
+    QVERIFY(descriptor.period_us > 0);
+    QVERIFY(std::isfinite(descriptor.maximumDamping_Ns_per_m) && descriptor.maximumDamping_Ns_per_m > 0.0);
+    QVERIFY(descriptor.frictionCompensation >= 0.0 && descriptor.frictionCompensation <= 1.0);
+    if (!descriptor.rendersForce)
+        QVERIFY(descriptor.maximumForce_N == 0.0 && descriptor.maximumTorque_Nm == 0.0);
+}
+} // namespace
+
+/// What every registered driver has to keep. A new driver is asked by its line in the catalogue alone.
+class TestEveryDriver : public QObject {
+    Q_OBJECT
+
+    static void eachDriver() {
+        QTest::addColumn<QString>("id");
+        for (const devices::Driver* driver : devices::driverCatalogue())
+            QTest::newRow(std::string(driver->id).c_str()) << text(driver->id);
+    }
+    static const devices::Driver& current() {
+        QFETCH(QString, id);
+        return *devices::findDriver(id.toStdString());
+    }
+
+private slots:
+    void idsAndWordsAreUnique() {
+        std::set<std::string_view> ids;
+        std::set<std::string_view> words;
+        for (const devices::Driver* driver : devices::driverCatalogue()) {
+            QVERIFY(!driver->id.empty() && !driver->title.empty() && !driver->needs.empty() && !driver->planWord.empty());
+            QVERIFY(ids.insert(driver->id).second && words.insert(driver->planWord).second);
+            QCOMPARE(devices::findDriver(driver->id), driver);
+            QCOMPARE(devices::findDriverOfPlan(driver->planWord), driver);
+        }
+        QVERIFY(!devices::findDriver("lathe") && !devices::findDriverOfPlan("lathe"));
+    }
+
+    /// Stored plans and the output of the command line name drivers so: neither may change.
+    void storedWordsAndOrderAreKept() {
+        QStringList all;
+        for (const devices::Driver* driver : devices::driverCatalogue())
+            all << text(driver->id) + '=' + text(driver->planWord);
+        QCOMPARE(all.mid(0, 3), QStringList({"simulated=demonstration", "keyboard_mouse=mouse", "replay=trace"}));
+    }
+
+    void thereIsAUsualOneForEachMover() {
+        for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
+            QVERIFY(devices::usualDriver(mover).movedBy == mover);
+    }
+
+    void discoveryNeedsNoHardware_data() { eachDriver(); }
+    void discoveryNeedsNoHardware() {
+        for (const devices::FoundDevice& found : current().discover())
+            QVERIFY(!found.model.empty());
+    }
+
+    /// What is felt, limits and damping come from the descriptor, and the catalogue says the same.
+    void itsDevicesAreAsItSays_data() { eachDriver(); }
+    void itsDevicesAreAsItSays() {
+        const devices::Driver& driver = current();
+        QVERIFY(!driver.kinematics.empty());
+        for (const devices::KinematicsEntry& kinematics : driver.kinematics) {
+            auto made = driver.open(requestFor(kinematics.id));
+            QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+            QCOMPARE(made->size(), std::size_t(1));
+            devices::IDevice& device = *made->front().device;
+            const devices::DeviceDescriptor& descriptor = device.descriptor();
+            QCOMPARE(text(descriptor.driver), text(driver.id));
+            QVERIFY(descriptor.deviceClass() == driver.deviceClass);
+            isValid(descriptor);
+            QVERIFY(devices::makeKinematics(descriptor).has_value());
+            QVERIFY(device.open().has_value());
+            QVERIFY(!device.finished());
+            device.close();
+        }
+    }
+
+    void aWrongChoiceSaysWhy_data() { eachDriver(); }
+    void aWrongChoiceSaysWhy() {
+        const auto refused = current().open(wrongRequest());
+        QVERIFY(!refused);
+        QVERIFY(!refused.error().message.empty());
+        QVERIFY(refused.error().code == core::ErrorCode::badInput || refused.error().code == core::ErrorCode::wrongUse);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEveryDriver)
+#include "test_every_driver.moc"
