@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "devices/drivers/replay/replay_device.h"
 #include "session/run_task.h"
 #include "support/haptic_bench.h"
 
