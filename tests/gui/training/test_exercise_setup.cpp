@@ -171,7 +171,7 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     tile(bench, QStringLiteral("setup.start"))->click();
     pressGo(bench.desktop);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
-    const devices::WorkspaceMapping& mapping = bench.screen()->feed()->training().station().mappings().front();
+    const devices::WorkspaceMapping mapping = bench.screen()->feed()->training().station().mappings().front();
     QCOMPARE(mapping.scale, 1.5);
     QCOMPARE(mapping.origin_m[1], -0.004);
     QVERIFY(mapping.leftHanded);
@@ -208,7 +208,7 @@ void TestExerciseSetup::aDemonstrationCanBeMountedOtherwise() {
     tile(bench, QStringLiteral("setup.start"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 15'000);
     const auto expected = session::mappingOf({.turn_rad = {core::radFromDeg(20.0), core::radFromDeg(-10.0), 0.0}});
-    const auto& q_WD = bench.screen()->feed()->training().station().mappings().front().q_WD;
+    const auto q_WD = bench.screen()->feed()->training().station().mappings().front().q_WD;
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY(std::abs(q_WD[i] - expected->q_WD[i]) < 1e-12);
 }
