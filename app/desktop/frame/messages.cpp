@@ -5,11 +5,11 @@
 
 namespace chiron::desktop {
 
-void Messages::error(const QString& what, const core::Error& error) {
-    tell({MessageKind::error, what + QLatin1Char('\n') + inWords(error), {}, {}});
+void Messages::error(const QString& what, const core::Error& error, Attempt attempt) {
+    tell({MessageKind::error, what + QLatin1Char('\n') + inWords(error, attempt), {}, {}});
 }
 
-QString inWords(const core::Error& error) {
+QString inWords(const core::Error& error, Attempt attempt) {
     const auto words = [](const char* text) { return QCoreApplication::translate("ErrorWords", text); };
     QString advice;
     switch (error.code) {
@@ -17,11 +17,17 @@ QString inWords(const core::Error& error) {
         advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
         break;
     case core::ErrorCode::notFound:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It no longer exists or was never created. Nothing was changed."));
+        advice = attempt == Attempt::opening
+                     ? words(QT_TRANSLATE_NOOP("ErrorWords", "A file that the site needs is missing. Put it back, then try again. Nothing was "
+                                                             "changed."))
+                     : words(QT_TRANSLATE_NOOP("ErrorWords", "It no longer exists or was never created. Nothing was changed."));
         break;
     case core::ErrorCode::storage:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be saved. What was recorded before is kept; check the free space and "
-                                                       "try again."));
+        advice = attempt == Attempt::saving
+                     ? words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be saved. What was recorded before is kept; check the free space "
+                                                             "and try again."))
+                     : words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be read. Check that the drive is connected and that you may read "
+                                                             "the file, then try again. Nothing was changed."));
         break;
     case core::ErrorCode::locked:
         advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Another program is writing to this database. Close the database there, then try "
@@ -38,7 +44,9 @@ QString inWords(const core::Error& error) {
         break;
     case core::ErrorCode::wrongUse:
     case core::ErrorCode::badInput:
-        advice = words(QT_TRANSLATE_NOOP("ErrorWords", "The input is not valid. Nothing was changed."));
+        advice = attempt == Attempt::saving
+                     ? words(QT_TRANSLATE_NOOP("ErrorWords", "The input is not valid. Nothing was changed."))
+                     : words(QT_TRANSLATE_NOOP("ErrorWords", "The stored data are not valid. Nothing was changed."));
         break;
     }
     return QCoreApplication::translate("ErrorWords", "%1\nDetails: %2").arg(advice, QString::fromStdString(error.message));

@@ -9,6 +9,13 @@
 
 namespace chiron::desktop {
 
+/// What was tried when an error came: its words must not say "saved" where something was only read.
+enum class Attempt {
+    saving,  ///< or changing, making, running
+    reading, ///< of what is stored
+    opening, ///< of the site itself
+};
+
 enum class MessageKind { done, information, warning, error };
 
 /// One short message at the bottom of the window, in words and with a sign: what happened, what was kept, what to do.
@@ -30,13 +37,13 @@ public:
     void information(const QString& text) { tell({MessageKind::information, text, {}, {}}); }
     void warning(const QString& text) { tell({MessageKind::warning, text, {}, {}}); }
     /// `what` is the sentence of the screen ("The session could not be opened."); the error's own words follow.
-    void error(const QString& what, const core::Error& error);
+    void error(const QString& what, const core::Error& error, Attempt attempt = Attempt::saving);
 
 signals:
     void told(const chiron::desktop::Message& message);
 };
 
 /// An error in words for people: what kind it is, what to do, then the message's own details.
-QString inWords(const core::Error& error);
+QString inWords(const core::Error& error, Attempt attempt = Attempt::saving);
 
 } // namespace chiron::desktop

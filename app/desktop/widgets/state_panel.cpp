@@ -2,7 +2,6 @@
 #include "desktop/widgets/state_panel.h"
 
 #include "desktop/frame/background.h"
-#include "desktop/frame/messages.h"
 #include "desktop/widgets/kit.h"
 
 #include <QProgressBar>
@@ -143,10 +142,10 @@ void StatePanel::showEmpty(const QString& title, const QString& text, const QStr
     showNote(QStringLiteral("view-list-details"), Colour::muted, title, text, actionText, std::move(action));
 }
 
-void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again) {
+void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again, Attempt attempt) {
     m_state = State::error;
     const QString actionText = again ? tr("Try again") : QString();
-    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error), actionText, std::move(again));
+    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error, attempt), actionText, std::move(again));
 }
 
 } // namespace chiron::desktop
