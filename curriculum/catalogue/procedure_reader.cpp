@@ -229,8 +229,8 @@ ProcedureSpec readProcedure(const ObjectReader& json) {
         ProcedureSpec spec = kind->defaults();
         readRows(*kind, json, spec);
         if (json.problems().size() == before)
-            if (const auto made = makeProcedure(spec, 1); !made)
-                addRefusal(made.error(), json, writeProcedure(spec));
+            if (const auto good = kind->check(spec); !good)
+                addRefusal(good.error(), json, writeProcedure(spec));
         return spec;
     }
     if (json.json().value("kind").isString())

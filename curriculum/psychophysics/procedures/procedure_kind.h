@@ -44,6 +44,11 @@ public:
     virtual ProcedureSpec defaults() const = 0;
     /// Checks what concerns more than one row. Failure: badInput, "key: expected ...".
     virtual core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const = 0;
+    /// Whether there is a factory; fails as that does. A kind with tables that take long does not make them here: every reader of a study asks.
+    virtual core::Result<void> check(const ProcedureSpec& spec) const {
+        const auto made = factory(spec);
+        return made ? core::Result<void>() : tl::unexpected(made.error());
+    }
     /// What somebody would begin with in this condition.
     virtual ProcedureSpec usual(const Condition& condition) const = 0;
 

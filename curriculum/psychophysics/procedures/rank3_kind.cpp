@@ -56,6 +56,7 @@ public:
     std::vector<std::string_view> runIds() const override { return {"rank3_quest_plus_ties"}; }
 
     core::Result<ProcedureFactory> factory(const ProcedureSpec& spec) const override { return factoryOfModel(rank3Model(ours(spec)), {}); }
+    core::Result<void> check(const ProcedureSpec& spec) const override { return checkRank3(ours(spec)); }
 
     ProcedureSpec usual(const Condition& condition) const override {
         Rank3Spec spec;

@@ -100,12 +100,15 @@ core::Result<void> checkSize(const Rank3Spec& spec) {
     return {};
 }
 
-} // namespace
+/// A specification that was checked, with its grid of log10 σ, and what is believed before the first trial.
+struct Checked {
+    Rank3Spec spec;
+    PosteriorGrid prior;
+};
 
-core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& given) {
-    if (auto good = check(given); !good)
+core::Result<Checked> checked(Rank3Spec spec) {
+    if (auto good = check(spec); !good)
         return tl::unexpected(good.error());
-    Rank3Spec spec = given;
     if (spec.log10Sigma.empty())
         spec.log10Sigma = defaultLog10Sigma(spec.differences);
     if (auto good = checkSize(spec); !good)
@@ -116,15 +119,30 @@ core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& 
     auto prior = PosteriorGrid::make(axes);
     if (!prior)
         return tl::unexpected(prior.error());
+    return Checked{std::move(spec), *std::move(prior)};
+}
+
+} // namespace
+
+core::Result<void> checkRank3(const Rank3Spec& spec) {
+    const auto good = checked(spec);
+    return good ? core::Result<void>() : tl::unexpected(good.error());
+}
+
+core::Result<std::shared_ptr<const QuestPlusModel>> rank3Model(const Rank3Spec& given) {
+    auto good = checked(given);
+    if (!good)
+        return tl::unexpected(good.error());
+    const Rank3Spec& spec = good->spec;
     const Observers observers(spec);
-    auto tables = tablesOf(spec.differences, spec, observers, *prior);
+    auto tables = tablesOf(spec.differences, spec, observers, good->prior);
     if (!tables)
         return tl::unexpected(tables.error());
     auto model = std::make_shared<QuestPlusModel>();
     model->id = spec.allowTies ? "rank3_quest_plus_ties@1" : "rank3_quest_plus@1";
     for (const double difference : spec.differences)
         model->stimuli.push_back({difference});
-    model->prior = std::move(*prior);
+    model->prior = std::move(good->prior);
     model->tables = std::move(*tables);
     model->tablesAt = [spec, observers, grid = model->prior](const Stimulus& x) { return tablesOf(x, spec, observers, grid); };
     model->stop = spec.stop;

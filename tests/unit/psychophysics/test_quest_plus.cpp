@@ -73,6 +73,7 @@ private slots:
     void capHoldsForRoundedStimuli();
     void undoTakesTheRowThatWasChosen();
     void dimensionsGoByName();
+    void rankingThatIsCheckedCanBeMade();
 };
 
 void TestQuestPlus::entropyByBruteForce() {
@@ -289,6 +290,32 @@ void TestQuestPlus::dimensionsGoByName() {
     spec.stimuli[0].first = "frequency";
     const auto refused = makeProcedure(spec, 1);
     QVERIFY(!refused && refused.error().message.find("spatial_freq is missing") != std::string::npos);
+}
+
+/// The check of a ranking makes no tables: at the ends of all ranges, and just outside of them, it says what the making of the model says.
+void TestQuestPlus::rankingThatIsCheckedCanBeMade() {
+    int made = 0;
+    int refused = 0;
+    for (const bool ties : {false, true})
+        for (const double difference : {0.0, 1e-9, 20.0})
+            for (const double sigma : {-20.0, -19.9, 0.0, 19.9})
+                for (const double lapse : {-0.01, 0.0, 0.999, 1.0})
+                    for (const double tie : {1e-3, 20.0, 20.1}) {
+                        Rank3Spec spec;
+                        spec.allowTies = ties;
+                        spec.differences = {difference, 0.01};
+                        spec.log10Sigma = {sigma, -1.0};
+                        spec.lapse = {lapse};
+                        spec.tieThresholds = {tie, 1.0};
+                        const auto good = checkRank3(spec);
+                        const auto model = rank3Model(spec);
+                        QCOMPARE(good.has_value(), model.has_value());
+                        if (!good)
+                            QCOMPARE(good.error().message, model.error().message);
+                        ++(good ? made : refused);
+                    }
+    QCOMPARE(made, 2 * 3 * 2 * 3 + 2 * 3 * 2 * 2); // without ties their thresholds do not matter
+    QCOMPARE(refused, 2 * 3 * 4 * 4 * 3 - made);
 }
 
 QTEST_APPLESS_MAIN(TestQuestPlus)
