@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/patience.h"
 #include <QDir>
 #include <QFile>
 #include <QJsonDocument>
@@ -6,6 +7,8 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QtTest>
+
+using chiron::tests::kPatience_ms;
 
 /// `study run STUDY --person CODE` starts the window at that person's next trial. The program is copied into a folder of its own, and a script
 /// beside it that writes down its arguments stands for the window.
@@ -64,7 +67,7 @@ void TestCliStudyWindow::theWindowIsToldWhoSitsDown() {
         QFile file(arguments());
         return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(told().endsWith(QStringLiteral("end\n")), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(told().endsWith(QStringLiteral("end\n")), kPatience_ms);
     QCOMPARE(told().split(QLatin1Char('\n'), Qt::SkipEmptyParts), (QStringList{"--database", database, "--study", "stiffness elastic", "--person", "P07", "end"}));
     const QJsonObject json = QJsonDocument::fromJson(done.out).object();
     QCOMPARE(json["person"].toString(), QStringLiteral("P07"));

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "raw_database.h"
 #include "session/integrity_check.h"
+#include "support/patience.h"
 #include "support/session_fixture.h"
 
 #include <QJsonDocument>
@@ -12,13 +13,14 @@
 #include <QtTest>
 #include <cstdio>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 
 namespace {
 
 constexpr std::uint64_t kSeed = 20261120;
 constexpr int kFewFlips = 30;
-constexpr int kPatience_ms = 300000; // never asserted
 
 int flips() {
     const int asked = qEnvironmentVariableIntValue("CHIRON_FLIPS");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two programs on one database, and one that is asked to stop.
 #include "cli_process.h"
+#include "support/patience.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,9 +12,10 @@
 #include <QtTest>
 #include <csignal>
 
+using chiron::tests::kPatience_ms;
+
 namespace {
 
-constexpr int kPatience_ms = 120000; // never asserted
 
 QJsonObject object(const QByteArray& json) {
     return QJsonDocument::fromJson(json).object();

@@ -6,6 +6,7 @@
 #include "support/insertion_session.h"
 #include "support/made_study.h"
 #include "support/palpation_session.h"
+#include "support/patience.h"
 
 #include <QCoreApplication>
 #include <QPushButton>
@@ -136,7 +137,7 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, con
     return places;
 }
 
-/// Until nothing on the screen is loading any more; false after ten seconds.
+/// Until nothing on the screen is loading any more; false where it never ends.
 inline bool waitUntilLoaded(DesktopFixture& desktop) {
     return QTest::qWaitFor(
         [&desktop] {
@@ -147,7 +148,7 @@ inline bool waitUntilLoaded(DesktopFixture& desktop) {
                     return false;
             return true;
         },
-        10000);
+        kPatience_ms);
 }
 
 /// Out of a running session, which is kept as stopped; false if it would not end.
@@ -159,7 +160,7 @@ inline bool leaveTraining(DesktopFixture& desktop) {
             end->click();
     });
     desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
-    return QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, 10000) && waitUntilLoaded(desktop);
+    return QTest::qWaitFor([&desktop] { return !desktop.context.trialRuns(); }, kPatience_ms) && waitUntilLoaded(desktop);
 }
 
 /// Goes there as that person ("" for nobody) and waits for what is loaded.

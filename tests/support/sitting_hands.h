@@ -4,6 +4,7 @@
 #include "desktop/study_run/participant_window.h"
 #include "desktop/study_run/trials_screen.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QLineEdit>
 
@@ -30,7 +31,7 @@ inline bool pastTheCard(desktop::TrialsScreen* screen) {
 }
 
 /// Past the free minute as well: the first trial comes.
-inline bool beginTrials(desktop::TrialsScreen* screen, int patience_ms = 30000) {
+inline bool beginTrials(desktop::TrialsScreen* screen, int patience_ms = kPatience_ms) {
     using State = session::LiveStudyView::State;
     if (!pastTheCard(screen))
         return false;
@@ -46,16 +47,16 @@ inline bool beginTrials(desktop::TrialsScreen* screen, int patience_ms = 30000) 
 
 /// What the experimenter types into the question for their password. False where it is not asked, or does not go.
 inline bool typePassword(DesktopFixture& desktop, const char* password = kTestPassword) {
-    if (!QTest::qWaitFor([&desktop] { return desktop.find<QLineEdit>(QStringLiteral("gate.password")) != nullptr; }, 10000))
+    if (!QTest::qWaitFor([&desktop] { return desktop.find<QLineEdit>(QStringLiteral("gate.password")) != nullptr; }, kPatience_ms))
         return false;
     desktop.find<QLineEdit>(QStringLiteral("gate.password"))->setText(QLatin1String(password));
     desktop.find<QPushButton>(QStringLiteral("gate.accept"))->click();
-    return QTest::qWaitFor([&desktop] { return desktop.context.background().idle() && !desktop.find<QLineEdit>(QStringLiteral("gate.password")); }, 20000);
+    return QTest::qWaitFor([&desktop] { return desktop.context.background().idle() && !desktop.find<QLineEdit>(QStringLiteral("gate.password")); }, kPatience_ms);
 }
 
 /// The sitting is stopped by the participant's button; the experimenter comes and goes on. True on the page `to`: the study's, or
 /// of a pilot the design's.
-inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, int patience_ms = 30000, const QString& to = QStringLiteral("study_run")) {
+inline bool stopSitting(DesktopFixture& desktop, desktop::TrialsScreen* screen, int patience_ms = kPatience_ms, const QString& to = QStringLiteral("study_run")) {
     QTimer look; // the question comes when it comes
     QObject::connect(&look, &QTimer::timeout, &desktop.context, [&desktop] {
         if (auto* button = desktop.find<QPushButton>(QStringLiteral("trials.ask.stop")))

@@ -241,7 +241,7 @@ void FirstStartScreen::demonstrationMade(core::Result<MadeSite> made) {
             enter();
             context().messages().information(tr("Creation of the demonstration site was stopped; what had been created was removed."));
         } else if (m_progress) {
-            m_progress->showError(tr("The demonstration site could not be opened."), made.error(), [this] { showDemonstration(); }, Attempt::saving);
+            m_progress->showError(tr("The demonstration site could not be opened."), made.error(), [this] { showDemonstration(); }, Tried::saving);
             m_back->show();
         }
         return;

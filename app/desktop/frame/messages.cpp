@@ -5,11 +5,11 @@
 
 namespace chiron::desktop {
 
-void Messages::error(const QString& what, const core::Error& error, Attempt attempt) {
-    tell({MessageKind::error, what + QLatin1Char('\n') + inWords(error, attempt), {}, {}});
+void Messages::error(const QString& what, const core::Error& error, Tried tried) {
+    tell({MessageKind::error, what + QLatin1Char('\n') + inWords(error, tried), {}, {}});
 }
 
-QString inWords(const core::Error& error, Attempt attempt) {
+QString inWords(const core::Error& error, Tried tried) {
     const auto words = [](const char* text) { return QCoreApplication::translate("ErrorWords", text); };
     QString advice;
     switch (error.code) {
@@ -17,13 +17,13 @@ QString inWords(const core::Error& error, Attempt attempt) {
         advice = words(QT_TRANSLATE_NOOP("ErrorWords", "Your account does not permit this. Ask an administrator if it should."));
         break;
     case core::ErrorCode::notFound:
-        advice = attempt == Attempt::opening
+        advice = tried == Tried::opening
                      ? words(QT_TRANSLATE_NOOP("ErrorWords", "A file that the site needs is missing. Put it back, then try again. Nothing was "
                                                              "changed."))
                      : words(QT_TRANSLATE_NOOP("ErrorWords", "It no longer exists or was never created. Nothing was changed."));
         break;
     case core::ErrorCode::storage:
-        advice = attempt == Attempt::saving
+        advice = tried == Tried::saving
                      ? words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be saved. What was recorded before is kept; check the free space "
                                                              "and try again."))
                      : words(QT_TRANSLATE_NOOP("ErrorWords", "It could not be read. Check that the drive is connected and that you may read "
@@ -44,7 +44,7 @@ QString inWords(const core::Error& error, Attempt attempt) {
         break;
     case core::ErrorCode::wrongUse:
     case core::ErrorCode::badInput:
-        advice = attempt == Attempt::saving
+        advice = tried == Tried::saving
                      ? words(QT_TRANSLATE_NOOP("ErrorWords", "The input is not valid. Nothing was changed."))
                      : words(QT_TRANSLATE_NOOP("ErrorWords", "The stored data are not valid. Nothing was changed."));
         break;

@@ -10,7 +10,7 @@
 namespace chiron::desktop {
 
 /// What was tried when an error came: its words must not say "saved" where something was only read.
-enum class Attempt {
+enum class Tried {
     saving,  ///< or changing, making, running
     reading, ///< of what is stored
     opening, ///< of the site itself
@@ -37,13 +37,13 @@ public:
     void information(const QString& text) { tell({MessageKind::information, text, {}, {}}); }
     void warning(const QString& text) { tell({MessageKind::warning, text, {}, {}}); }
     /// `what` is the sentence of the screen ("The session could not be opened."); the error's own words follow.
-    void error(const QString& what, const core::Error& error, Attempt attempt = Attempt::saving);
+    void error(const QString& what, const core::Error& error, Tried tried = Tried::saving);
 
 signals:
     void told(const chiron::desktop::Message& message);
 };
 
 /// An error in words for people: what kind it is, what to do, then the message's own details.
-QString inWords(const core::Error& error, Attempt attempt = Attempt::saving);
+QString inWords(const core::Error& error, Tried tried = Tried::saving);
 
 } // namespace chiron::desktop

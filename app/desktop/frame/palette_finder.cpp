@@ -183,7 +183,7 @@ void PaletteFinder::show(const std::shared_ptr<const SearchIndex>& index, const 
             group.commands.push_back({thing->text, {}, [&context = m_context, place = thing->place] { context.navigator().go(place); }});
         groups.push_back(std::move(group));
     }
-    m_palette->showFound(std::move(groups), index->problems.empty() ? QString() : tr("Not everything could be searched: %1").arg(inWords(index->problems.front(), Attempt::reading)));
+    m_palette->showFound(std::move(groups), index->problems.empty() ? QString() : tr("Not everything could be searched: %1").arg(inWords(index->problems.front(), Tried::reading)));
 }
 
 } // namespace chiron::desktop

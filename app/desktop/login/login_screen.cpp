@@ -105,7 +105,7 @@ void LoginScreen::openAgain() {
 void LoginScreen::siteFailed(const core::Error& error) {
     context().navigator().note({{kFailed, true}});
     if (error.code == core::ErrorCode::locked) {
-        m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); }, Attempt::opening);
+        m_site->showError(tr("The site could not be opened."), error, [this] { openAgain(); }, Tried::opening);
         return;
     }
     examine(tr("The site could not be opened."), error, [this] { openAgain(); });
@@ -118,7 +118,7 @@ void LoginScreen::examine(const QString& what, const core::Error& error, std::fu
         [file = context().site().file().toStdString()](WorkToken& working) { return database::examineFile(file, &working.flag()); },
         [this, what, error, again = std::move(again)](const database::FileState& file) {
             if (file.health != database::FileHealth::damaged && file.health != database::FileHealth::missing) {
-                m_site->showError(what, error, again, Attempt::opening);
+                m_site->showError(what, error, again, Tried::opening);
                 return;
             }
             context().background().cancelAndWait();

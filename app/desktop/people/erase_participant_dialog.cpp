@@ -37,7 +37,7 @@ void EraseParticipantDialog::load() {
 
 void EraseParticipantDialog::loaded(core::Result<std::vector<session::WithdrawnParticipant>> withdrawn) {
     if (!withdrawn) {
-        m_words->setText(tr("The studies could not be read.\n%1").arg(inWords(withdrawn.error(), Attempt::reading)));
+        m_words->setText(tr("The studies could not be read.\n%1").arg(inWords(withdrawn.error(), Tried::reading)));
         return;
     }
     m_withdrawn = *std::move(withdrawn);

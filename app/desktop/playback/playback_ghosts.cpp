@@ -28,7 +28,7 @@ void PlaybackScreen::loadGhosts() {
             if (candidates)
                 showGhosts(*candidates);
             else
-                context().messages().error(tr("The sessions for comparison could not be loaded."), candidates.error(), Attempt::reading);
+                context().messages().error(tr("The sessions for comparison could not be loaded."), candidates.error(), Tried::reading);
         });
 }
 
@@ -81,7 +81,7 @@ void PlaybackScreen::chooseGhost() {
             if (ghost)
                 showGhost(std::move(*ghost));
             else
-                context().messages().error(tr("The second session could not be read. This one is shown alone."), ghost.error(), Attempt::reading);
+                context().messages().error(tr("The second session could not be read. This one is shown alone."), ghost.error(), Tried::reading);
         });
 }
 

@@ -284,7 +284,7 @@ void PlaybackScreen::loadComments() {
         },
         [this](core::Result<std::vector<NamedComment>> comments) {
             if (!comments)
-                return context().messages().error(tr("The comments could not be read."), comments.error(), Attempt::reading);
+                return context().messages().error(tr("The comments could not be read."), comments.error(), Tried::reading);
             std::vector<double> moments_s;
             for (const NamedComment& named : *comments)
                 if (named.comment.tick)

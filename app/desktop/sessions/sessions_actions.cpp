@@ -183,7 +183,7 @@ void SessionsScreen::reload(database::SessionId session) {
             if (rows)
                 m_model->replace(std::move(*rows));
             else
-                context().messages().error(tr("The session could not be read again."), rows.error(), Attempt::reading);
+                context().messages().error(tr("The session could not be read again."), rows.error(), Tried::reading);
         });
 }
 

@@ -228,7 +228,7 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
         }, Qt::SingleShotConnection);
         connect(&app, &AppContext::siteFailed, this, [this](const core::Error& why) {
             m_restoring = false;
-            m_panel->showError(tr("The current database could not be opened again."), why, [this] { context().openSite(); }, Attempt::opening);
+            m_panel->showError(tr("The current database could not be opened again."), why, [this] { context().openSite(); }, Tried::opening);
         });
         app.openSite();
         return;

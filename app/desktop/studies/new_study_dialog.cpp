@@ -180,7 +180,7 @@ void NewStudyDialog::loadTemplates() {
         this, [](WorkToken&) { return catalogue::StudyCatalogue::load(); },
         [this](const core::Result<catalogue::StudyCatalogue>& studies) {
             if (!studies)
-                say("warning", tr("The templates could not be read.\n%1").arg(inWords(studies.error(), Attempt::reading)));
+                say("warning", tr("The templates could not be read.\n%1").arg(inWords(studies.error(), Tried::reading)));
             showTemplates(studies ? studies->studies() : std::vector<psychophysics::StudyDesign>());
         });
 }

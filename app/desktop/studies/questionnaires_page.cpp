@@ -85,7 +85,7 @@ QWidget* QuestionnairesPage::addButtons(bool first) {
 void QuestionnairesPage::chooseInstrument() {
     const auto instruments = catalogue::loadInstruments();
     if (!instruments) {
-        m_page.app.messages().error(tr("The instruments could not be read."), instruments.error(), Attempt::reading);
+        m_page.app.messages().error(tr("The instruments could not be read."), instruments.error(), Tried::reading);
         return;
     }
     auto* menu = new QMenu(this);

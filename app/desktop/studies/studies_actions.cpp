@@ -34,7 +34,7 @@ void StudiesScreen::askCopy() {
         context(), this, [id = study->id](database::StudyReader& reader) { return openStudy(reader, id); },
         [this](const core::Result<OpenStudy>& open) {
             if (!open) {
-                context().messages().error(tr("The study could not be read."), open.error(), Attempt::reading);
+                context().messages().error(tr("The study could not be read."), open.error(), Tried::reading);
                 return;
             }
             if (open->masked) { // its conditions would be codes
@@ -59,7 +59,7 @@ void StudiesScreen::askFile() {
 void StudiesScreen::importFile(const QString& file) {
     const auto text = catalogue::readWholeFile(file, kLargestStudy_bytes);
     if (!text) {
-        context().messages().error(tr("The file could not be read."), text.error(), Attempt::reading);
+        context().messages().error(tr("The file could not be read."), text.error(), Tried::reading);
         return;
     }
     const auto design = catalogue::readStudy(*text, file.toStdString());

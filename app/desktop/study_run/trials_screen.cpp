@@ -321,7 +321,7 @@ void TrialsScreen::finished() {
 
 void TrialsScreen::fail(const core::Error& error) {
     over();
-    m_panel->showError(tr("The sitting could not be run"), error, [this] { leave(); }, Attempt::saving);
+    m_panel->showError(tr("The sitting could not be run"), error, [this] { leave(); }, Tried::saving);
 }
 
 /// No failure: another device, or another study, is what it takes.

@@ -263,7 +263,7 @@ void TrainingScreen::fail(const core::Error& error) {
     m_stage->showError(tr("The session could not be run"), error, [this] {
         QVariantMap parameters = m_plan.toMap();
         context().navigator().replace({QStringLiteral("exercise_setup"), parameters});
-    }, Attempt::saving);
+    }, Tried::saving);
 }
 
 } // namespace chiron::desktop

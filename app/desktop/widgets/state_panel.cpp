@@ -142,10 +142,10 @@ void StatePanel::showEmpty(const QString& title, const QString& text, const QStr
     showNote(QStringLiteral("view-list-details"), Colour::muted, title, text, actionText, std::move(action));
 }
 
-void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again, Attempt attempt) {
+void StatePanel::showError(const QString& title, const core::Error& error, std::function<void()> again, Tried tried) {
     m_state = State::error;
     const QString actionText = again ? tr("Try again") : QString();
-    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error, attempt), actionText, std::move(again));
+    showNote(QStringLiteral("dialog-error"), Colour::bad, title, inWords(error, tried), actionText, std::move(again));
 }
 
 } // namespace chiron::desktop

@@ -35,7 +35,7 @@ public:
     /// Nothing is there yet: why, and what to do about it (button hidden where the text is empty).
     void showEmpty(const QString& title, const QString& text, const QString& actionText = {}, std::function<void()> action = {});
     /// It failed: in words, with "Try again" where that makes sense.
-    void showError(const QString& title, const core::Error& error, std::function<void()> again = {}, Attempt attempt = Attempt::reading);
+    void showError(const QString& title, const core::Error& error, std::function<void()> again = {}, Tried tried = Tried::reading);
 
     enum class State { loading, content, empty, error };
     State state() const noexcept { return m_state; }

@@ -3,6 +3,7 @@
 
 #include "hands.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/people/people_screen.h"
@@ -19,7 +20,7 @@ public:
     explicit PeopleDesk(const std::string& person = "ada") {
         logIn(person);
         go(QStringLiteral("people"));
-        if (!QTest::qWaitFor([this] { return table()->model()->rowCount() > 0; }, 10000))
+        if (!QTest::qWaitFor([this] { return table()->model()->rowCount() > 0; }, kPatience_ms))
             qFatal("the people were not listed");
         settle();
         QObject::connect(&context.messages(), &desktop::Messages::told, &context.messages(),

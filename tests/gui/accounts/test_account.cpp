@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hands.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/widgets/state_panel.h"
@@ -24,7 +25,7 @@ public:
         logIn(person);
         find<QPushButton>(QStringLiteral("nav.account"))->click();
         settle();
-        if (!QTest::qWaitFor([this] { return panel()->state() == desktop::StatePanel::State::content; }, 10000))
+        if (!QTest::qWaitFor([this] { return panel()->state() == desktop::StatePanel::State::content; }, kPatience_ms))
             qFatal("the account was not read");
     }
     desktop::StatePanel* panel() { return find<desktop::StatePanel>(QStringLiteral("account.panel")); }
@@ -77,10 +78,10 @@ void TestAccount::everybodyGetsThere() {
     desk.go(QStringLiteral("home"));
     settle();
     press(Qt::Key_K, Qt::ControlModifier); // and from the command palette
-    QTRY_COMPARE(focusName(), QStringLiteral("palette.field"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("palette.field"), kPatience_ms);
     type(QStringLiteral("my account"));
     press(Qt::Key_Return);
-    QTRY_COMPARE(desk.window->screen()->objectName(), QStringLiteral("screen.account"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->objectName(), QStringLiteral("screen.account"), kPatience_ms);
 }
 
 void TestAccount::changesTheFullName() {
@@ -90,7 +91,7 @@ void TestAccount::changesTheFullName() {
     desk.set("account.full_name", "Τίνα Weiß");
     QVERIFY(desk.isEnabled("account.save_name"));
     desk.find<QPushButton>(QStringLiteral("account.save_name"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Τίνα Weiß")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Τίνα Weiß")), kPatience_ms);
     QVERIFY(!desk.isEnabled("account.save_name"));
     database::AccountService accounts(desk.database());
     const auto ada = desk.actor("ada");
@@ -109,7 +110,7 @@ void TestAccount::changesThePassword() {
     QVERIFY(!desk.isEnabled("account.change_password"));
     desk.set("account.repeat", "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
     QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty() && desk.find<QLineEdit>(QStringLiteral("account.password"))->text().isEmpty());
     database::AccountService accounts(desk.database());
     QVERIFY(accounts.login("tina", "twelve-fine-horses").has_value());
@@ -121,16 +122,16 @@ void TestAccount::aWrongOldPasswordChangesNothing() {
     for (int i = 0; i < 3; ++i) {
         desk.setNewPassword("eleven-grey-horses", "twelve-fine-horses");
         desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is wrong")), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is wrong")), kPatience_ms);
         QVERIFY(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->text().isEmpty());
     }
     // As at the login: after the third one somebody has to wait, and the button says how long.
     QVERIFY(!desk.isEnabled("account.change_password"));
     QVERIFY(desk.find<QPushButton>(QStringLiteral("account.change_password"))->text().contains(QStringLiteral("Try again")));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->isEnabled(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("account.old_password"))->isEnabled(), kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     desk.find<QPushButton>(QStringLiteral("account.change_password"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
 }
 
 void TestAccount::anotherPasswordIsNeeded() {
@@ -144,7 +145,7 @@ void TestAccount::anotherPasswordIsNeeded() {
 void TestAccount::theLanguageIsThePersons() {
     AccountDesk desk;
     desk.choose("de");
-    QTRY_COMPARE(desk.window->screen()->title(), QStringLiteral("Mein Konto"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->title(), QStringLiteral("Mein Konto"), kPatience_ms);
     QCOMPARE(focusName(), QStringLiteral("account.language.de")); // where it was before the screen was built anew
     QCOMPARE(desk.settings.language(), QStringLiteral("en"));
     QCOMPARE(QLocale().language(), QLocale::German);
@@ -161,7 +162,7 @@ void TestAccount::theLanguageIsThePersons() {
     desk.go(QStringLiteral("account"));
     settle();
     desk.choose("station");
-    QTRY_COMPARE(desk.window->screen()->title(), QStringLiteral("My account"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.window->screen()->title(), QStringLiteral("My account"), kPatience_ms);
 }
 
 void TestAccount::theStationsLanguageIsOthers() {
@@ -182,11 +183,11 @@ void TestAccount::enterDoesWhatHasTheFocus() {
     desk.set("account.full_name", "Tina Tester");
     desk.find<QLineEdit>(QStringLiteral("account.full_name"))->setFocus();
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Tina Tester")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.name_notice").contains(QStringLiteral("Tina Tester")), kPatience_ms);
     desk.setNewPassword(kTestPassword, "twelve-fine-horses");
     QVERIFY(tabTo(QStringLiteral("account.change_password")));
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("account.password_notice").contains(QStringLiteral("is changed")), kPatience_ms);
 }
 
 /// Somebody who became an administrator: Home says so until it is done, and the code that is shown works.
@@ -195,32 +196,32 @@ void TestAccount::anAdministratorMakesARecoveryCode() {
     database::AccountService accounts(desk.database());
     QVERIFY(accounts.createPerson(desk.actor("ada"), {"otto", "Otto", {database::Role::admin}, kTestPassword, false}));
     desk.logIn("ada"); // has the one that was shown when the site was set up
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), kPatience_ms);
     QVERIFY(!desk.find<QFrame>(QStringLiteral("home.recovery_code")));
     desk.logIn("otto");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.make_recovery_code")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.make_recovery_code")), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("home.make_recovery_code"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state")) && desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("none yet")), 10000);
-    QTRY_COMPARE(focusName(), QStringLiteral("account.recovery"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state")) && desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("none yet")), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("account.recovery"), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
     auto* accept = desk.find<QPushButton>(QStringLiteral("recovery_code.accept"));
     QVERIFY(accept && !accept->isEnabled());
     desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QStringLiteral("not the password"));
     accept->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery_code.password.note"))->isVisible(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery_code.password.note"))->isVisible(), kPatience_ms);
     QVERIFY(!desk.find<QLabel>(QStringLiteral("recovery.code")));
     desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
     accept->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), kPatience_ms);
     const std::string code = desk.find<QLabel>(QStringLiteral("recovery.code"))->text().toStdString();
     QVERIFY(desk.find<QLabel>(QStringLiteral("recovery.backups"))->text().contains(QStringLiteral("no recovery code of yours")));
     VERIFY_READABLE(desk.find<QDialog>(QStringLiteral("recovery_code")));
     desk.find<QCheckBox>(QStringLiteral("recovery.written"))->click();
     desk.find<QPushButton>(QStringLiteral("recovery.continue"))->click();
-    QTRY_VERIFY(!desk.find<QDialog>(QStringLiteral("recovery_code")));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>(QStringLiteral("recovery_code")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), kPatience_ms);
     desk.go(QStringLiteral("home"));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("home.people")), kPatience_ms);
     QVERIFY(!desk.window->screen()->findChild<QFrame*>(QStringLiteral("home.recovery_code")));
     QVERIFY(accounts.recover("otto", code, "twelve-fine-horses").has_value());
     QVERIFY(accounts.login("otto", "twelve-fine-horses").has_value());
@@ -229,11 +230,11 @@ void TestAccount::anAdministratorMakesARecoveryCode() {
 /// Shown once: leaving without having written it down is asked about, once.
 void TestAccount::aCodeIsNotLostByASlip() {
     AccountDesk desk("ada");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("account.recovery_state"))->text().contains(QStringLiteral("You have one")), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("account.recovery"))->click();
     desk.find<QLineEdit>(QStringLiteral("recovery_code.password"))->setText(QString::fromLatin1(kTestPassword));
     desk.find<QPushButton>(QStringLiteral("recovery_code.accept"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("recovery.code")), kPatience_ms);
     auto* dialog = desk.find<QDialog>(QStringLiteral("recovery_code"));
     QVERIFY(!desk.find<QPushButton>(QStringLiteral("recovery_code.cancel"))->isVisible()); // one way out: the button that needs the tick
     QVERIFY(!desk.isEnabled("recovery.continue"));
@@ -243,7 +244,7 @@ void TestAccount::aCodeIsNotLostByASlip() {
     QVERIFY(dialog->isVisible());
     QVERIFY(desk.notice("recovery_code.notice").contains(QStringLiteral("not shown again")));
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY(!desk.find<QDialog>(QStringLiteral("recovery_code")));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>(QStringLiteral("recovery_code")), kPatience_ms);
 }
 
 void TestAccount::othersHaveNoRecoveryCode() {
@@ -266,7 +267,7 @@ void TestAccount::fitsAtEveryScale() {
     desk.settings.setScale(scale);
     desk.context.setStationLanguage(language);
     settle();
-    QTRY_COMPARE_WITH_TIMEOUT(desk.panel()->state(), desktop::StatePanel::State::content, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.panel()->state(), desktop::StatePanel::State::content, kPatience_ms);
     VERIFY_READABLE(desk.window->screen());
     picture(desk.window.get(), QStringLiteral("account_%1_%2").arg(language).arg(scale));
     desk.context.setStationLanguage(QStringLiteral("en"));

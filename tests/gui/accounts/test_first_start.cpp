@@ -7,6 +7,7 @@
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/program.h"
 #include "session/demo_site.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -89,10 +90,10 @@ void TestFirstStart::fillForm(const QString& name) {
 void TestFirstStart::setUpByKeyboardThenRecover() {
     EmptyStation station;
     station.show("first_start");
-    QTRY_VERIFY(focusName() == QLatin1String("first_start.set_up"));
+    QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("first_start.set_up"), kPatience_ms);
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), kPatience_ms);
     const QString code = station.find<QLabel>("recovery.code")->text();
     QCOMPARE(code.size(), 29);
     picture(station.window.get(), QStringLiteral("first_start_code"));
@@ -104,15 +105,15 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
     press(Qt::Key_Space);
     QVERIFY(tabTo(QStringLiteral("recovery.continue")));
     press(Qt::Key_Space);
-    QTRY_VERIFY(station.context.loggedIn());
+    QTRY_VERIFY_WITH_TIMEOUT(station.context.loggedIn(), kPatience_ms);
     QVERIFY(station.context.has(database::Role::admin));
     QCOMPARE(station.context.navigator().current().screen, QStringLiteral("home"));
 
     // Later: the password is forgotten, the code lets in, and is used up.
     station.context.logOut();
-    QTRY_VERIFY(station.find<QPushButton>("login.forgotten") && station.find<QPushButton>("login.forgotten")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("login.forgotten") && station.find<QPushButton>("login.forgotten")->isVisible(), kPatience_ms);
     QTest::mouseClick(station.find<QPushButton>("login.forgotten"), Qt::LeftButton);
-    QTRY_VERIFY(focusName() == QLatin1String("recovery.name"));
+    QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("recovery.name"), kPatience_ms);
     type(QStringLiteral("ada"));
     QVERIFY(tabTo(QStringLiteral("recovery.code_field")));
     type(code.toLower()); // however it is typed
@@ -122,13 +123,13 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
     type(QStringLiteral("twelve-finer-horses"));
     picture(station.window.get(), QStringLiteral("login_recovery"));
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), kPatience_ms);
     QVERIFY(station.find<QLabel>("recovery.code")->text() != code);
     QVERIFY(tabTo(QStringLiteral("recovery.written")));
     press(Qt::Key_Space);
     QVERIFY(tabTo(QStringLiteral("recovery.continue")));
     press(Qt::Key_Space);
-    QTRY_VERIFY(station.context.loggedIn());
+    QTRY_VERIFY_WITH_TIMEOUT(station.context.loggedIn(), kPatience_ms);
     QVERIFY(database::AccountService(station.site.database()).login("ada", "twelve-finer-horses").has_value());
 }
 
@@ -164,26 +165,26 @@ void TestFirstStart::siteWithoutPeopleAsksForItsAdministrator() {
     QVERIFY(database::Database::create(station.file().toStdString(), cheap()).has_value()); // and closed again
     station.show("login");
     station.context.openSite();
-    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("first_start"), 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("first_start"), kPatience_ms);
     QVERIFY(!station.find<QPushButton>("first_start.demonstration")->isVisible());
-    QTRY_COMPARE(focusName(), QStringLiteral("first_start.set_up"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("first_start.set_up"), kPatience_ms);
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), kPatience_ms);
     QCOMPARE(database::AccountService(station.site.database()).listLoginNames()->size(), std::size_t{1});
 }
 
 void TestFirstStart::codeSurvivesAnotherLanguage() {
     EmptyStation station;
     station.show("first_start");
-    QTRY_COMPARE(focusName(), QStringLiteral("first_start.set_up"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("first_start.set_up"), kPatience_ms);
     press(Qt::Key_Space);
     fillForm(QStringLiteral("ada"));
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), kPatience_ms);
     const QString code = station.find<QLabel>("recovery.code")->text();
     station.settings.setLanguage(QStringLiteral("de"));
     station.context.applyAppearance();
-    QTRY_VERIFY(station.find<QLabel>("recovery.code"));
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("recovery.code"), kPatience_ms);
     QCOMPARE(station.find<QLabel>("recovery.code")->text(), code);
 }
 
@@ -192,11 +193,11 @@ void TestFirstStart::demonstrationIsStoppedWithoutATrace() {
     station.show("first_start");
     const QString file = desktop::FirstStartScreen::demonstrationFile(station.file());
     QTest::mouseClick(station.find<QPushButton>("first_start.demonstration"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("state.cancel") && station.find<QPushButton>("state.cancel")->isVisible(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("state.cancel") && station.find<QPushButton>("state.cancel")->isVisible(), kPatience_ms);
     picture(station.window.get(), QStringLiteral("first_start_demonstration"));
     QTest::mouseClick(station.find<QPushButton>("state.cancel"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("first_start.set_up"), 60000); // the session that runs ends early
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("first_start.set_up"), kPatience_ms); // the session that runs ends early
     QVERIFY(!QFile::exists(file) && !QFile::exists(file + QStringLiteral(".site")));
     QVERIFY(!station.site.exists() && !station.site.isOpen());
 }
@@ -212,8 +213,8 @@ void TestFirstStart::demonstrationOpensWithItsHint() {
     }
     station.show("first_start");
     QTest::mouseClick(station.find<QPushButton>("first_start.demonstration"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("login"), 20000);
-    QTRY_VERIFY(station.find<QListWidget>("login.people") && station.find<QListWidget>("login.people")->count() == 1);
+    QTRY_COMPARE_WITH_TIMEOUT(station.context.navigator().current().screen, QStringLiteral("login"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QListWidget>("login.people") && station.find<QListWidget>("login.people")->count() == 1, kPatience_ms);
     bool told = false;
     for (const QLabel* label : station.window->screen()->findChildren<QLabel*>())
         told = told || label->text().contains(QLatin1String(session::kDemoPassword));

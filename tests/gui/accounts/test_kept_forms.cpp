@@ -23,6 +23,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "session/backup_list.h"
 #include "support/kept_text.h"
+#include "support/patience.h"
 #include "support/screen_outline.h"
 
 #include <QCheckBox>
@@ -32,6 +33,8 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -336,7 +339,7 @@ private slots:
         take("begun");
         told();
         token->setProgress(7, 10);
-        QTRY_COMPARE(strip.findChild<QProgressBar*>()->value(), 7);
+        QTRY_COMPARE_WITH_TIMEOUT(strip.findChild<QProgressBar*>()->value(), 7, kPatience_ms);
         told();
         click(strip, "task.cancel");
         told();
@@ -358,12 +361,12 @@ private slots:
         panel.showLoading(QStringLiteral("Reading …"), token);
         take("loading");
         say(QString::number(static_cast<int>(panel.state())));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<QProgressBar*>() && !panel.findChild<QProgressBar*>()->isHidden(), 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<QProgressBar*>() && !panel.findChild<QProgressBar*>()->isHidden(), kPatience_ms);
         token->setProgress(40, 100);
-        QTRY_COMPARE(panel.findChild<QProgressBar*>()->value(), 40);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.findChild<QProgressBar*>()->value(), 40, kPatience_ms);
         auto* cancel = panel.findChild<QPushButton*>(QStringLiteral("state.cancel"));
         QVERIFY(cancel && cancel->isHidden()); // only where it takes long
-        QTRY_VERIFY_WITH_TIMEOUT(!cancel->isHidden(), 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(!cancel->isHidden(), kPatience_ms);
         cancel->click();
         say(QStringLiteral("%1%2").arg(token->cancelled() ? QStringLiteral("cancelled") : QString(), cancel->isEnabled() ? QStringLiteral(" again") : QString()));
         panel.showLoading(QStringLiteral("Once more …"), token);

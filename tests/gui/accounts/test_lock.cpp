@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hands.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/lock/lock_controller.h"
@@ -40,14 +41,14 @@ void TestLock::idleLocksAndThePasswordUnlocks() {
     auto& lock = lockOf(desktop);
     QVERIFY(!lock.isLocked());
     lock.idleLock().setIdle(200);
-    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
     QVERIFY(!desktop.window->centralWidget()->isVisible());
     QVERIFY(!desktop.window->windowTitle().contains(QStringLiteral("Settings")));
     picture(desktop.window.get(), QStringLiteral("lock"));
     lock.idleLock().setIdle(desktop::IdleLock::kIdle_ms);
     type(QLatin1String(kTestPassword)); // the field has the focus
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
     QVERIFY(desktop.window->centralWidget()->isVisible());
     QVERIFY(desktop.window->windowTitle().contains(QStringLiteral("Settings")));
     QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("settings")); // where it was
@@ -69,7 +70,7 @@ void TestLock::activityKeepsItOpen() {
             QTest::mouseMove(desktop.window.get(), QPoint(50 + i, 50));
     }
     QVERIFY(!lock.isLocked());
-    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
 }
 
 void TestLock::neverWhileATrialRuns() {
@@ -84,7 +85,7 @@ void TestLock::neverWhileATrialRuns() {
     QTest::qWait(500);
     QVERIFY(!lock.isLocked() && idle.isEmpty()); // not even noticed
     desktop.context.setTrialRuns(false);
-    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
 }
 
 void TestLock::nobodyLoggedInNothingToLock() {
@@ -103,7 +104,7 @@ void TestLock::lockedWindowCannotBeReached() {
     settle();
     auto& lock = lockOf(desktop);
     press(Qt::Key_L, Qt::ControlModifier);
-    QTRY_VERIFY(lock.isLocked());
+    QTRY_VERIFY_WITH_TIMEOUT(lock.isLocked(), kPatience_ms);
     const auto windows = [] {
         int count = 0;
         for (const QWidget* top : QApplication::topLevelWidgets())
@@ -130,9 +131,9 @@ void TestLock::lockedWindowCannotBeReached() {
         QVERIFY(focusName().startsWith(QLatin1String("lock.")));
     }
     unlock(desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
     press(Qt::Key_K, Qt::ControlModifier);
-    QTRY_COMPARE(windows(), 2); // they work again
+    QTRY_COMPARE_WITH_TIMEOUT(windows(), 2, kPatience_ms); // they work again
     QApplication::activeModalWidget()->close();
 }
 
@@ -147,10 +148,10 @@ void TestLock::anotherWindowIsHidden() {
     QVERIFY(lock.isLocked() && !dialog.isVisible());
     QDialog late(desktop.window.get()); // something that was under way brings it up
     late.open();
-    QTRY_VERIFY(!late.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!late.isVisible(), kPatience_ms);
     unlock(desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), 10000);
-    QTRY_VERIFY(dialog.isVisible() && late.isVisible()); // what somebody was doing is there again
+    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.isVisible() && late.isVisible(), kPatience_ms); // what somebody was doing is there again
 }
 
 void TestLock::wrongPasswordsWait() {
@@ -163,14 +164,14 @@ void TestLock::wrongPasswordsWait() {
     for (int attempt = 1; attempt <= 3; ++attempt) {
         password->setText(QStringLiteral("wrong word %1").arg(attempt));
         desktop.find<QPushButton>(QStringLiteral("lock.unlock"))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), kPatience_ms);
     }
     QVERIFY(lock.isLocked() && !password->isEnabled());
     QVERIFY(!desktop.find<desktop::NoticeArea>(QStringLiteral("lock.notice"))->text().isEmpty());
     picture(desktop.window.get(), QStringLiteral("lock_wait"));
-    QTRY_VERIFY_WITH_TIMEOUT(password->isEnabled(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(password->isEnabled(), kPatience_ms);
     unlock(desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
 }
 
 void TestLock::switchUserAsksNobody() {
@@ -184,10 +185,10 @@ void TestLock::switchUserAsksNobody() {
     dialog->open();
     lock.lock();
     desktop.find<QPushButton>(QStringLiteral("lock.switch"))->click();
-    QTRY_VERIFY(!lock.isLocked());
+    QTRY_VERIFY_WITH_TIMEOUT(!lock.isLocked(), kPatience_ms);
     QVERIFY(!desktop.context.loggedIn());
     QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("login"));
-    QTRY_VERIFY(!dialog || !dialog->isVisible()); // not for the next person
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog || !dialog->isVisible(), kPatience_ms); // not for the next person
     desktop.logIn("theo");
     settle();
     QCOMPARE(desktop.context.actor().name(), std::string("theo"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hands.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include "desktop/accounts/notice_area.h"
 #include "desktop/login/login_screen.h"
@@ -40,8 +41,8 @@ private:
 void TestLogin::openLogin(DesktopFixture& desktop) {
     desktop.context.navigator().replace({QStringLiteral("login"), {}});
     const auto people = [&desktop] { return desktop.find<QListWidget>(QStringLiteral("login.people")); }; // made once the names are there
-    QTRY_VERIFY(people() && people()->count() > 0);
-    QTRY_VERIFY(focusName() == QLatin1String("login.name"));
+    QTRY_VERIFY_WITH_TIMEOUT(people() && people()->count() > 0, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("login.name"), kPatience_ms);
 }
 
 void TestLogin::tryPassword(DesktopFixture& desktop, const QString& name, const QString& password) {
@@ -68,11 +69,11 @@ void TestLogin::namesAreFoundByTyping() {
     press(Qt::Key_Down);
     press(Qt::Key_Down);
     press(Qt::Key_Return);
-    QTRY_COMPARE(focusName(), QStringLiteral("login.password"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("login.password"), kPatience_ms);
     QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("login.name"))->text(), QStringLiteral("tina"));
     type(QLatin1String(kTestPassword));
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), kPatience_ms);
     QCOMPARE(desktop.context.actor().name(), std::string("tina"));
     QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("home"));
 }
@@ -85,25 +86,25 @@ void TestLogin::wrongPasswordsMakeItWait() {
     for (int attempt = 1; attempt <= 3; ++attempt) {
         tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("wrong word %1").arg(attempt));
         QVERIFY(!enter->isEnabled()); // nobody sends it twice
-        QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(password->text().isEmpty(), kPatience_ms);
         QVERIFY(notice(desktop).contains(QStringLiteral("Wrong name or password")));
     }
     QVERIFY(!password->isEnabled() && enter->text().contains(QStringLiteral("again")));
     picture(desktop.window.get(), QStringLiteral("login_wait"));
-    QTRY_VERIFY_WITH_TIMEOUT(password->isEnabled(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(password->isEnabled(), kPatience_ms);
     QCOMPARE(enter->text(), QStringLiteral("Log in"));
     tryPassword(desktop, QStringLiteral("tina"), QLatin1String(kTestPassword));
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), kPatience_ms);
 }
 
 void TestLogin::unknownNamesAreToldTheSame() {
     DesktopFixture desktop;
     openLogin(desktop);
     tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("wrong word 1"));
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), kPatience_ms);
     const QString known = notice(desktop);
     tryPassword(desktop, QStringLiteral("nobody"), QStringLiteral("wrong word 1"));
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(desktop).isEmpty(), kPatience_ms);
     QCOMPARE(notice(desktop), known);
     QVERIFY(!desktop.context.loggedIn());
 }
@@ -117,7 +118,7 @@ void TestLogin::oneExplanationAtATime() {
     QVERIFY(nobody && nobody->isVisible() && nobody->text().contains(QStringLiteral("your login name may have changed")));
     desktop.find<QLineEdit>(QStringLiteral("login.password"))->setText(QStringLiteral("wrong word 1"));
     desktop.find<QPushButton>(QStringLiteral("login.enter"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("your login name may have changed")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("your login name may have changed")), kPatience_ms);
     QVERIFY(!nobody->isVisible());
     VERIFY_READABLE(desktop.window->screen());
     desktop.find<QLineEdit>(QStringLiteral("login.name"))->setFocus();
@@ -133,7 +134,7 @@ void TestLogin::disabledAccountsAreToldSo() {
     const auto tina = desktop.actor("tina");
     QVERIFY(accounts.setEnabled(desktop.actor("ada"), tina.personId(), false).has_value());
     tryPassword(desktop, QStringLiteral("tina"), QLatin1String(kTestPassword));
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("disabled")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop).contains(QStringLiteral("disabled")), kPatience_ms);
     openLogin(desktop);
     QCOMPARE(desktop.find<QListWidget>(QStringLiteral("login.people"))->count(), 4);
 }
@@ -144,9 +145,9 @@ void TestLogin::resetForcesAPasswordOfOnesOwn() {
     QVERIFY(accounts.resetPassword(desktop.actor("ada"), desktop.actor("tina").personId(), "given-by-ada-1").has_value());
     openLogin(desktop);
     tryPassword(desktop, QStringLiteral("tina"), QStringLiteral("given-by-ada-1"));
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("change.save")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPushButton>(QStringLiteral("change.save")), kPatience_ms);
     QVERIFY(!desktop.context.loggedIn());
-    QTRY_COMPARE(focusName(), QStringLiteral("change.password"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("change.password"), kPatience_ms);
     type(QStringLiteral("given-by-ada-1"));
     press(Qt::Key_Return);
     type(QStringLiteral("given-by-ada-1"));
@@ -158,7 +159,7 @@ void TestLogin::resetForcesAPasswordOfOnesOwn() {
         desktop.find<QLineEdit>(QLatin1String(field))->setText(QStringLiteral("tinas-own-word-2"));
     desktop.find<QLineEdit>(QStringLiteral("change.repeat"))->setFocus();
     press(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), kPatience_ms);
     QVERIFY(!desktop.context.actor().mustChangePassword());
     QVERIFY(accounts.login("tina", "tinas-own-word-2").has_value());
 }
@@ -169,13 +170,13 @@ void TestLogin::othersAreToldWhomToAsk() {
     desktop.find<QLineEdit>(QStringLiteral("login.name"))->setText(QStringLiteral("tina"));
     desktop.find<QPushButton>(QStringLiteral("login.forgotten"))->click();
     QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("recovery.name"))->text(), QStringLiteral("tina"));
-    QTRY_COMPARE(focusName(), QStringLiteral("recovery.code_field"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("recovery.code_field"), kPatience_ms);
     VERIFY_READABLE(desktop.window->screen());
     type(QStringLiteral("AAAAA-AAAAA-AAAAA-AAAAA-AAAAA"));
     for (const char* field : {"recovery.password", "recovery.repeat"})
         desktop.find<QLineEdit>(QLatin1String(field))->setText(QStringLiteral("tinas-own-word-2"));
     desktop.find<QPushButton>(QStringLiteral("recovery.save"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "recovery.notice").contains(QStringLiteral("recovery code")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "recovery.notice").contains(QStringLiteral("recovery code")), kPatience_ms);
     QVERIFY(!desktop.context.loggedIn());
     desktop.find<QPushButton>(QStringLiteral("recovery.back"))->click();
     QVERIFY(desktop.find<QPushButton>(QStringLiteral("login.enter"))->isVisible());
@@ -196,14 +197,14 @@ void TestLogin::failedSiteCanBeTriedAgain() {
     auto* panel = window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"));
     QCOMPARE(panel->state(), desktop::StatePanel::State::loading);
     context.openSite();
-    QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::error, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::error, kPatience_ms);
     picture(&window, QStringLiteral("login_failed"));
     // Another theme builds the screen anew: it tries again by itself, and tells again.
     settings.setTheme(desktop::ThemeName::dark);
     context.applyAppearance();
     QTRY_VERIFY_WITH_TIMEOUT(window.findChild<desktop::StatePanel*>(QStringLiteral("login.site")) &&
                                  window.findChild<desktop::StatePanel*>(QStringLiteral("login.site"))->state() == desktop::StatePanel::State::error,
-                             10000);
+                             kPatience_ms);
     context.background().cancelAndWait();
 }
 

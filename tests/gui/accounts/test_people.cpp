@@ -5,6 +5,7 @@
 #include "database/repositories/session_reader.h"
 #include "desktop/people/slips_panel.h"
 #include "support/made_study.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -62,15 +63,15 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     QVERIFY(!ofPerson.isEmpty() && ofPerson != desk.find<QPushButton>(QStringLiteral("people.erase_participant"))->accessibleDescription());
     picture(desk.window.get(), QStringLiteral("people"));
     press(Qt::Key_N, Qt::ControlModifier);
-    QTRY_VERIFY(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow());
-    QTRY_COMPARE(focusName(), QStringLiteral("add_person.name"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.dialog("add_person") && desk.dialog("add_person")->isActiveWindow(), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("add_person.name"), kPatience_ms);
     QVERIFY(!desk.isEnabled("add_person.accept"));
     type(QStringLiteral("uma"));
     VERIFY_READABLE(desk.dialog("add_person"));
     picture(desk.dialog("add_person"), QStringLiteral("people_add"));
     QVERIFY(tabTo(QStringLiteral("add_person.accept")));
     press(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("handed.password")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>(QStringLiteral("handed.password")), kPatience_ms);
     const QString password = desk.find<QLabel>(QStringLiteral("handed.password"))->text();
     picture(desk.dialog("add_person"), QStringLiteral("people_handed"));
     QCOMPARE(focusName(), QStringLiteral("handed.copy"));
@@ -78,8 +79,8 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
     QCOMPARE(QGuiApplication::clipboard()->text(), password);
     QVERIFY(desk.dialog("add_person")->isVisible() && tabTo(QStringLiteral("add_person.cancel")));
     press(Qt::Key_Return);
-    QTRY_VERIFY(!desk.dialog("add_person"));
-    QTRY_VERIFY(desk.rowOf(QStringLiteral("uma")) >= 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("add_person"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("uma")) >= 0, kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("uma"), 2), QStringLiteral("Trainee"));
     QCOMPARE(desk.cell(QStringLiteral("uma"), 3), QStringLiteral("Must change the password"));
     const auto uma = database::AccountService(desk.database()).login("uma", password.toStdString());
@@ -88,7 +89,7 @@ void TestPeople::addByKeyboardAndHandThePasswordOver() {
 
 void TestPeople::findByTyping() {
     PeopleDesk desk;
-    QTRY_COMPARE(focusName(), QStringLiteral("people.search"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("people.search"), kPatience_ms);
     type(QStringLiteral("trainer"));
     QCOMPARE(desk.table()->model()->rowCount(), 1); // by role
     QVERIFY(desk.rowOf(QStringLiteral("tom")) == 0);
@@ -119,7 +120,7 @@ void TestPeople::changeRoles() {
     QVERIFY(!desk.isEnabled("roles.accept")); // one role at least
     desk.find<QCheckBox>(QStringLiteral("roles.trainer"))->click();
     desk.click("roles.accept");
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"), kPatience_ms);
     QVERIFY(desk.actor("tina").roles() == database::RoleSet{database::Role::trainer});
 }
 
@@ -127,13 +128,13 @@ void TestPeople::disableAndUndo() {
     PeopleDesk desk;
     desk.choose(QStringLiteral("tina"));
     desk.click("people.enable");
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), kPatience_ms);
     QVERIFY(!database::AccountService(desk.database()).login("tina", kTestPassword));
     QCOMPARE(desk.find<QPushButton>(QStringLiteral("people.enable"))->text(), QStringLiteral("Enable")); // still chosen
     picture(desk.window.get(), QStringLiteral("people_disabled"));
     QVERIFY(desk.lastAction != nullptr);
     desk.lastAction(); // Undo
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Can log in"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Can log in"), kPatience_ms);
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
 }
 
@@ -148,7 +149,7 @@ void TestPeople::resetWithATypedPassword() {
     QVERIFY(desk.isEnabled("reset.accept"));
     picture(desk.dialog("reset"), QStringLiteral("people_reset"));
     desk.click("reset.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("reset"), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("reset"), kPatience_ms);
     const auto theo = database::AccountService(desk.database()).login("theo", "brought-by-ada-7");
     QVERIFY(theo && theo->mustChangePassword());
 }
@@ -158,14 +159,14 @@ void TestPeople::exportHoldsThePerson() {
     const QString file = desk.folder() + QStringLiteral("/tina.json");
     desk.choose(QStringLiteral("tina"));
     desk.screen<desktop::PeopleScreen>()->exportTo(file);
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.told.isEmpty() && desk.told.last().contains(file), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.told.isEmpty() && desk.told.last().contains(file), kPatience_ms);
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));
     const QJsonObject person = QJsonDocument::fromJson(written.readAll()).object()["person"].toObject();
     QCOMPARE(person["name"].toString(), QStringLiteral("tina"));
     QVERIFY((written.permissions() & (QFile::ReadOther | QFile::ReadGroup)) == QFile::Permissions());
     desk.screen<desktop::PeopleScreen>()->exportTo(desk.folder() + QStringLiteral("/nowhere/tina.json"));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.told.last().contains(QStringLiteral("Nothing was exported")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.told.last().contains(QStringLiteral("Nothing was exported")), kPatience_ms);
 }
 
 void TestPeople::erase() {
@@ -181,7 +182,7 @@ void TestPeople::erase() {
     VERIFY_READABLE(desk.dialog("erase"));
     picture(desk.dialog("erase"), QStringLiteral("people_erase"));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("Nobody was erased")), kPatience_ms);
     QCOMPARE(desk.find<QLabel>(QStringLiteral("erase.password.note"))->text(), QStringLiteral("Wrong password. Passwords are case-sensitive."));
     QVERIFY(desk.find<QLabel>(QStringLiteral("erase.password.note"))->isVisible());
     QVERIFY(desk.rowOf(QStringLiteral("tina")) >= 0);
@@ -190,12 +191,12 @@ void TestPeople::erase() {
     QVERIFY(QDir().mkpath(list));
     desk.set("erase.password", QLatin1String(kTestPassword));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("continue where it stopped")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase.notice").contains(QStringLiteral("continue where it stopped")), kPatience_ms);
     QVERIFY(QDir().rmdir(list));
     QVERIFY(desk.isEnabled("erase.accept"));
     desk.click("erase.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase"), 10000);
-    QTRY_VERIFY(desk.rowOf(QStringLiteral("tina")) < 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("tina")) < 0, kPatience_ms);
     const auto erased = database::readErasureList(list.toStdString());
     QVERIFY(erased && erased->size() == 1 && erased->front().person == tina && erased->front().reason == "asked for it");
 }
@@ -208,7 +209,7 @@ void TestPeople::eraseAParticipant() {
         return label ? label->text() : QString();
     };
     desk.click("people.erase_participant");
-    QTRY_VERIFY_WITH_TIMEOUT(words().contains(QStringLiteral("No participant")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(words().contains(QStringLiteral("No participant")), kPatience_ms);
     desk.set("erase_participant.reason", QStringLiteral("wish"));
     desk.set("erase_participant.password", QLatin1String(kTestPassword));
     QVERIFY(!desk.isEnabled("erase_participant.accept"));
@@ -225,7 +226,7 @@ void TestPeople::eraseAParticipant() {
     writeAs(desk, rhea, [&](database::StudyRepository& studies) { return studies.withdrawParticipant(goes.id, true); });
     const auto homeTells = [&desk] {
         desk.go(QStringLiteral("home"));
-        const bool read = QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, 10000);
+        const bool read = QTest::qWaitFor([&desk] { return desk.context.background().idle(); }, kPatience_ms);
         const auto notices = desk.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text"));
         return read && std::any_of(notices.begin(), notices.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("recordings to be erased")); });
     };
@@ -234,7 +235,7 @@ void TestPeople::eraseAParticipant() {
     desk.go(QStringLiteral("people"));
     desk.click("people.erase_participant");
     auto* who = desk.find<QComboBox>(QStringLiteral("erase_participant.who"));
-    QTRY_COMPARE_WITH_TIMEOUT(who->count(), 2, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(who->count(), 2, kPatience_ms);
     QVERIFY(who->itemText(0).startsWith(QString::fromStdString(goes.code))); // whoever asked for it comes first
     QVERIFY(words().contains(QStringLiteral("as the participant wished, the recordings")));
     who->setCurrentIndex(1);
@@ -245,16 +246,16 @@ void TestPeople::eraseAParticipant() {
     VERIFY_READABLE(desk.dialog("erase_participant"));
     picture(desk.dialog("erase_participant"), QStringLiteral("people_erase_participant"));
     desk.click("erase_participant.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase_participant.notice").contains(QStringLiteral("Nobody was erased")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.notice("erase_participant.notice").contains(QStringLiteral("Nobody was erased")), kPatience_ms);
     const auto erased = [&](const database::Participant& participant) {
         const auto reader = desk.database().openReader();
         return database::StudyReader(**reader, desk.actor("ada")).participantByCode(study, participant.code)->erased;
     };
     QVERIFY(!erased(goes));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("erase_participant.password"))->isEnabled(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("erase_participant.password"))->isEnabled(), kPatience_ms);
     desk.set("erase_participant.password", QLatin1String(kTestPassword));
     desk.click("erase_participant.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase_participant"), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("erase_participant"), kPatience_ms);
     QVERIFY(erased(goes) && !erased(keeps));
     QVERIFY(!homeTells()); // the other one did not ask for it
 }
@@ -265,7 +266,7 @@ void TestPeople::importRoster() {
     auto* screen = desk.screen<desktop::PeopleScreen>();
     write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long word\nTINA,Again,trainee,a good long word\nvic,Vic,wizard,short\n");
     screen->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), kPatience_ms);
     const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
     QVERIFY2(words.contains(QStringLiteral("Line 4, column “roles”: \"wizard\" is no role")) && words.contains(QStringLiteral("Line 4, column “password”: the password")),
              qPrintable(words));
@@ -273,15 +274,15 @@ void TestPeople::importRoster() {
     QVERIFY(!desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_wrong"));
     desk.click("roster.cancel");
-    QTRY_VERIFY(!desk.dialog("roster"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
     write(file, "name,display_name,roles,password\numa,Uma,trainee,a good long word\nvic,Vic,trainer;researcher,a good long word\n");
     screen->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     QCOMPARE(desk.find<QTableWidget>(QStringLiteral("roster.people"))->rowCount(), 2);
     QCOMPARE(desk.table()->model()->rowCount(), 5); // shown, not done
     picture(desk.dialog("roster"), QStringLiteral("people_roster"));
     desk.click("roster.accept");
-    QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 7, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 7, kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainer, Researcher"));
 }
 
@@ -290,7 +291,7 @@ void TestPeople::editNames() {
     const database::SessionId session = desk.addSession("tina", 1, "expert", 1, 1);
     desk.choose(QStringLiteral("tina"));
     desk.click("people.edit");
-    QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("edit_person.full_name"), kPatience_ms);
     QVERIFY(!desk.isEnabled("edit_person.accept")); // nothing is changed yet
     const auto rule = [&] { return desk.find<QLabel>(QStringLiteral("edit_person.name_rule"))->text(); };
     desk.set("edit_person.name", QString());
@@ -299,7 +300,7 @@ void TestPeople::editNames() {
     QVERIFY(!desk.isEnabled("edit_person.accept") && rule().contains(QStringLiteral("cannot be used")));
     desk.set("edit_person.name", QStringLiteral("THEO"));
     desk.click("edit_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(rule().contains(QStringLiteral("already")), 10000); // at the field, and what was typed is kept
+    QTRY_VERIFY_WITH_TIMEOUT(rule().contains(QStringLiteral("already")), kPatience_ms); // at the field, and what was typed is kept
     QCOMPARE(focusName(), QStringLiteral("edit_person.name"));
     picture(desk.dialog("edit_person"), QStringLiteral("people_edit_taken"));
     desk.set("edit_person.name", QStringLiteral("christina"));
@@ -307,14 +308,14 @@ void TestPeople::editNames() {
     VERIFY_READABLE(desk.dialog("edit_person"));
     desk.told.clear();
     desk.click("edit_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("christina")) >= 0, 10000);
-    QTRY_VERIFY2(desk.told.join(u' ').contains(QStringLiteral("christina")) && desk.told.join(u' ').contains(QStringLiteral("saved")), qPrintable(desk.told.join(u' ')));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("christina")) >= 0, kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(desk.told.join(u' ').contains(QStringLiteral("christina")) && desk.told.join(u' ').contains(QStringLiteral("saved")), qPrintable(desk.told.join(u' ')), kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Christina Weiß"));
     // Still chosen, with what she was called before.
     auto* earlier = desk.find<QLabel>(QStringLiteral("people.earlier"));
-    QTRY_VERIFY_WITH_TIMEOUT(earlier->isVisible() && earlier->text().contains(QStringLiteral("Tina Trainee (tina)")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(earlier->isVisible() && earlier->text().contains(QStringLiteral("Tina Trainee (tina)")), kPatience_ms);
     desk.choose(QStringLiteral("theo"));
-    QTRY_VERIFY(!earlier->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!earlier->isVisible(), kPatience_ms);
     auto reader = desk.database().openReader();
     const auto past = database::SessionReader(**reader, desk.actor("ada")).session(session);
     QVERIFY(past && past->summary.personName == "christina"); // her past session says who it was
@@ -331,11 +332,11 @@ void TestPeople::renamingSaysWhatBecomesOfTheSlip() {
     settle();
     desk.go(QStringLiteral("people"));
     settle();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("uma")) >= 0, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("uma")) >= 0, kPatience_ms);
     for (const auto& [name, hasSlip] : {std::pair{"uma", true}, std::pair{"tina", false}}) {
         desk.choose(QString::fromLatin1(name));
         desk.click("people.edit");
-        QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+        QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("edit_person.full_name"), kPatience_ms);
         const auto* renamed = desk.find<QLabel>(QStringLiteral("edit_person.renamed"));
         QVERIFY(renamed && !renamed->isVisible());
         desk.set("edit_person.full_name", QStringLiteral("Another Name"));
@@ -346,7 +347,7 @@ void TestPeople::renamingSaysWhatBecomesOfTheSlip() {
         QCOMPARE(renamed->text().contains(QStringLiteral("slip")), hasSlip);
         VERIFY_READABLE(desk.dialog("edit_person"));
         desk.click("edit_person.cancel");
-        QTRY_VERIFY(!desk.dialog("edit_person"));
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("edit_person"), kPatience_ms);
     }
 }
 
@@ -356,11 +357,11 @@ void TestPeople::renamingOneselfIsSeenAtOnce() {
     desk.click("people.edit");
     desk.set("edit_person.name", QStringLiteral("augusta"));
     desk.click("edit_person.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("augusta")) >= 0, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.rowOf(QStringLiteral("augusta")) >= 0, kPatience_ms);
     QCOMPARE(desk.find<QLabel>(QStringLiteral("nav.person"))->text(), QStringLiteral("augusta"));
     desk.choose(QStringLiteral("tina")); // she still may, under her present login
     desk.click("people.enable");
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 3), QStringLiteral("Disabled"), kPatience_ms);
 }
 
 void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
@@ -368,7 +369,7 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     const QString file = desk.folder() + QStringLiteral("/Kurs.csv");
     write(file, "Name;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nGro\xdf;Uwe;gross;Ausbilder/in;A\r\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     QVERIFY(desk.find<QLabel>(QStringLiteral("roster.read"))->text().contains(QStringLiteral("Windows-1252, separated by semicolons")));
     const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
     QVERIFY2(summary.contains(QStringLiteral("Gruppe")) && summary.contains(QStringLiteral("shown once")), qPrintable(summary));
@@ -376,7 +377,7 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     QVERIFY(desk.isEnabled("roster.accept"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_german"));
     desk.click("roster.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("slips.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("slips.people")), kPatience_ms);
     auto* table = desk.find<QTableWidget>(QStringLiteral("slips.people"));
     QCOMPARE(table->rowCount(), 2);
     QCOMPARE(table->item(0, 0)->text(), QStringLiteral("Jörg Müller"));
@@ -397,15 +398,15 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     desk.dialog("roster")->resize(desk.dialog("roster")->width(), 300); // what is said comes into sight by itself
     slips->saveTo(pdf);
     const auto* said = desk.find<desktop::NoticeArea>(QStringLiteral("slips.notice"));
-    QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
+    QTRY_VERIFY_WITH_TIMEOUT(said->visibleRegion().boundingRect().height() == said->height(), kPatience_ms);
     QVERIFY(slips->isTaken() && QFileInfo(pdf).size() > 1000);
     QVERIFY((QFileInfo(pdf).permissions() & (QFile::ReadGroup | QFile::ReadOther)) == QFile::Permissions());
     desk.click("slips.save"); // asks for a file
-    QTRY_VERIFY(desk.find<QFileDialog>(QString()));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFileDialog>(QString()), kPatience_ms);
     QCOMPARE(desk.find<QFileDialog>(QString())->defaultSuffix(), QStringLiteral("pdf"));
     desk.find<QFileDialog>(QString())->reject();
     desk.click("roster.cancel");
-    QTRY_VERIFY(!desk.dialog("roster"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
     QCOMPARE(desk.table()->model()->rowCount(), 7);
     // It is on the paper that was asked for, and in nothing that the program keeps.
     QDirIterator files(desk.folder(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
@@ -421,8 +422,8 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
     write(file, "login name;full name;role\nTina;Christina;trainer\ntheo;Theo Trainee;trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
-    QTRY_VERIFY(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QRadioButton>(QStringLiteral("roster.update"))->isVisible(), kPatience_ms);
     QVERIFY(!desk.isEnabled("roster.accept")); // both are left as they are: nothing to do
     const auto* accept = desk.find<QPushButton>(QStringLiteral("roster.accept"));
     const auto* leave = desk.find<QPushButton>(QStringLiteral("roster.cancel"));
@@ -430,7 +431,7 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     const QString nothing = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
     QCOMPARE(nothing, QStringLiteral("Nothing to import: everybody on the list is already here."));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
     QVERIFY(accept->isVisible() && leave->text() == QLatin1String("Cancel"));
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Updated"));
@@ -440,8 +441,8 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     VERIFY_READABLE(desk.dialog("roster"));
     picture(desk.dialog("roster"), QStringLiteral("people_roster_update"));
     desk.click("roster.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000); // no passwords: no slips
-    QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms); // no passwords: no slips
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Christina"), kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
     QVERIFY(database::AccountService(desk.database()).login("tina", kTestPassword).has_value());
 }
@@ -457,7 +458,7 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
     write(file, "login name;full name;role\ntina;Tina T.;trainee\ntheo;Another Theo;trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Left as it is"));
     QCOMPARE(table->item(0, 2)->text(), QStringLiteral("tina, known as christina today"));
@@ -467,10 +468,10 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     QVERIFY2(summary.contains(QStringLiteral("Line 3: the login name theo belongs to Another Theo today; it used to be that of theodor.")), qPrintable(summary));
     VERIFY_READABLE(desk.dialog("roster"));
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
     desk.click("roster.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000);
-    QTRY_COMPARE(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("christina"), 1), QStringLiteral("Tina T."), kPatience_ms);
     QCOMPARE(desk.rowOf(QStringLiteral("tina")), -1);
     QCOMPARE(accounts.listPeople(ada)->size(), std::size_t{6});
 }
@@ -484,9 +485,9 @@ void TestPeople::anOldFullNameIsNotGivenBack() {
     const QString file = desk.folder() + QStringLiteral("/roster.csv");
     write(file, "login name;full name;role\ntina;Tina Trainee;trainer\ntheo;Theodor;trainee\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     desk.find<QRadioButton>(QStringLiteral("roster.update"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
     const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
     QVERIFY2(summary.contains(QStringLiteral("Theo Trainee would be called Theodor.")) && summary.contains(QStringLiteral("earlier full name")), qPrintable(summary));
     QVERIFY2(!summary.contains(QStringLiteral("called Tina")), qPrintable(summary));
@@ -495,8 +496,8 @@ void TestPeople::anOldFullNameIsNotGivenBack() {
     QVERIFY(shown->toolTip().contains(QStringLiteral("Tina Trainee")));
     VERIFY_READABLE(desk.dialog("roster"));
     desk.click("roster.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), 10000);
-    QTRY_COMPARE(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog("roster"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 2), QStringLiteral("Trainer"), kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Weiß"));
     QCOMPARE(desk.cell(QStringLiteral("theo"), 1), QStringLiteral("Theodor"));
 }
@@ -506,7 +507,7 @@ void TestPeople::otherFilesAreNamed() {
     const QString file = desk.folder() + QStringLiteral("/roster.xlsx");
     write(file, QByteArray("PK\x03\x04\x14\x00\x06\x00", 8) + QByteArray(22, '\1') + "[Content_Types].xml");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QFrame>(QStringLiteral("roster.problems")), kPatience_ms);
     const QString words = desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();
     QVERIFY2(words.contains(QStringLiteral("Save As")) && words.contains(QStringLiteral("CSV UTF-8")), qPrintable(words));
     QVERIFY(!desk.isEnabled("roster.accept"));
@@ -546,26 +547,26 @@ void TestPeople::enterPressesTheFocusedButton() {
     for (const auto& [button, dialog] : {std::pair{"people.add", "add_person"}, std::pair{"people.edit", "edit_person"}, std::pair{"people.roles", "roles"},
                                          std::pair{"people.reset", "reset"}, std::pair{"people.erase", "erase"}}) {
         desk.click(button);
-        QTRY_VERIFY(desk.dialog(dialog) && desk.dialog(dialog)->isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(desk.dialog(dialog) && desk.dialog(dialog)->isActiveWindow(), kPatience_ms);
         auto* cancel = desk.find<QPushButton>(QLatin1String(dialog) + QStringLiteral(".cancel"));
         auto* accept = desk.find<QPushButton>(QLatin1String(dialog) + QStringLiteral(".accept"));
         QVERIFY2(accept->isDefault(), dialog);
         cancel->setFocus();
         press(Qt::Key_Return);
-        QTRY_VERIFY2(!desk.dialog(dialog), dialog); // left, not sent
+        QTRY_VERIFY2_WITH_TIMEOUT(!desk.dialog(dialog), dialog, kPatience_ms); // left, not sent
     }
     QCOMPARE(desk.table()->model()->rowCount(), 5);
     // In a field Enter sends what is complete.
     desk.click("people.edit");
-    QTRY_COMPARE(focusName(), QStringLiteral("edit_person.full_name"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("edit_person.full_name"), kPatience_ms);
     desk.set("edit_person.full_name", QStringLiteral("Tina Tester"));
     press(Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Tester"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.cell(QStringLiteral("tina"), 1), QStringLiteral("Tina Tester"), kPatience_ms);
     // The one that copies copies, although closing is the default.
     desk.choose(QStringLiteral("theo"));
     desk.click("people.reset");
     desk.click("reset.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("handed.copy")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>(QStringLiteral("handed.copy")), kPatience_ms);
     desk.find<QPushButton>(QStringLiteral("handed.copy"))->setFocus();
     press(Qt::Key_Enter);
     QVERIFY(desk.dialog("reset"));
@@ -587,7 +588,7 @@ void TestPeople::fitsAtEveryScale() {
     desk.settings.setTheme(static_cast<desktop::ThemeName>(theme));
     desk.context.applyAppearance();
     settle();
-    QTRY_VERIFY(desk.table() && desk.table()->model()->rowCount() == 5);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.table() && desk.table()->model()->rowCount() == 5, kPatience_ms);
     desk.choose(QStringLiteral("tina"));
     VERIFY_READABLE(desk.window->screen());
     picture(desk.window.get(), QStringLiteral("people_%1").arg(scale));
@@ -598,7 +599,7 @@ void TestPeople::fitsAtEveryScale() {
         VERIFY_READABLE(desk.dialog(dialog));
         picture(desk.dialog(dialog), QStringLiteral("people_%1_%2").arg(QLatin1String(dialog)).arg(scale));
         desk.dialog(dialog)->close();
-        QTRY_VERIFY(!desk.dialog(dialog));
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.dialog(dialog), kPatience_ms);
     }
 }
 

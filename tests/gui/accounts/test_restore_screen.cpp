@@ -9,6 +9,7 @@
 #include "desktop/restore/restore_screen.h"
 #include "session/backup_list.h"
 #include "support/damaged_file.h"
+#include "support/patience.h"
 
 #include <QDialog>
 #include <QDir>
@@ -25,7 +26,6 @@ using namespace chiron::tests;
 namespace {
 
 constexpr const char* kPassword = "eleven-fine-horses";
-constexpr int kPatience_ms = 30000;
 
 database::DatabaseOptions cheap() {
     database::DatabaseOptions options;
@@ -144,7 +144,7 @@ void TestRestoreScreen::aDamagedSiteComesBack() {
     auto* table = lost.find<QTableWidget>("restore.backups");
     QCOMPARE(table->rowCount(), 2);
     for (int row : {0, 1}) {
-        QTRY_COMPARE(lost.state(row), QStringLiteral("Intact"));
+        QTRY_COMPARE_WITH_TIMEOUT(lost.state(row), QStringLiteral("Intact"), kPatience_ms);
         for (int column = 0; column < table->columnCount(); ++column)
             QVERIFY2(!table->item(row, column)->text().isEmpty(), qPrintable(QString::number(column)));
     }
@@ -200,7 +200,7 @@ void TestRestoreScreen::aWrongPasswordChangesNothing() {
     QVERIFY(lost.find<QLabel>("restore.explanation")->text().contains(QStringLiteral("the day it was made"))); // which password is meant
     QVERIFY(lost.find<QLabel>("restore.why_other")->text().contains(QStringLiteral("has to agree")));
     QCOMPARE(lost.find<QLineEdit>("restore.name")->text(), QStringLiteral("ada"));
-    QTRY_COMPARE(focusName(), QStringLiteral("restore.password"));
+    QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("restore.password"), kPatience_ms);
     QVERIFY(contentOf(lost.file()) == damaged);
     QCOMPARE(QDir(lost.folder.path()).entryList({QStringLiteral("*restor*")}, QDir::Files), QStringList());
     QVERIFY(lost.screen()->mayLeave());
@@ -219,8 +219,8 @@ void TestRestoreScreen::aDamagedBackupIsMarkedAndRefused() {
     QVERIFY(lost.screen());
     auto* table = lost.find<QTableWidget>("restore.backups");
     const int bad = table->item(0, 3)->text() == QLatin1String("Automatic") ? 0 : 1;
-    QTRY_COMPARE(lost.state(bad), QStringLiteral("Cannot be used"));
-    QTRY_COMPARE(lost.state(1 - bad), QStringLiteral("Intact"));
+    QTRY_COMPARE_WITH_TIMEOUT(lost.state(bad), QStringLiteral("Cannot be used"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.state(1 - bad), QStringLiteral("Intact"), kPatience_ms);
     QVERIFY(!table->item(bad, 4)->toolTip().isEmpty());
     table->selectRow(bad);
     QVERIFY(!lost.find<QPushButton>("restore.restore")->isEnabled());
@@ -237,8 +237,8 @@ void TestRestoreScreen::aLostKeyIsTold() {
     lost.start();
     QVERIFY(lost.screen());
     QVERIFY(lost.find<QFrame>("restore.key"));
-    QTRY_COMPARE(lost.state(0), QStringLiteral("Cannot be used"));
-    QTRY_COMPARE(lost.state(1), QStringLiteral("Cannot be used"));
+    QTRY_COMPARE_WITH_TIMEOUT(lost.state(0), QStringLiteral("Cannot be used"), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.state(1), QStringLiteral("Cannot be used"), kPatience_ms);
 }
 
 void TestRestoreScreen::withoutBackupsAFileIsChosen() {
@@ -248,15 +248,15 @@ void TestRestoreScreen::withoutBackupsAFileIsChosen() {
     QVERIFY(damage(lost.file(), QStringLiteral("cut off")));
     lost.start();
     QVERIFY(lost.screen());
-    QTRY_COMPARE(lost.find<QLabel>("state.title")->text(), QStringLiteral("No backup was found"));
+    QTRY_COMPARE_WITH_TIMEOUT(lost.find<QLabel>("state.title")->text(), QStringLiteral("No backup was found"), kPatience_ms);
     QVERIFY(!lost.find<QPushButton>("restore.restore")->isEnabled());
     lost.find<QPushButton>("restore.choose")->click();
     auto* dialog = lost.window->findChild<QFileDialog*>();
     QVERIFY(dialog && dialog->fileMode() == QFileDialog::ExistingFile);
     emit dialog->fileSelected(elsewhere + QStringLiteral("/by_hand/manifest.json"));
     dialog->close();
-    QTRY_COMPARE(lost.find<QTableWidget>("restore.backups")->rowCount(), 1);
-    QTRY_COMPARE(lost.state(0), QStringLiteral("Intact"));
+    QTRY_COMPARE_WITH_TIMEOUT(lost.find<QTableWidget>("restore.backups")->rowCount(), 1, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(lost.state(0), QStringLiteral("Intact"), kPatience_ms);
     lost.answer("ada", kPassword);
     QTRY_VERIFY_WITH_TIMEOUT(lost.site.isOpen(), kPatience_ms);
 }
@@ -270,7 +270,7 @@ void TestRestoreScreen::whatIsNoBackupIsTold() {
     auto* dialog = lost.window->findChild<QFileDialog*>();
     emit dialog->fileSelected(lost.file());
     dialog->close();
-    QTRY_VERIFY(lost.said.text.contains(QStringLiteral("is not a backup")));
+    QTRY_VERIFY_WITH_TIMEOUT(lost.said.text.contains(QStringLiteral("is not a backup")), kPatience_ms);
     QCOMPARE(lost.find<QTableWidget>("restore.backups")->rowCount(), 2);
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/background.h"
+#include "support/patience.h"
 
 #include <QThread>
 #include <QtTest>
 
 #include <atomic>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using desktop::Background;
@@ -29,7 +32,7 @@ void TestBackground::resultsAreToldOnTheGuiThread() {
     int result = 0;
     background.run(this, [&worked](WorkToken&) { worked = QThread::currentThread(); return 7; },
                    [&](int value) { told = QThread::currentThread(); result = value; });
-    QTRY_COMPARE(result, 7);
+    QTRY_COMPARE_WITH_TIMEOUT(result, 7, kPatience_ms);
     QVERIFY(worked && worked != QThread::currentThread());
     QCOMPARE(told, QThread::currentThread());
 }
@@ -42,7 +45,7 @@ void TestBackground::isBusyUntilTheResultIsTold() {
     background.run(this, [](WorkToken&) { return 1; }, [&](int) { told = true; });
     background.cancelAndWait(); // the work has ended
     QVERIFY(!told && !background.idle());
-    QTRY_VERIFY(background.idle());
+    QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
     QVERIFY(told);
 }
 
@@ -52,7 +55,7 @@ void TestBackground::tellsNobodyWhoIsGone() {
     auto owner = std::make_unique<QObject>();
     background.run(owner.get(), [](WorkToken&) { return 1; }, [&](int) { told = true; });
     owner.reset();
-    QTRY_VERIFY(background.idle());
+    QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
     QVERIFY(!told);
 }
 
@@ -63,7 +66,7 @@ void TestBackground::workMayBeginWork() {
         background.run(this, [first](WorkToken&) { return first + 1; }, [&](int second) { told = second; });
         QVERIFY(!background.idle());
     });
-    QTRY_VERIFY(background.idle());
+    QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
     QCOMPARE(told, 2);
 }
 
@@ -78,7 +81,7 @@ void TestBackground::endsEarlyWhenAsked() {
     const auto one = background.run(this, untilCancelled, [](int) {});
     background.run(this, untilCancelled, [](int) {});
     one->cancel();
-    QTRY_COMPARE(ended.load(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.load(), 1, kPatience_ms);
     QVERIFY(!background.idle()); // the other one is still running
     background.cancelAndWait();
     QCOMPARE(ended.load(), 2);
@@ -93,10 +96,10 @@ void TestBackground::saysHowFarItIs() {
             QThread::msleep(1);
         return 0;
     }, [](int) {});
-    QTRY_COMPARE(token->done(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(token->done(), 3, kPatience_ms);
     QCOMPARE(token->of(), 10);
     goOn = true;
-    QTRY_VERIFY(background.idle());
+    QTRY_VERIFY_WITH_TIMEOUT(background.idle(), kPatience_ms);
 }
 
 QTEST_GUILESS_MAIN(TestBackground)

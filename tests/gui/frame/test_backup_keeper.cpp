@@ -5,11 +5,14 @@
 #include "desktop/screen_catalogue.h"
 #include "session/backup_list.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QThread>
 #include <QTimer>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -19,7 +22,6 @@ namespace {
 
 using tests::DesktopFixture;
 
-constexpr int kPatience_ms = 30000;
 
 /// A program that nobody touches.
 struct Quiet {

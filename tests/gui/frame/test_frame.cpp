@@ -14,6 +14,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QCursor>
@@ -28,6 +29,8 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -51,11 +54,11 @@ private slots:
         desktop.go(QStringLiteral("settings"));
         desktop.go(QStringLiteral("home"));
         QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(desktop.find<QLineEdit>(QStringLiteral("palette.field")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);
         auto* field = desktop.find<QLineEdit>(QStringLiteral("palette.field"));
         QTest::keyClicks(field, QStringLiteral("settings"));
         QTest::keyClick(field, Qt::Key_Return);
-        QTRY_VERIFY(desktop.screen<SettingsScreen>());
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
     }
 
     void entriesOfTheSideBarAreAsWideAsIt() {
@@ -65,7 +68,7 @@ private slots:
         auto* entry = desktop.find<QPushButton>(QStringLiteral("nav.people"));
         QVERIFY(entry);
         const QWidget* view = entry->parentWidget()->parentWidget(); // of the list, which would scroll
-        QTRY_COMPARE(entry->width(), view->width());
+        QTRY_COMPARE_WITH_TIMEOUT(entry->width(), view->width(), kPatience_ms);
         QCOMPARE(entry->parentWidget()->height(), view->height());
     }
 
@@ -74,10 +77,10 @@ private slots:
         desktop.logIn("tina");
         desktop.go(QStringLiteral("settings"));
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.theme.1")), Qt::LeftButton);
-        QTRY_COMPARE(desktop.context.theme().name(), ThemeName::dark);
+        QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().name(), ThemeName::dark, kPatience_ms);
         QTest::mouseClick(desktop.find<QRadioButton>(QStringLiteral("settings.scale.200")), Qt::LeftButton, {}, QPoint(5, 5));
-        QTRY_COMPARE(desktop.context.theme().scale(), 2.0);
-        QTRY_VERIFY(desktop.screen<SettingsScreen>()); // still there, built anew
+        QTRY_COMPARE_WITH_TIMEOUT(desktop.context.theme().scale(), 2.0, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms); // still there, built anew
         QVERIFY(Settings(desktop.folder() + QStringLiteral("/desktop.ini")).scale() == 2.0);
     }
 
@@ -92,7 +95,7 @@ private slots:
         QTest::qWait(20);
         QCOMPARE(desktop.window->screen(), before);
         desktop.context.setTrialRuns(false);
-        QTRY_VERIFY(desktop.window->screen() != before);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.window->screen() != before, kPatience_ms);
     }
 
     void brokenSettingsGiveDefaults() {
@@ -254,7 +257,7 @@ private slots:
         QVERIFY(bar.isHidden());
         bar.tell({MessageKind::done, QStringLiteral("Soon gone"), {}, {}});
         timer->start(0);
-        QTRY_VERIFY(bar.isHidden());
+        QTRY_VERIFY_WITH_TIMEOUT(bar.isHidden(), kPatience_ms);
     }
 
     /// Nothing moves under the pointer when something is said, and nothing is said between the pointer and what it points at.
@@ -303,7 +306,7 @@ private slots:
             desktop.context.applyAppearance();
             desktop.logIn("tina");
             desktop.go(QStringLiteral("settings"));
-            QTRY_VERIFY(desktop.screen<SettingsScreen>());
+            QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
             const int height = desktop.window->screen()->height();
             desktop.context.messages().done(QStringLiteral("It was saved."));
             auto* bar = desktop.find<MessageBar>(QStringLiteral("messages"));
@@ -324,7 +327,7 @@ private slots:
             QCOMPARE(text->accessibleName(), whole);
             QCOMPARE(desktop.window->screen()->height(), height); // nothing made room for it
             more->click();
-            QTRY_VERIFY(desktop.find<QLabel>(QStringLiteral("words.text")));
+            QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("words.text")), kPatience_ms);
             QCOMPARE(desktop.find<QLabel>(QStringLiteral("words.text"))->text(), whole);
             desktop.find<QDialog>(QStringLiteral("words"))->close();
         }
@@ -345,7 +348,7 @@ private slots:
             return false;
         };
         QVERIFY(!says()); // short work does not flicker
-        QTRY_VERIFY(says());
+        QTRY_VERIFY_WITH_TIMEOUT(says(), kPatience_ms);
     }
 
     /// On a screen Enter presses the button that has the focus, once however long it is held; nothing else changes its meaning.
@@ -355,7 +358,7 @@ private slots:
         auto* settings = desktop.find<QPushButton>(QStringLiteral("nav.settings"));
         settings->setFocus();
         QTest::keyClick(settings, Qt::Key_Return);
-        QTRY_VERIFY(desktop.screen<SettingsScreen>());
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
         int pressed = 0;
         QWidget* const page = desktop.window->screen();
         const auto add = [&](QAbstractButton* button) {
@@ -395,7 +398,7 @@ private slots:
         desktop.logIn("tom");
         desktop.go(QStringLiteral("sessions"));
         auto* screen = desktop.screen<SessionsScreen>();
-        QTRY_VERIFY(screen->isComplete());
+        QTRY_VERIFY_WITH_TIMEOUT(screen->isComplete(), kPatience_ms);
         auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
         table->setFocus();
         table->selectRow(2);
@@ -403,22 +406,22 @@ private slots:
         auto* voids = desktop.find<QPushButton>(QStringLiteral("sessions.void"));
         voids->setFocus();
         QTest::keyClick(voids, Qt::Key_Return);
-        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")));
-        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")))); // ready to type
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason"))), kPatience_ms); // ready to type
         const auto comeBack = [&desktop] { // as a window manager does when a dialog has closed
             desktop.window->activateWindow();
             return QTest::qWaitForWindowActive(desktop.window.get());
         };
         QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
         QVERIFY(comeBack());
-        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(voids)); // nothing was done: where it was
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(voids), kPatience_ms); // nothing was done: where it was
         QTest::keyClick(voids, Qt::Key_Return);
-        QTRY_VERIFY(QApplication::activeModalWidget());
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget(), kPatience_ms);
         QApplication::activeModalWidget()->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("wrong hand"));
         QApplication::activeModalWidget()->findChild<QPushButton*>(QStringLiteral("void.confirm"))->click();
         QVERIFY(comeBack());
-        QTRY_COMPARE(screen->model().at(2).summary.state, database::SessionState::voided);
-        QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(table));
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(2).summary.state, database::SessionState::voided, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(table), kPatience_ms);
         QCOMPARE(table->currentIndex().row(), 2);
         QCOMPARE(screen->model().at(2).summary.id, chosen);
     }
@@ -432,7 +435,7 @@ private slots:
         auto* other = desktop.find<QCheckBox>(QStringLiteral("settings.sound")); // not the one that Qt would choose
         for (const bool hide : {false, true}) {
             first->setFocus();
-            QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(first));
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first), kPatience_ms);
             if (hide)
                 first->hide();
             else
@@ -442,7 +445,7 @@ private slots:
                 first->show();
             else
                 first->setEnabled(true);
-            QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget*>(first));
+            QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), static_cast<QWidget*>(first), kPatience_ms);
         }
         first->setEnabled(false);
         QCoreApplication::processEvents();
@@ -469,13 +472,13 @@ private slots:
         desktop.context.navigator().replace({QStringLiteral("login"), {}});
         QVERIFY(desktop.find<QLabel>(QStringLiteral("logo")) && !desktop.find<QLabel>(QStringLiteral("logo"))->pixmap().isNull());
         desktop.context.navigator().replace({QStringLiteral("first_start"), {}});
-        QTRY_VERIFY(desktop.window->screen()->findChild<QLabel*>(QStringLiteral("logo")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.window->screen()->findChild<QLabel*>(QStringLiteral("logo")), kPatience_ms);
         desktop.logIn("tina");
         QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(desktop.find<QLineEdit>(QStringLiteral("palette.field")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);
         QTest::keyClicks(desktop.find<QLineEdit>(QStringLiteral("palette.field")), QStringLiteral("about"));
         QTest::keyClick(desktop.find<QLineEdit>(QStringLiteral("palette.field")), Qt::Key_Return);
-        QTRY_VERIFY(desktop.find<QDialog>(QStringLiteral("about")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QDialog>(QStringLiteral("about")), kPatience_ms);
         auto* about = desktop.find<QDialog>(QStringLiteral("about"));
         QVERIFY(about->findChild<QLabel*>(QStringLiteral("logo")));
         QVERIFY(!about->findChild<QLabel*>(QStringLiteral("about.build"))->text().isEmpty());
@@ -490,7 +493,7 @@ private slots:
         QVERIFY(first.listen());
         QSignalSpy raised(&first, &InstanceLink::raiseAsked);
         QVERIFY(InstanceLink::raiseOther(file));
-        QTRY_COMPARE(raised.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(raised.count(), 1, kPatience_ms);
     }
 
     void secondProgramIsNotFooledByALeftOver() {

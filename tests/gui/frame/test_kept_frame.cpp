@@ -7,11 +7,14 @@
 #include "desktop/frame/message_bar.h"
 #include "support/desktop_fixture.h"
 #include "support/kept_text.h"
+#include "support/patience.h"
 #include "support/screen_outline.h"
 
 #include <QDialog>
 #include <QLineEdit>
 #include <QTimer>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -109,7 +112,7 @@ private slots:
             desktop->window->activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(desktop->window.get()));
             QTest::keyClick(desktop->window.get(), key, with);
-            QTRY_VERIFY2(openDialog(), name);
+            QTRY_VERIFY2_WITH_TIMEOUT(openDialog(), name, kPatience_ms);
             hold(QLatin1String(name), tests::ScreenOutline::of(*openDialog(), true, true));
             if (auto* field = openDialog()->findChild<QLineEdit*>(QStringLiteral("palette.field")))
                 for (const char* typed : {"lo", "no such thing"}) {
@@ -148,7 +151,7 @@ private slots:
                 break;
             QObject::connect(&desktop->context, &AppContext::lockAsked, &desktop->context, [&] { asked = QStringLiteral("lock"); });
             commands[at].act();
-            QTRY_VERIFY(desktop->context.background().idle());
+            QTRY_VERIFY_WITH_TIMEOUT(desktop->context.background().idle(), kPatience_ms);
             all << QStringLiteral("%1 [%2]: %3%4").arg(commands[at].text, commands[at].keys.toString(), stateOf(*desktop), asked.isEmpty() ? QString() : QStringLiteral(", asks for ") + asked);
         }
         hold(QStringLiteral("commands"), all);

@@ -117,7 +117,7 @@ private slots:
             say({waitWords(seconds)});
         for (const core::ErrorCode code : {core::ErrorCode::notAllowed, core::ErrorCode::notFound, core::ErrorCode::storage, core::ErrorCode::locked, core::ErrorCode::device, core::ErrorCode::cancelled,
                                            core::ErrorCode::doesNotHold, core::ErrorCode::wrongUse, core::ErrorCode::badInput})
-            say({inWords({code, "details"}), inWords({code, "details"}, Attempt::reading), inWords({code, "details"}, Attempt::opening)});
+            say({inWords({code, "details"}), inWords({code, "details"}, Tried::reading), inWords({code, "details"}, Tried::opening)});
         Messages messages;
         connect(&messages, &Messages::told, this, [this](const Message& message) { say({QString::number(static_cast<int>(message.kind)), message.text, message.actionText, message.action ? QStringLiteral("acts") : QString()}); });
         messages.done(QStringLiteral("done"));

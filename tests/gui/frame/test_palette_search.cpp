@@ -9,11 +9,14 @@
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
 #include "support/made_study.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -22,7 +25,6 @@ namespace {
 
 using tests::DesktopFixture;
 
-constexpr int kPatience_ms = 20000;
 
 /// The palette as it is after these letters were typed and everything was found.
 class Palette {
@@ -115,13 +117,13 @@ void TestPaletteSearch::peopleLeadToTheirPlace() {
         QCOMPARE(palette.below(QStringLiteral("People")), QStringList{QStringLiteral("Tina Trainee (tina)")});
         QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
     }
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<PeopleScreen>(), 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<PeopleScreen>(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("people.chosen"))->text().contains(QStringLiteral("tina")), kPatience_ms);
     desktop.logIn("tom"); // a trainer looks at what somebody did
     Palette palette(desktop);
     palette.type(QStringLiteral("tina"));
     QVERIFY(palette.choose(QStringLiteral("Tina Trainee")));
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SessionsScreen>(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SessionsScreen>(), kPatience_ms);
     QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), desktop.actor("tina").personId());
 }
 
@@ -136,12 +138,12 @@ void TestPaletteSearch::exercisesAndSessionsOpen() {
         QVERIFY(!exercises.isEmpty() && exercises.front().contains(QStringLiteral("level 2")));
         QVERIFY(palette.choose(exercises.front()));
     }
-    QTRY_VERIFY(desktop.screen<ExerciseSetupScreen>());
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<ExerciseSetupScreen>(), kPatience_ms);
     QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("level")).toInt(), 2);
     Palette palette(desktop);
     palette.type(QStringLiteral("session %1").arg(id));
     QVERIFY(palette.choose(QStringLiteral("Session %1:").arg(id)));
-    QTRY_VERIFY(desktop.screen<DebriefScreen>());
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<DebriefScreen>(), kPatience_ms);
     QCOMPARE(desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), id);
 }
 
@@ -179,7 +181,7 @@ void TestPaletteSearch::studiesAreTheResearchers() {
     palette.type(title.left(8));
     QVERIFY2(!palette.below(QStringLiteral("Studies")).isEmpty(), qPrintable(title));
     QVERIFY(palette.choose(palette.below(QStringLiteral("Studies")).front()));
-    QTRY_COMPARE(desktop.context.navigator().current().screen, QStringLiteral("study"));
+    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
     desktop.logIn("tina");
     Palette hers(desktop);
     hers.type(title.left(8));
@@ -197,8 +199,8 @@ void TestPaletteSearch::otherScreensCommandsLeadThere() {
         QCOMPARE(palette.below(QStringLiteral("On other screens")), QStringList{QStringLiteral("Storage: Back up now")});
         QVERIFY(palette.choose(QStringLiteral("Storage: Back up now")));
     }
-    QTRY_COMPARE(desktop.context.navigator().current().screen, QStringLiteral("storage"));
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), 5000);
+    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("storage"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), kPatience_ms);
     QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
 }
 

@@ -2,6 +2,7 @@
 #include "desktop/theme/theme.h"
 
 #include "support/kept_text.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,6 +17,8 @@
 #include <QVBoxLayout>
 #include <QtTest>
 #include <cmath>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -123,13 +126,13 @@ private slots:
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         elsewhere->setFocus();
-        QTRY_VERIFY(elsewhere->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(elsewhere->hasFocus(), kPatience_ms);
         const QSize plain = parts[4]->sizeHint();
         for (QWidget* part : parts) {
             const QByteArray what = part->metaObject()->className() + QByteArray(" ") + part->property("kind").toByteArray();
             const QSize before = part->sizeHint();
             part->setFocus();
-            QTRY_VERIFY(part->hasFocus());
+            QTRY_VERIFY_WITH_TIMEOUT(part->hasFocus(), kPatience_ms);
             QVERIFY2(part->sizeHint() == before, what);
             if (auto* button = qobject_cast<QPushButton*>(part)) {
                 QCOMPARE(before.height(), plain.height()); // whatever its kind
@@ -138,7 +141,7 @@ private slots:
                 QVERIFY2(part->sizeHint() == before, what);
             }
             elsewhere->setFocus();
-            QTRY_VERIFY(elsewhere->hasFocus());
+            QTRY_VERIFY_WITH_TIMEOUT(elsewhere->hasFocus(), kPatience_ms);
         }
         auto* field = static_cast<QLineEdit*>(parts[0]);
         const QSize good = field->sizeHint();

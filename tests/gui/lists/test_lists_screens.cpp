@@ -13,6 +13,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "gui/lists/many_sessions.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QComboBox>
 #include <QDateEdit>
@@ -25,6 +26,8 @@
 #include <QTableView>
 
 #include <algorithm>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -42,13 +45,13 @@ StatePanel* panel(DesktopFixture& desktop) {
 }
 
 bool loaded(DesktopFixture& desktop) {
-    return QTest::qWaitFor([&desktop] { return panel(desktop) && panel(desktop)->state() == StatePanel::State::content; }, 10000);
+    return QTest::qWaitFor([&desktop] { return panel(desktop) && panel(desktop)->state() == StatePanel::State::content; }, kPatience_ms);
 }
 
 SessionsScreen* openSessions(DesktopFixture& desktop, const QVariantMap& filter = {}) {
     desktop.go(QStringLiteral("sessions"), filter);
     auto* screen = desktop.screen<SessionsScreen>();
-    return QTest::qWaitFor([screen] { return screen->isComplete(); }, 10000) ? screen : nullptr;
+    return QTest::qWaitFor([screen] { return screen->isComplete(); }, kPatience_ms) ? screen : nullptr;
 }
 
 core::Result<database::SessionRecord> stored(DesktopFixture& desktop, database::SessionId id) {
@@ -66,7 +69,7 @@ private slots:
         DesktopFixture desktop;
         desktop.logIn("tina");
         QVERIFY(loaded(desktop));
-        QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("home.continue"));
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QLatin1String("home.continue"), kPatience_ms);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
         QCOMPARE(here(desktop).screen, QStringLiteral("exercise_setup"));
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("level")).toInt(), 1);
@@ -145,7 +148,7 @@ private slots:
         auto* go = desktop.find<QPushButton>(QStringLiteral("home.continue"));
         auto* sessions = desktop.find<QPushButton>(QStringLiteral("home.sessions"));
         QVERIFY(go && sessions);
-        QTRY_VERIFY(go->mapTo(desktop.window.get(), QPoint()).y() > sessions->mapTo(desktop.window.get(), QPoint()).y());
+        QTRY_VERIFY_WITH_TIMEOUT(go->mapTo(desktop.window.get(), QPoint()).y() > sessions->mapTo(desktop.window.get(), QPoint()).y(), kPatience_ms);
     }
 
     void whatACrashLeftIsTold() {
@@ -175,12 +178,12 @@ private slots:
         QVERIFY(loaded(desktop));
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("nav.sessions")), Qt::LeftButton); // 1
         auto* screen = desktop.screen<SessionsScreen>();
-        QTRY_VERIFY(screen && screen->isComplete());
+        QTRY_VERIFY_WITH_TIMEOUT(screen && screen->isComplete(), kPatience_ms);
         auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
-        QTRY_COMPARE(QApplication::focusWidget(), table);
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), table, kPatience_ms);
         QTest::keyClick(desktop.window.get(), Qt::Key_F, Qt::ControlModifier);
         auto* search = desktop.find<QLineEdit>(QStringLiteral("sessions.search"));
-        QTRY_COMPARE(QApplication::focusWidget(), search);
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), search, kPatience_ms);
         QTest::keyClicks(search, QStringLiteral("123")); // 2
         QCOMPARE(screen->model().rowCount(), 1);
         QTest::keyClick(search, Qt::Key_Return);
@@ -200,13 +203,13 @@ private slots:
             desktop.logIn("tom");
             QVERIFY(openSessions(desktop));
             auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
-            QTRY_COMPARE(table->horizontalScrollBar()->maximum(), 0);
+            QTRY_COMPARE_WITH_TIMEOUT(table->horizontalScrollBar()->maximum(), 0, kPatience_ms);
             using Model = SessionTableModel;
             for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
                 QVERIFY(!table->isColumnHidden(column));
             QVERIFY(table->isColumnHidden(Model::number));
             desktop.window->resize(2400, 900);
-            QTRY_VERIFY(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName));
+            QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName), kPatience_ms);
         }
     }
 
@@ -249,11 +252,11 @@ private slots:
         table->setCurrentIndex(screen->model().index(2, 0));
         const auto id = screen->model().at(2).summary.id;
         QTest::keyClick(desktop.window.get(), Qt::Key_P, Qt::ControlModifier);
-        QTRY_COMPARE(here(desktop).screen, QStringLiteral("playback"));
+        QTRY_COMPARE_WITH_TIMEOUT(here(desktop).screen, QStringLiteral("playback"), kPatience_ms);
         QCOMPARE(here(desktop).parameters.value(QStringLiteral("session")).toLongLong(), qlonglong(id));
         desktop.context.navigator().back();
         auto* again = desktop.screen<SessionsScreen>();
-        QTRY_VERIFY(again && again->isComplete());
+        QTRY_VERIFY_WITH_TIMEOUT(again && again->isComplete(), kPatience_ms);
         QCOMPARE(again->model().rowCount(), rows);
         auto* tableAgain = again->findChild<QTableView*>();
         QCOMPARE(again->model().at(tableAgain->currentIndex().row()).summary.id, id);
@@ -286,7 +289,7 @@ private slots:
         database::AccountService accounts(desktop.database());
         QVERIFY(accounts.setEnabled(ada, desktop.context.actor().personId(), false)); // disabled meanwhile
         desktop.go(QStringLiteral("sessions"));
-        QTRY_COMPARE(panel(desktop)->state(), StatePanel::State::error);
+        QTRY_COMPARE_WITH_TIMEOUT(panel(desktop)->state(), StatePanel::State::error, kPatience_ms);
         QVERIFY(accounts.setEnabled(ada, desktop.context.actor().personId(), true));
         QTest::mouseClick(desktop.window->screen()->findChild<QPushButton*>(QStringLiteral("state.action")), Qt::LeftButton);
         QVERIFY(loaded(desktop));
@@ -299,25 +302,25 @@ private slots:
         auto* screen = openSessions(desktop);
         QVERIFY(screen);
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.void")), Qt::LeftButton);
-        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), kPatience_ms);
         auto* confirm = desktop.find<QPushButton>(QStringLiteral("void.confirm"));
         QVERIFY(!confirm->isEnabled());
         QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("  "));
         QVERIFY(!confirm->isEnabled());
         QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("void.reason")), QStringLiteral("device slipped"));
         QTest::mouseClick(confirm, Qt::LeftButton);
-        QTRY_COMPARE(screen->model().at(0).summary.state, database::SessionState::voided);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().at(0).summary.state, database::SessionState::voided, kPatience_ms);
         QCOMPARE(stored(desktop, 5)->voidReason, std::string("device slipped"));
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
         auto* again = desktop.find<QPushButton>(QStringLiteral("sessions.reinstate"));
         QVERIFY(again->isVisible());
         QTest::mouseClick(again, Qt::LeftButton);
-        QTRY_VERIFY(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")), kPatience_ms);
         confirm = desktop.find<QPushButton>(QStringLiteral("reinstate.confirm"));
         QVERIFY(!confirm->isEnabled());
         QTest::keyClicks(desktop.find<QPlainTextEdit>(QStringLiteral("reinstate.reason")), QStringLiteral("another one slipped"));
         QTest::mouseClick(confirm, Qt::LeftButton);
-        QTRY_VERIFY(screen->model().at(0).summary.state != database::SessionState::voided);
+        QTRY_VERIFY_WITH_TIMEOUT(screen->model().at(0).summary.state != database::SessionState::voided, kPatience_ms);
         QCOMPARE(stored(desktop, 5)->decisions.size(), std::size_t{2});
         QVERIFY(!again->isVisible() && desktop.find<QPushButton>(QStringLiteral("sessions.void"))->isEnabled());
     }
@@ -341,7 +344,7 @@ private slots:
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("home.to_review")), Qt::LeftButton);
         auto* screen = desktop.screen<SessionsScreen>();
         QVERIFY(screen);
-        QTRY_VERIFY(screen->isComplete());
+        QTRY_VERIFY_WITH_TIMEOUT(screen->isComplete(), kPatience_ms);
         QCOMPARE(screen->model().rowCount(), 3);
         QCOMPARE(screen->model().total(), 8);
         QVERIFY(desktop.find<QLabel>(QStringLiteral("sessions.count"))->text().startsWith(QStringLiteral("3 ")));
@@ -450,13 +453,13 @@ private slots:
         auto* screen = openSessions(desktop);
         QVERIFY(screen);
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
-        QTRY_COMPARE(screen->model().rowCount(), 4);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().rowCount(), 4, kPatience_ms);
         QVERIFY(stored(desktop, 5)->summary.archived);
         const auto bar = [&desktop] { return desktop.find<QPushButton>(QStringLiteral("messages.action")); }; // made when it is first needed
-        QTRY_VERIFY(bar() && bar()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), kPatience_ms);
         auto* undo = bar();
         QTest::mouseClick(undo, Qt::LeftButton);
-        QTRY_COMPARE(screen->model().rowCount(), 5);
+        QTRY_COMPARE_WITH_TIMEOUT(screen->model().rowCount(), 5, kPatience_ms);
         QVERIFY(!stored(desktop, 5)->summary.archived);
     }
 
@@ -467,12 +470,12 @@ private slots:
         QVERIFY(openSessions(desktop));
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("sessions.archive")), Qt::LeftButton);
         const auto bar = [&desktop] { return desktop.find<QPushButton>(QStringLiteral("messages.action")); }; // made when it is first needed
-        QTRY_VERIFY(bar() && bar()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), kPatience_ms);
         auto* undo = bar();
         desktop.go(QStringLiteral("settings"));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::mouseClick(undo, Qt::LeftButton);
-        QTRY_VERIFY(!stored(desktop, 2)->summary.archived);
+        QTRY_VERIFY_WITH_TIMEOUT(!stored(desktop, 2)->summary.archived, kPatience_ms);
     }
 
     void fiveThousandComeWhole() {
@@ -483,7 +486,7 @@ private slots:
         auto* screen = desktop.screen<SessionsScreen>();
         int first = 0;
         connect(screen, &SessionsScreen::firstRowsShown, this, [&first, screen] { first = screen->model().rowCount(); });
-        QTRY_VERIFY(screen->isComplete());
+        QTRY_VERIFY_WITH_TIMEOUT(screen->isComplete(), kPatience_ms);
         QCOMPARE(first, SessionsScreen::kFirstPage); // shown before the rest was read
         QCOMPARE(screen->model().total(), 5000);
         QCOMPARE(screen->model().at(0).summary.id, database::SessionId{5000});
@@ -498,7 +501,7 @@ private slots:
         auto* screen = desktop.screen<StationScreen>();
         QSignalSpy ended(screen, &StationScreen::selfTestEnded);
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("station.self_test")), Qt::LeftButton);
-        QTRY_COMPARE(ended.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience_ms);
         auto* chart = screen->findChild<LatenessChart*>();
         QVERIFY(chart && chart->accessibleDescription().contains(QStringLiteral("µs")));
         desktop.go(QStringLiteral("station"), {{QStringLiteral("self_test_ms"), 600'000}});
@@ -507,7 +510,7 @@ private slots:
         QSignalSpy stopped(longer, &StationScreen::selfTestEnded);
         QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("station.self_test")), Qt::LeftButton);
         QTest::mouseClick(longer->findChild<QPushButton*>(QStringLiteral("task.cancel")), Qt::LeftButton);
-        QTRY_COMPARE(stopped.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(stopped.count(), 1, kPatience_ms);
         QVERIFY(!longer->findChild<LatenessChart*>());
     }
 
@@ -523,7 +526,7 @@ private slots:
         QVERIFY(!screen->writeLoopRecord(QStringLiteral("/tmp/nothing.pdf"))); // nothing was measured
         QSignalSpy noted(screen, &StationScreen::checkNoted);
         QTest::mouseClick(desktop.find<QPushButton>(QStringLiteral("station.self_test")), Qt::LeftButton);
-        QTRY_COMPARE(noted.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(noted.count(), 1, kPatience_ms);
         QVERIFY(record->isEnabled());
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("record.pdf"));

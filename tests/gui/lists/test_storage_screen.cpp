@@ -3,6 +3,7 @@
 #include "desktop/storage/storage_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QDialog>
@@ -17,6 +18,8 @@
 #include <QTableWidget>
 #include <QThread>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 using namespace chiron::desktop;
 
@@ -24,14 +27,13 @@ namespace {
 
 using tests::DesktopFixture;
 
-constexpr int kPatience_ms = 30000; // what is copied and checked is on a disk that others use, too
 
 StorageScreen* openStorage(DesktopFixture& desktop) {
     desktop.logIn("ada");
     desktop.go(QStringLiteral("storage"));
     auto* screen = desktop.screen<StorageScreen>();
     auto* panel = screen->findChild<StatePanel*>();
-    return QTest::qWaitFor([panel] { return panel->state() == StatePanel::State::content; }, 10000) ? screen : nullptr;
+    return QTest::qWaitFor([panel] { return panel->state() == StatePanel::State::content; }, kPatience_ms) ? screen : nullptr;
 }
 
 /// Presses a button that begins a task, and waits for the task's end.
@@ -80,8 +82,8 @@ private slots:
         QVERIFY(!screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
         QVERIFY(runTask(screen, "storage.back_up"));
         auto* table = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"));
-        QTRY_COMPARE(table->rowCount(), 1);
-        QTRY_VERIFY(noticeOf(screen, "storage.backup_notice").contains(QStringLiteral("just now")));
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(noticeOf(screen, "storage.backup_notice").contains(QStringLiteral("just now")), kPatience_ms);
         QVERIFY(runTask(screen, "storage.verify_backup"));
         QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("intact")));
         QVERIFY(runTask(screen, "storage.verify"));
@@ -132,20 +134,20 @@ private slots:
         auto* keep = screen->findChild<QSpinBox*>(QStringLiteral("storage.keep"));
         QVERIFY(on->isChecked() && keep->value() == 14);
         keep->setValue(3);
-        QTRY_COMPARE(planOf(desktop).keep, 3);
-        QTRY_VERIFY(desktop.context.background().idle());
+        QTRY_COMPARE_WITH_TIMEOUT(planOf(desktop).keep, 3, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.context.background().idle(), kPatience_ms);
         screen->findChild<QPushButton*>(QStringLiteral("storage.choose"))->click();
         auto* dialog = screen->findChild<QFileDialog*>();
         const QString elsewhere = desktop.folder() + QStringLiteral("/elsewhere");
         emit dialog->fileSelected(elsewhere);
         dialog->close();
-        QTRY_COMPARE(planOf(desktop).folder, elsewhere.toStdString());
+        QTRY_COMPARE_WITH_TIMEOUT(planOf(desktop).folder, elsewhere.toStdString(), kPatience_ms);
         QCOMPARE(desktop.settings.backupFolder(), elsewhere); // where the site cannot be opened, the station knows it
-        QTRY_VERIFY(desktop.context.background().idle());
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.context.background().idle(), kPatience_ms);
         on->click();
-        QTRY_VERIFY(!planOf(desktop).on);
+        QTRY_VERIFY_WITH_TIMEOUT(!planOf(desktop).on, kPatience_ms);
         QVERIFY(planOf(desktop) == (database::BackupPlan{false, elsewhere.toStdString(), 3}));
-        QTRY_VERIFY(noticeOf(screen, "storage.automatic_notice").startsWith(QStringLiteral("Automatic backups are off")));
+        QTRY_VERIFY_WITH_TIMEOUT(noticeOf(screen, "storage.automatic_notice").startsWith(QStringLiteral("Automatic backups are off")), kPatience_ms);
         QVERIFY(!keep->isEnabled());
     }
 
@@ -161,13 +163,13 @@ private slots:
         };
         QVERIFY(make(desktop.folder() + QStringLiteral("/backups")));
         auto* table = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"));
-        QTRY_COMPARE(table->rowCount(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, kPatience_ms);
         QCOMPARE(table->item(0, 4)->text(), QStringLiteral("Automatic"));
         const QString told = noticeOf(screen, "storage.automatic_notice");
         QVERIFY2(told.contains(QStringLiteral("made and checked")) &&
                      told.contains(desktop.context.locale().toString(QDate::currentDate(), QLocale::ShortFormat)), qPrintable(told));
         QVERIFY(!make(QStringLiteral("/proc/chiron/backups")));
-        QTRY_VERIFY(noticeOf(screen, "storage.automatic_notice").contains(QStringLiteral("/proc/chiron")));
+        QTRY_VERIFY_WITH_TIMEOUT(noticeOf(screen, "storage.automatic_notice").contains(QStringLiteral("/proc/chiron")), kPatience_ms);
         desktop.go(QStringLiteral("home")); // and where the administrator begins
         const auto saysSo = [&desktop] {
             for (const QLabel* label : desktop.window->screen()->findChildren<QLabel*>(QStringLiteral("notice.text")))
@@ -175,11 +177,11 @@ private slots:
                     return true;
             return false;
         };
-        QTRY_VERIFY(saysSo());
+        QTRY_VERIFY_WITH_TIMEOUT(saysSo(), kPatience_ms);
         QVERIFY(make(desktop.folder() + QStringLiteral("/backups")));
         desktop.go(QStringLiteral("storage"));
         desktop.go(QStringLiteral("home"));
-        QTRY_VERIFY(desktop.context.background().idle());
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.context.background().idle(), kPatience_ms);
         QVERIFY(!saysSo());
     }
 
@@ -189,9 +191,9 @@ private slots:
         auto* screen = openStorage(desktop);
         QVERIFY(screen && runTask(screen, "storage.back_up"));
         QVERIFY(database::AccountService(desktop.database()).changePassword(desktop.actor("ada"), tests::kTestPassword, "quite another word"));
-        QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled(), kPatience_ms);
         screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click();
-        QTRY_VERIFY(desktop.find<QLineEdit>(QStringLiteral("restore.password")));
+        QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("restore.password")), kPatience_ms);
         desktop.find<QLineEdit>(QStringLiteral("restore.password"))->setText(QStringLiteral("quite another word"));
         desktop.find<QPushButton>(QStringLiteral("restore.accept"))->click();
         QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QCheckBox>(QStringLiteral("restore.other"))->isChecked(), kPatience_ms);
@@ -218,7 +220,7 @@ private slots:
         QVERIFY(screen && runTask(screen, "storage.back_up"));
         desktop.addSession("tina", 1, "expert", 2, 1, 5.0);
         QCOMPARE(sessionsOf(desktop), 2);
-        QTRY_VERIFY(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->isEnabled(), kPatience_ms);
 
         const auto answer = [&desktop, screen](const char* password) {
             screen->findChild<QPushButton*>(QStringLiteral("storage.restore"))->click();
@@ -247,7 +249,7 @@ private slots:
             QVERIFY(confirm->isVisible() && dialog->rect().contains(QRect(confirm->mapTo(dialog, QPoint()), confirm->size())));
         }
         dialog->reject();
-        QTRY_VERIFY(!desktop.find<QDialog>(QStringLiteral("restore")));
+        QTRY_VERIFY_WITH_TIMEOUT(!desktop.find<QDialog>(QStringLiteral("restore")), kPatience_ms);
         QSignalSpy ended(screen, &StorageScreen::taskEnded);
         const int chosen = screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"))->currentRow();
         answer("wrong-password-here");
@@ -259,7 +261,7 @@ private slots:
         QCOMPARE(screen->findChild<QTableWidget*>(QStringLiteral("storage.backups"))->currentRow(), chosen);
         QCOMPARE(sessionsOf(desktop), 2); // as it was
         desktop.find<QPushButton>(QStringLiteral("restore.cancel"))->click();
-        QTRY_VERIFY(!desktop.find<QDialog>(QStringLiteral("restore")));
+        QTRY_VERIFY_WITH_TIMEOUT(!desktop.find<QDialog>(QStringLiteral("restore")), kPatience_ms);
 
         QSignalSpy opened(&desktop.context, &AppContext::siteOpened);
         answer(tests::kTestPassword);

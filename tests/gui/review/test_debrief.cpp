@@ -6,12 +6,15 @@
 #include "database/repositories/session_repository.h"
 #include "report/plot_view.h"
 #include "review_sessions.h"
+#include "support/patience.h"
 
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -69,9 +72,9 @@ void TestDebrief::initTestCase() {
 
 void TestDebrief::open(database::SessionId id, bool details) {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     if (details)
-        QTRY_VERIFY(m_site->window->screen()->findChild<QWidget*>(QStringLiteral("debrief.scatter")));
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->window->screen()->findChild<QWidget*>(QStringLiteral("debrief.scatter")), kPatience_ms);
 }
 
 void TestDebrief::passed() {
@@ -184,7 +187,7 @@ void TestDebrief::aTrainersCommentArrives() {
     };
     const auto atHome = [&] {
         m_site->go(QStringLiteral("home"));
-        if (!QTest::qWaitFor([&] { return m_site->context.background().idle(); }))
+        if (!QTest::qWaitFor([&] { return m_site->context.background().idle(); }, kPatience_ms))
             qFatal("the home screen is not read");
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return m_site->window->screen()->findChild<QWidget*>(QStringLiteral("home.commented.%1").arg(id));
@@ -219,7 +222,7 @@ void TestDebrief::aTrainersCommentArrives() {
     QVERIFY(moment_s > 1.0);
     QCOMPARE(place.parameters.value(QStringLiteral("at_s")).toDouble(), std::max(0.0, moment_s - 3.0)); // how it came about
     QCOMPARE(place.parameters.value(QStringLiteral("caption")).toString(), comments.last());
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabWidget>(QStringLiteral("playback.tabs")), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabWidget>(QStringLiteral("playback.tabs")), kPatience_ms);
     auto* tabs = m_site->find<QTabWidget>(QStringLiteral("playback.tabs"));
     QVERIFY(tabs->tabText(tabs->currentIndex()).startsWith(QStringLiteral("Comments")));
     QVERIFY(!atHome()); // it was read
@@ -363,7 +366,7 @@ void TestDebrief::writesTheReport() {
     open(m_good);
     const QString path = QDir(m_site->folder()).filePath(QStringLiteral("report.pdf"));
     m_site->screen<desktop::DebriefScreen>()->writeReport(path);
-    QTRY_VERIFY(QFile::exists(path));
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), kPatience_ms);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(4) == "%PDF");
@@ -371,7 +374,7 @@ void TestDebrief::writesTheReport() {
 
 void TestDebrief::unknownSession() {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(9999)}});
-    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error, kPatience_ms);
     QVERIFY(!texts("state.text").isEmpty());
 }
 

@@ -9,6 +9,7 @@
 #include "report/report_writer.h"
 #include "report/session_plots.h"
 #include "review_sessions.h"
+#include "support/patience.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -18,6 +19,8 @@
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <map>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -253,21 +256,21 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     m_site->context.applyAppearance();
     tests::takePictures(*m_site, QStringLiteral("debrief_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
         m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(session)}});
-        QTRY_VERIFY(tests::isLoaded(*m_site));
+        QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
         m_site->window->resize(1280, 1500);
         QTest::qWait(600);
     });
     tests::takePictures(*m_site, QStringLiteral("playback_%1").arg(QString::fromUtf8(QTest::currentDataTag()).replace(QLatin1Char(' '), QLatin1Char('_'))), [&] {
         m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
-        QTRY_VERIFY(tests::isLoaded(*m_site));
+        QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     });
 }
 
 void TestEveryDebrief::debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     // The felt line is there as soon as the recording was looked through.
-    QTRY_VERIFY(!screen()->findChild<QLabel*>(QStringLiteral("debrief.felt"))->text().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!screen()->findChild<QLabel*>(QStringLiteral("debrief.felt"))->text().isEmpty(), kPatience_ms);
     const QStringList texts = readable(screen());
     const QStringList foreign = foreignWords(texts, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
@@ -290,7 +293,7 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
 
 void TestEveryDebrief::playback(database::SessionId id, const std::string& exercise, Ending ending, const QString& language) {
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     const QStringList texts = readable(screen());
     const QStringList foreign = foreignWords(texts, exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
@@ -301,7 +304,7 @@ void TestEveryDebrief::playback(database::SessionId id, const std::string& exerc
 
 void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {
     m_site->go(QStringLiteral("results"), {{QStringLiteral("exercise"), QString::fromStdString(exercise)}, {QStringLiteral("level"), level}});
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     const QStringList foreign = foreignWords(readable(screen()), exercise, language);
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
 }

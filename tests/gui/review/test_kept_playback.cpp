@@ -11,6 +11,7 @@
 #include "support/every_place.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
+#include "support/patience.h"
 #include "support/screen_outline.h"
 
 #include <QCheckBox>
@@ -20,6 +21,8 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QToolTip>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -182,7 +185,7 @@ private:
     void open(database::SessionId session) {
         m_desktop->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
         QVERIFY(tests::waitUntilLoaded(*m_desktop));
-        QTRY_VERIFY(find<QWidget>("playback.scene"));
+        QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("playback.scene"), kPatience_ms);
     }
     void say(const QString& line) { m_lines << line; }
     QString position() { return number(screen().clock().position_s()); }
@@ -259,7 +262,7 @@ private:
     }
     void ghosts(database::SessionId session) {
         say(QStringLiteral("-- sessions beside it"));
-        QTRY_VERIFY(m_desktop->context.background().idle());
+        QTRY_VERIFY_WITH_TIMEOUT(m_desktop->context.background().idle(), kPatience_ms);
         const auto* choice = find<QComboBox>("playback.ghost");
         for (int i = 0; i < choice->count(); ++i)
             say(QStringLiteral("%1 %2").arg(choice->itemData(i).toLongLong() - session).arg(tests::withoutToday(choice->itemText(i))));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stored session on the screen: what is shown is what was recorded, at the same moment everywhere.
 #include "support/looked_back.h"
+#include "support/patience.h"
 #include "database/repositories/score_repository.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
@@ -22,6 +23,8 @@
 #include <map>
 #include <set>
 #include <sqlite3.h>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -79,8 +82,8 @@ void TestPlayback::initTestCase() {
 void TestPlayback::open(database::SessionId id, QVariantMap more) {
     more.insert(QStringLiteral("session"), qlonglong(id));
     m_site->go(QStringLiteral("playback"), more);
-    QTRY_VERIFY(tests::isLoaded(*m_site));
-    QTRY_VERIFY(find<QWidget>("playback.scene"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("playback.scene"), kPatience_ms);
 }
 
 void TestPlayback::opensAtAMoment() {
@@ -99,7 +102,7 @@ void TestPlayback::opensAtAMoment() {
 void TestPlayback::aMomentIsPlayedToAndStops() {
     open(m_bad, {{QStringLiteral("at_s"), 4.0}, {QStringLiteral("caption"), QStringLiteral("Tom, at 0:04.5: ") + QString(300, QLatin1Char('x'))}, {QStringLiteral("caption_s"), 4.5}});
     auto& clock = screen()->clock();
-    QTRY_VERIFY(!clock.playing() && clock.position_s() >= 4.5);
+    QTRY_VERIFY_WITH_TIMEOUT(!clock.playing() && clock.position_s() >= 4.5, kPatience_ms);
     QVERIFY2(clock.position_s() < 5.5, qPrintable(QString::number(clock.position_s()))); // nobody pressed anything
     QVERIFY(screen()->captionAt(4.5).title.size() <= 90 && screen()->captionAt(4.5).title.endsWith(QChar(0x2026)));
     QVERIFY(screen()->captionAt(4.0).title.isEmpty());
@@ -118,7 +121,7 @@ void TestPlayback::aMomentIsPlayedToAndStops() {
 void TestPlayback::aTickIsPlayedTo() {
     open(m_bad, {{QStringLiteral("at_s"), 8.5}, {QStringLiteral("at_tick"), qulonglong(9000)}, {QStringLiteral("caption"), QStringLiteral("Tom: look")}});
     auto& clock = screen()->clock();
-    QTRY_VERIFY(!clock.playing() && !screen()->captionAt(clock.position_s()).title.isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!clock.playing() && !screen()->captionAt(clock.position_s()).title.isEmpty(), kPatience_ms);
     const double moment_s = clock.position_s();
     QVERIFY2(moment_s > 8.5, qPrintable(QString::number(moment_s)));
     QVERIFY(screen()->captionAt(moment_s - 1.0).title.isEmpty());
@@ -133,7 +136,7 @@ void TestPlayback::aTrainerMarksASessionAsReviewed() {
     auto* reviewed = find<QPushButton>("playback.reviewed");
     QVERIFY(!reviewed->isHidden());
     reviewed->click();
-    QTRY_VERIFY(reviewed->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(reviewed->isHidden(), kPatience_ms);
     auto connection = m_site->database().openReader();
     QVERIFY(database::SessionReader(**connection, *m_tina).session(id)->summary.reviewed);
     QCOMPARE(find<QListWidget>("playback.comments")->count(), 1);
@@ -171,7 +174,7 @@ void TestPlayback::cursorsAndScrubberAgree() {
 void TestPlayback::keysStepAndSeek() {
     open(m_bad, {{QStringLiteral("at_s"), 4.0}});
     auto* scrubber = find<desktop::Scrubber>("playback.scrubber");
-    QTRY_VERIFY(scrubber->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(scrubber->hasFocus(), kPatience_ms);
     QTest::keyClick(scrubber, Qt::Key_Right);
     QCOMPARE(screen()->clock().position_s(), 4.004);
     QTest::keyClick(scrubber, Qt::Key_Left);
@@ -291,7 +294,7 @@ void TestPlayback::aKeyOpensTheCommentField() {
     screen()->clock().play();
     QTest::keyClick(find<desktop::Scrubber>("playback.scrubber"), Qt::Key_C);
     auto* field = find<QPlainTextEdit>("playback.comment_text");
-    QTRY_COMPARE(QApplication::focusWidget(), field);
+    QTRY_COMPARE_WITH_TIMEOUT(QApplication::focusWidget(), field, kPatience_ms);
     QVERIFY(!screen()->clock().playing()); // the moment does not run away
     QVERIFY(field->mapTo(screen(), QPoint(0, field->height())).y() < screen()->height());
     auto* list = find<QListWidget>("playback.comments");
@@ -319,7 +322,7 @@ void TestPlayback::marksJump() {
 void TestPlayback::ghostBesideIt() {
     open(m_bad);
     auto* choice = find<QComboBox>("playback.ghost");
-    QTRY_VERIFY(choice->count() > 1);
+    QTRY_VERIFY_WITH_TIMEOUT(choice->count() > 1, kPatience_ms);
     const int mine = choice->findData(qlonglong(m_good));
     QVERIFY(mine > 0);
     QVERIFY2(choice->itemText(mine).startsWith(QStringLiteral("My ")), qPrintable(choice->itemText(mine)));
@@ -329,7 +332,7 @@ void TestPlayback::ghostBesideIt() {
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("ghost")).toLongLong(), m_good);
     auto* plots = screen()->findChild<desktop::PlaybackPlots*>();
     const QString second = QStringLiteral("second session");
-    QTRY_VERIFY(plots->force().legendTexts().contains(second));
+    QTRY_VERIFY_WITH_TIMEOUT(plots->force().legendTexts().contains(second), kPatience_ms);
     QVERIFY(plots->speed().legendTexts().contains(second));
     choice->setCurrentIndex(0);
     emit choice->activated(0);
@@ -425,7 +428,7 @@ void TestPlayback::commentAtAMoment() {
     QVERIFY(add->isEnabled());
     add->click();
     auto* list = find<QListWidget>("playback.comments");
-    QTRY_COMPARE(list->count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 1, kPatience_ms);
     QVERIFY(list->item(0)->text().contains(QStringLiteral("Here I pressed too hard")));
     QVERIFY(list->item(0)->text().contains(QStringLiteral("You")));
     QVERIFY(find<QPlainTextEdit>("playback.comment_text")->toPlainText().isEmpty());
@@ -449,7 +452,7 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     screen()->declareVoid(QStringLiteral("I would rather not have done this"));
     auto connection = m_site->database().openReader();
     database::SessionReader reader(**connection, *m_tina);
-    QTRY_VERIFY(m_site->context.background().idle()); // ... and the data layer refuses it
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms); // ... and the data layer refuses it
     QTest::qWait(50);
     QCOMPARE(reader.session(id)->summary.state, database::SessionState::completed);
 
@@ -464,17 +467,17 @@ void TestPlayback::voidNeedsAReasonAndATrainer() {
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->find<QWidget>(QStringLiteral("void"))->grab().save(QDir(folder).filePath(QStringLiteral("void_dialog.png")));
     confirm->click();
-    QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::voided);
+    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::voided, kPatience_ms);
     QCOMPARE(reader.session(id)->voidReason, std::string("wrong person at the device"));
-    QTRY_VERIFY(tests::isLoaded(*m_site) && !find<QPushButton>("playback.void"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site) && !find<QPushButton>("playback.void"), kPatience_ms);
     find<QPushButton>("playback.reinstate")->click(); // the wrong one was voided
     confirm = m_site->find<QPushButton>(QStringLiteral("reinstate.confirm"));
     QVERIFY(confirm && !confirm->isEnabled());
     m_site->find<QPlainTextEdit>(QStringLiteral("reinstate.reason"))->setPlainText(QStringLiteral("it was the right person"));
     confirm->click();
-    QTRY_COMPARE(reader.session(id)->summary.state, database::SessionState::completed);
+    QTRY_COMPARE_WITH_TIMEOUT(reader.session(id)->summary.state, database::SessionState::completed, kPatience_ms);
     QCOMPARE(reader.session(id)->decisions.size(), std::size_t{2});
-    QTRY_VERIFY(tests::isLoaded(*m_site) && find<QPushButton>("playback.void"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site) && find<QPushButton>("playback.void"), kPatience_ms);
     m_site->context.logIn(*m_tina);
 }
 
@@ -483,7 +486,7 @@ void TestPlayback::nothingRecorded() {
     made.frames.clear();
     const auto id = tests::store(m_site->database(), *m_tina, made);
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty, kPatience_ms);
     QCOMPARE(find<QLabel>("state.title")->text(), QStringLiteral("Nothing was recorded"));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("playback_empty.png")));
@@ -497,7 +500,7 @@ void TestPlayback::damagedIsNamed() {
     QCOMPARE(sqlite3_exec(raw, flip.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(raw);
     m_site->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::error, kPatience_ms);
     QVERIFY(find<QLabel>("state.title")->text().contains(QStringLiteral("damaged")));
     QVERIFY(find<QLabel>("state.text")->text().contains(QStringLiteral("chunk 2")));
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())

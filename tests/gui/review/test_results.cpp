@@ -4,6 +4,7 @@
 #include "desktop/results/learning_curve.h"
 #include "desktop/results/results_screen.h"
 #include "review_sessions.h"
+#include "support/patience.h"
 
 #include <QComboBox>
 #include <QJsonArray>
@@ -11,6 +12,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -59,13 +62,13 @@ void TestResults::initTestCase() {
 
 void TestResults::open() {
     m_site->go(QStringLiteral("results"));
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
 }
 
 void TestResults::emptyLeadsToExercises() {
     m_site->logIn("theo");
     m_site->go(QStringLiteral("results"));
-    QTRY_COMPARE(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty);
+    QTRY_COMPARE_WITH_TIMEOUT(tests::panelOf(*m_site)->state(), desktop::StatePanel::State::empty, kPatience_ms);
     if (const QString folder = qEnvironmentVariable("CHIRON_PICTURES"); !folder.isEmpty())
         m_site->window->grab().save(QDir(folder).filePath(QStringLiteral("results_empty.png")));
     find<QPushButton>("state.action")->click();
@@ -114,10 +117,10 @@ void TestResults::onlyMyOwn() {
 void TestResults::aTrainerSeesSomebodysProgress() {
     m_site->logIn("tom");
     const QString tile = QStringLiteral("home.person.%1").arg(m_tina->personId());
-    QTRY_VERIFY(m_site->window->screen()->findChild<QPushButton*>(tile));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->window->screen()->findChild<QPushButton*>(tile), kPatience_ms);
     m_site->window->screen()->findChild<QPushButton*>(tile)->click();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("results"));
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     QVERIFY(m_site->window->screen()->title().startsWith(QStringLiteral("Results of ")));
     QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 7);
     QVERIFY(find<QWidget>("results.curve"));
@@ -128,7 +131,7 @@ void TestResults::aTrainerSeesSomebodysProgress() {
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("person")).toLongLong(), m_tina->personId());
     m_site->logIn("theo"); // no trainer: nothing of somebody else's is there
     m_site->go(QStringLiteral("results"), {{QStringLiteral("person"), qlonglong(m_tina->personId())}});
-    QTRY_VERIFY(tests::panelOf(*m_site)->state() == desktop::StatePanel::State::empty || tests::panelOf(*m_site)->state() == desktop::StatePanel::State::error);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::panelOf(*m_site)->state() == desktop::StatePanel::State::empty || tests::panelOf(*m_site)->state() == desktop::StatePanel::State::error, kPatience_ms);
     m_site->context.logIn(*m_tina);
 }
 
@@ -159,10 +162,10 @@ void TestResults::opensWhereOneIsAndStaysThere() {
     QCOMPARE(level(), 2); // the last scored attempt, not the practice after it
     m_site->logIn("tom");
     m_site->go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(first)}});
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     find<QPushButton>("debrief.results")->click();
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("results"));
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     QCOMPARE(level(), 1); // that of the attempt in hand
     auto* box = find<QComboBox>("results.level");
     const int two = box->findData(2);
@@ -171,7 +174,7 @@ void TestResults::opensWhereOneIsAndStaysThere() {
     QTest::keyClick(find<QTableWidget>("results.attempts"), Qt::Key_Return);
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), second);
     m_site->context.navigator().back();
-    QTRY_VERIFY(tests::isLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
     QVERIFY(m_site->window->screen()->title().contains(QStringLiteral("theo")));
     QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 1); // theo's, and at level 2
     QCOMPARE(level(), 2);

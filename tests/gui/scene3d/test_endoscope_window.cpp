@@ -4,6 +4,7 @@
 #include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -12,6 +13,8 @@
 #include <QWidget>
 #include <cmath>
 #include <cstdlib>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::scene3d;
@@ -45,7 +48,7 @@ struct Shown {
         for (int i = 0; i < 5; ++i) { // a newly shown part arrives over some frames
             const auto before = scene.view->framesDrawn();
             scene.view->show(state);
-            if (!QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, 20000))
+            if (!QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, kPatience_ms))
                 return {};
         }
         return window.screen()->grabWindow(window.winId()).toImage().convertToFormat(QImage::Format_RGB32);

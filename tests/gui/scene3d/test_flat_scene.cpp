@@ -2,6 +2,7 @@
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/scene_samples.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QDir>
@@ -10,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::scene3d;
@@ -175,13 +178,13 @@ private slots:
         int told = 0;
         view->onFirstFrame([&] { ++told; });
         view->widget()->show();
-        QTRY_COMPARE(told, 1);
+        QTRY_COMPARE_WITH_TIMEOUT(told, 1, kPatience_ms);
         QVERIFY(view->framesDrawn() >= 1);
         view->show(samples::inAir());
-        QTRY_VERIFY(view->framesDrawn() >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(view->framesDrawn() >= 2, kPatience_ms);
         QCOMPARE(told, 1);
         view->onFirstFrame([&] { ++told; }); // afterwards it comes from the event loop
-        QTRY_COMPARE(told, 2);
+        QTRY_COMPARE_WITH_TIMEOUT(told, 2, kPatience_ms);
     }
 
     void widgetAndViewMayGoInEitherOrder() {

@@ -11,12 +11,15 @@
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QScreen>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::scene3d;
@@ -127,7 +130,7 @@ private slots:
             for (int i = 0; i < 40 && same < 3; ++i) { // a newly shown part arrives over some frames, on a busy machine over more
                 const auto before = scene.view->framesDrawn();
                 scene.view->show(picture.state);
-                QVERIFY(QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, 20000));
+                QVERIFY(QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, kPatience_ms));
                 const QImage next = window.screen()->grabWindow(window.winId()).toImage();
                 same = i > 4 && next == image ? same + 1 : 0;
                 image = next;

@@ -6,6 +6,7 @@
 #include "gui/scene3d/scene_at_rest.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/shader_dents.h"
+#include "support/patience.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -16,6 +17,8 @@
 #include <QWindow>
 #include <set>
 #include <thread>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::scene3d;
@@ -56,7 +59,7 @@ struct Shown {
         for (int i = 0; i < 4; ++i) { // a newly shown part arrives over some frames
             const auto before = scene.view->framesDrawn();
             scene.view->show(state);
-            if (!QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, 20000))
+            if (!QTest::qWaitFor([&] { return scene.view->framesDrawn() > before; }, kPatience_ms))
                 return {};
         }
         return window.screen()->grabWindow(window.winId()).toImage().convertToFormat(QImage::Format_RGB32);
@@ -93,7 +96,7 @@ private slots:
         Shown shown;
         QCOMPARE(shown.scene.whyFlat, QString());
         shown.scene.view->show(samples::inAir());
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         const QImage image = shown.window.screen()->grabWindow(shown.window.winId()).toImage();
         QVERIFY2(reddish(image) > 480 * 360 / 6,
                  qPrintable(QString::number(reddish(image)))); // tissue, textured
@@ -105,7 +108,7 @@ private slots:
         SceneState state = samples::pressed(2.0);
         state.objectShown = false;
         shown.scene.view->show(state);
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         SceneState later = samples::pressed(2.0);
         later.tool[1] = later.tool[0];
         later.tool[1].p_WT.x() += 0.01;
@@ -123,7 +126,7 @@ private slots:
         Shown shown;
         SceneState state = samples::pressed(2.0);
         shown.scene.view->show(state);
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         QVERIFY(tests::comesToRest(*shown.scene.view));
         const QImage bare = shown.picture(state);
         for (const SceneNote::Kind kind : {SceneNote::Kind::said, SceneNote::Kind::paused, SceneNote::Kind::stopped}) {
@@ -146,7 +149,7 @@ private slots:
         state.objectShown = false;
         state.tool[0].present = false;
         shown.scene.view->show(state);
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         QVERIFY(tests::comesToRest(*shown.scene.view));
         state.objectShown = true;
         const auto before = shown.scene.view->framesDrawn();
@@ -160,7 +163,7 @@ private slots:
 
     void nothingIsDrawnBetweenCalls() {
         Shown shown;
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         QVERIFY(tests::comesToRest(*shown.scene.view));
         const auto before = shown.scene.view->framesDrawn();
         QTest::qWait(300);
@@ -223,7 +226,7 @@ private slots:
 
     void mouseAndKeysReachTheCaller() {
         Shown shown;
-        QTRY_VERIFY_WITH_TIMEOUT(shown.told, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.told, kPatience_ms);
         auto* window = qobject_cast<QWindow*>(shown.scene.view->inputSource());
         QVERIFY(window);
         Listener onSource;
@@ -271,7 +274,7 @@ private slots:
         shown.scene.view->show(samples::pressed(2.0));
         QTest::qWait(100);
         widget->show();
-        QTRY_COMPARE_WITH_TIMEOUT(shown.picture(samples::inAir()), first, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(shown.picture(samples::inAir()), first, kPatience_ms);
         QWidget other;
         other.resize(480, 360);
         other.move(0, 0);
@@ -282,7 +285,7 @@ private slots:
         other.show();
         const auto before = shown.scene.view->framesDrawn();
         shown.scene.view->show(samples::pressed(2.0));
-        QTRY_VERIFY_WITH_TIMEOUT(shown.scene.view->framesDrawn() > before, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.scene.view->framesDrawn() > before, kPatience_ms);
         const QImage moved = other.screen()->grabWindow(other.winId()).toImage();
         QVERIFY2(reddish(moved) > 480 * 360 / 6, qPrintable(QString::number(reddish(moved))));
         shown.scene.view.reset();
@@ -291,7 +294,7 @@ private slots:
     void widgetAndViewMayGoInEitherOrder() {
         for (bool viewFirst : {true, false}) {
             auto shown = std::make_unique<Shown>();
-            QTRY_VERIFY_WITH_TIMEOUT(shown->told, 20000);
+            QTRY_VERIFY_WITH_TIMEOUT(shown->told, kPatience_ms);
             if (viewFirst) {
                 shown->scene.view.reset();
                 QVERIFY(shown->window.findChild<QWidget*>(QStringLiteral("scene.container")) == nullptr);

@@ -5,6 +5,7 @@
 #include "report/plot_view.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 #include "support/picture_look.h"
 
 #include <QDir>
@@ -12,6 +13,8 @@
 #include <QFrame>
 #include <QTabBar>
 #include <QTableWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -33,19 +36,19 @@ private slots:
 
     void nobodyYet() {
         go("study_data");
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs")), kPatience_ms);
         QVERIFY(!m_site->find<QTableWidget>(QStringLiteral("data.runs")));
         keep("empty");
     }
     void theRunScreenBeginsIt() {
         m_site->go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_person}});
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
         keep("run");
     }
     void marksOfEverybody() {
         addRuns(4);
         go("study_data");
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), kPatience_ms);
         const auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
         QCOMPARE(table->rowCount(), 4);
         for (int row = 0; row < table->rowCount(); ++row)
@@ -66,8 +69,8 @@ private slots:
     void onePersonAndBackAgain() {
         auto* table = m_site->find<QTableWidget>(QStringLiteral("data.runs"));
         emit table->activated(table->model()->index(1, 0));
-        QTRY_COMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::personTab));
-        QTRY_VERIFY(m_site->find<QComboBox>(QStringLiteral("data.run")));
+        QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::personTab), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QComboBox>(QStringLiteral("data.run")), kPatience_ms);
         QVERIFY(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")));
         keep("person");
     }
@@ -77,7 +80,7 @@ private slots:
             m_site->settings.setTheme(desktop::ThemeName::dark);
             m_site->context.applyAppearance();
             go("study_data");
-            QTRY_VERIFY_WITH_TIMEOUT(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")), 20000);
+            QTRY_VERIFY_WITH_TIMEOUT(m_site->find<report::PlotView>(QStringLiteral("data.apex_marks")), kPatience_ms);
             keep(language);
         }
     }
@@ -85,7 +88,7 @@ private slots:
 private:
     void go(const char* screen) {
         m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}});
-        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
     void addRuns(int people) {
         const database::Actor rhea = m_site->actor("rhea");

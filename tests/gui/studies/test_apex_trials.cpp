@@ -6,6 +6,7 @@
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
+#include "support/patience.h"
 #include "support/sitting_hands.h"
 #include "support/picture_look.h"
 
@@ -16,12 +17,13 @@
 #include <QRadioButton>
 #include <QWheelEvent>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 using State = session::LiveStudyView::State;
 
 namespace {
 
-constexpr int kPatience_ms = 30000;
 constexpr double kBeside_m = 0.004; ///< to the right of the apex
 
 psychophysics::StudyDesign quickApexStudy() {
@@ -200,7 +202,7 @@ void TestApexTrials::nothingGivesTheSphereAway() {
     keep("exploring");
     press(screen, "trials.experimenter");
     QVERIFY(tests::typePassword(*m_site));
-    QTRY_VERIFY(screen->findChild<QLabel*>(QStringLiteral("experimenter.estimate"))->text().contains(QStringLiteral("first scored")));
+    QTRY_VERIFY_WITH_TIMEOUT(screen->findChild<QLabel*>(QStringLiteral("experimenter.estimate"))->text().contains(QStringLiteral("first scored")), kPatience_ms);
     keep("experimenter");
     stop(screen);
     QCOMPARE(stored().size(), std::size_t(1));
@@ -233,8 +235,8 @@ void TestApexTrials::forceIsStoppedByKeyAndRearmed() {
     m_sessions = screen->live()->sessions(); // the free minute is one of its own
     QVERIFY(exploring(screen));
     QTest::keyClick(m_site->window.get(), Qt::Key_Escape);
-    QTRY_COMPARE(screen->live()->view().state, State::stopped);
-    QTRY_VERIFY(screen->findChild<QLabel*>(QStringLiteral("break.title"))->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::stopped, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(screen->findChild<QLabel*>(QStringLiteral("break.title"))->isVisible(), kPatience_ms);
     keep("stopped");
     QTest::keyClick(m_site->window.get(), Qt::Key_Space); // that takes R
     QTest::qWait(100);
@@ -242,7 +244,7 @@ void TestApexTrials::forceIsStoppedByKeyAndRearmed() {
     QTest::keyClick(m_site->window.get(), Qt::Key_R);
     QVERIFY(exploring(screen));
     QTest::keyClick(m_site->window.get(), Qt::Key_Space);
-    QTRY_COMPARE(screen->live()->view().state, State::paused);
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::paused, kPatience_ms);
     QTest::keyClick(m_site->window.get(), Qt::Key_Space);
     QVERIFY(exploring(screen));
     stop(screen);
@@ -264,7 +266,7 @@ void TestApexTrials::aSpoiledTrialComesAgainAndTheRunEnds() {
     QVERIFY(mark(screen)); // in a further session
     QCOMPARE(m_sessions, 2);
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
-    QTRY_VERIFY(screen->findChild<QWidget*>(QStringLiteral("trials.questions"))); // about what was just done, on the participant's page
+    QTRY_VERIFY_WITH_TIMEOUT(screen->findChild<QWidget*>(QStringLiteral("trials.questions")), kPatience_ms); // about what was just done, on the participant's page
     auto* submit = screen->findChild<QPushButton*>(QStringLiteral("questions.submit"));
     QVERIFY(submit && submit->isVisible());
     submit->click(); // it must be answered

@@ -6,6 +6,7 @@
 #include "desktop/study_run/trials_screen.h"
 #include "session/study/study_runner.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 #include "support/settled.h"
 
 #include <QAbstractSpinBox>
@@ -15,6 +16,8 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QTableWidget>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -71,7 +74,7 @@ private:
     }
     void show(const char* screen, int tab) {
         m_site->go(QLatin1String(screen), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}, {QStringLiteral("participant"), m_code}});
-        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
     std::unique_ptr<tests::DesktopFixture> m_site;
     database::StudyNumber m_study = 0;
@@ -132,9 +135,9 @@ void TestMaskedStudy::unblindingIsReadable() {
     m_site->logIn("rhea");
     everyLook([this](const QString& name) {
         show("study_data", 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), kPatience_ms);
         m_site->find<QPushButton>(QStringLiteral("data.unblind"))->click();
-        QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("data.ask_unblind")));
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("data.ask_unblind")), kPatience_ms);
         auto* dialog = m_site->find<QDialog>(QStringLiteral("data.ask_unblind"));
         const QStringList findings = tests::settledFindings(dialog);
         QVERIFY2(findings.isEmpty(), qPrintable(name + QStringLiteral(": ") + findings.join(QLatin1Char('\n'))));
@@ -145,7 +148,7 @@ void TestMaskedStudy::unblindingIsReadable() {
         QVERIFY(accept && !accept->isEnabled());
         QVERIFY(reason->mapToGlobal(QPoint(0, reason->height())).y() <= accept->mapToGlobal(QPoint()).y()); // asked for before it is decided
         QTest::keyClick(dialog, Qt::Key_Escape); // it stays blind
-        QTRY_VERIFY(!m_site->find<QDialog>(QStringLiteral("data.ask_unblind")));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QDialog>(QStringLiteral("data.ask_unblind")), kPatience_ms);
     });
 }
 
@@ -160,9 +163,9 @@ void TestMaskedStudy::sealedSittingsAreToldAsSuch() {
     QVERIFY2(run, run ? "" : run.error().message.c_str());
     everyLook([this](const QString& name) {
         m_site->go(QStringLiteral("sessions"));
-        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
         auto* table = m_site->find<QTableView>(QStringLiteral("sessions.table"));
-        QTRY_VERIFY(table && table->model()->rowCount() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(table && table->model()->rowCount() > 0, kPatience_ms);
         const QStringList findings = tests::settledFindings(m_site->window->screen());
         QVERIFY2(findings.isEmpty(), qPrintable(name + QStringLiteral(": ") + findings.join(QLatin1Char('\n'))));
         keep(m_site->window.get(), QStringLiteral("sealed_sessions_") + name);

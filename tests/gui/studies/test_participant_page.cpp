@@ -7,6 +7,7 @@
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"
 #include "session/study/trial_fidelity.h"
+#include "support/patience.h"
 #include "support/sitting_hands.h"
 
 #include <QGuiApplication>
@@ -16,12 +17,13 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 using State = session::LiveStudyView::State;
 
 namespace {
 
-constexpr int kPatience_ms = 30000;
 
 /// Two screens beside each other, as the platform is told of them.
 const char* const kScreens = R"({"screens": [{"name": "one", "x": 0, "y": 0, "width": 1280, "height": 720},
@@ -143,7 +145,7 @@ void TestParticipantPage::whatIsMissingIsNamed() {
     QVERIFY(screen && tests::beginTrials(screen));
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::exploring, kPatience_ms);
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
-    QTRY_COMPARE(why->text(), QStringLiteral("Touch first: 1, 2, 3."));
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Touch first: 1, 2, 3."), kPatience_ms);
     for (const char* name : {"answer.0", "answer.1", "answer.2", "answer.confirm"})
         QVERIFY2(!tests::sittingButton(screen, name)->isEnabled(), name);
     QTest::keyClick(m_site->window.get(), Qt::Key_1); // neither do keys answer
@@ -179,12 +181,12 @@ void TestParticipantPage::aTooLightTouchIsTold() {
     auto* why = page(screen)->findChild<QLabel*>(QStringLiteral("answer.why"));
     QVERIFY(reach(-0.04, 0.060) && reach(-0.04, 0.027)); // in the ring of the first
     QVERIFY(reach(-0.04, 0.03015));                      // 0.15 mm out: at most 0.14 N
-    QTRY_COMPARE(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."));
+    QTRY_COMPARE_WITH_TIMEOUT(why->text(), QStringLiteral("Pull a little harder on 1: at least 0.3 N."), kPatience_ms);
     QCOMPARE(live.view().touched, 0U);
     QVERIFY(!live.view().canAnswer && (live.view().grazed & 1U) != 0);
     QVERIFY(reach(-0.04, 0.0333)); // 1 N and more
-    QTRY_COMPARE(live.view().touched, 1U);
-    QTRY_VERIFY2(why->text().contains(QStringLiteral("Touch next: 2, 3")), qPrintable(why->text()));
+    QTRY_COMPARE_WITH_TIMEOUT(live.view().touched, 1U, kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(why->text().contains(QStringLiteral("Touch next: 2, 3")), qPrintable(why->text()), kPatience_ms);
 }
 
 /// Whoever has done a part has read the instructions: the next one begins with a short page, and all of it is a press away.
@@ -206,7 +208,7 @@ void TestParticipantPage::aFurtherPartIsShort() {
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
-    QTRY_COMPARE(said("trials.strip"), QStringLiteral("Trial 1 of 1")); // neither more nor fewer
+    QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"), QStringLiteral("Trial 1 of 1"), kPatience_ms); // neither more nor fewer
     tests::sittingButton(screen, "answer.0")->click();
     QTRY_VERIFY_WITH_TIMEOUT(screen->live()->finished() && !screen->isBusy(), kPatience_ms);
     QVERIFY(screen->live()->result() && screen->live()->result()->completed);
@@ -236,7 +238,7 @@ void TestParticipantPage::theCardAndTheFreeMinuteComeFirst() {
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::trying, kPatience_ms);
     QVERIFY(!screen->live()->view().canAnswer);
     QVERIFY(screen->live()->view().tryLeft_s > 0.0);
-    QTRY_VERIFY(page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"))->text().contains(QStringLiteral("Nothing counts yet")));
+    QTRY_VERIFY_WITH_TIMEOUT(page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"))->text().contains(QStringLiteral("Nothing counts yet")), kPatience_ms);
     QVERIFY(stored().empty());
     tests::sittingButton(screen, "trials.enough")->click();
     QVERIFY(canAnswer(screen));
@@ -285,7 +287,7 @@ void TestParticipantPage::practiceIsTakenBack() {
     };
     QVERIFY(answer());
     QVERIFY(screen->live()->view().practice);
-    QTRY_VERIFY(tests::sittingButton(screen, "trials.take_back")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(tests::sittingButton(screen, "trials.take_back")->isVisible(), kPatience_ms);
     QVERIFY(stored().empty());
     tests::sittingButton(screen, "trials.take_back")->click();
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(1), kPatience_ms);
@@ -298,12 +300,12 @@ void TestParticipantPage::practiceIsTakenBack() {
     QVERIFY(stored().back().practice && stored().back().answer >= 0);
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::practised, kPatience_ms); // nothing that counts comes before it was read
     const auto* over = page(screen)->findChild<QLabel*>(QStringLiteral("break.text"));
-    QTRY_VERIFY2(over->text().contains(QStringLiteral("From now on every answer counts")), qPrintable(over->text()));
+    QTRY_VERIFY2_WITH_TIMEOUT(over->text().contains(QStringLiteral("From now on every answer counts")), qPrintable(over->text()), kPatience_ms);
     QVERIFY(!screen->live()->view().canAnswer);
     tests::sittingButton(screen, "break.button")->click();
     QVERIFY(canAnswer(screen));
     const auto* strip = page(screen)->findChild<QLabel*>(QStringLiteral("trials.strip"));
-    QTRY_COMPARE(strip->text(), QStringLiteral("Trial 1 of at most 40"));
+    QTRY_COMPARE_WITH_TIMEOUT(strip->text(), QStringLiteral("Trial 1 of at most 40"), kPatience_ms);
     QVERIFY(!screen->live()->view().practice);
     for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
         tests::sittingButton(screen, button)->click();
@@ -321,12 +323,12 @@ void TestParticipantPage::theDeskTakesThePassword() {
     for (const char* word : {"Stiffness of a tube", "N/m", "Weber", "stiffness\n"})
         QVERIFY2(!seen.contains(QLatin1String(word)), qPrintable(seen));
     QTest::keyClick(m_site->window.get(), Qt::Key_F2);
-    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("gate.password")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("gate.password")), kPatience_ms);
     QVERIFY(!screen->atDesk());
-    QTRY_COMPARE(screen->live()->view().state, State::paused); // nothing runs while somebody types
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::paused, kPatience_ms); // nothing runs while somebody types
     m_site->find<QLineEdit>(QStringLiteral("gate.password"))->setText(QStringLiteral("not the password"));
     m_site->find<QPushButton>(QStringLiteral("gate.accept"))->click();
-    QTRY_VERIFY(m_site->context.background().idle());
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms);
     QVERIFY(m_site->find<QLineEdit>(QStringLiteral("gate.password")) && !screen->atDesk());
     m_site->context.navigator().go(QStringLiteral("studies")); // no other way out either
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
@@ -358,7 +360,7 @@ void TestParticipantPage::whoLeavesMidTrialSeesTheNeutralEnd() {
     m_site->context.navigator().go(QStringLiteral("study_run")); // the next participant is the experimenter's to call
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_trials"));
     QVERIFY(tests::typePassword(*m_site));
-    QTRY_COMPARE(m_site->context.navigator().current().screen, QStringLiteral("study_run"));
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
     QCOMPARE(stored().back().spoiled, std::string("stopped")); // nothing was lost, and it comes again
 }
 
@@ -381,9 +383,9 @@ void TestParticipantPage::whoWasAskedForSitsDownAfterTheLogin() {
     desktop::followAskedSitting(m_site->context, {QStringLiteral("asked"), code});
     QVERIFY(!m_site->screen<desktop::TrialsScreen>()); // nobody is logged in
     m_site->logIn("rhea");
-    QTRY_VERIFY(m_site->screen<desktop::TrialsScreen>());
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>(), kPatience_ms);
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), code);
-    QTRY_VERIFY(m_site->screen<desktop::TrialsScreen>()->live());
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
     QVERIFY(tests::stopSitting(*m_site, m_site->screen<desktop::TrialsScreen>()));
 
     m_site->context.logOutNow();
@@ -392,7 +394,7 @@ void TestParticipantPage::whoWasAskedForSitsDownAfterTheLogin() {
     connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
     desktop::followAskedSitting(m_site->context, {QStringLiteral("no_such_study"), code});
     m_site->logIn("rhea");
-    QTRY_VERIFY2(told.join(QLatin1Char('|')).contains(QStringLiteral("The study no_such_study could not be opened.")), qPrintable(told.join(QLatin1Char('|'))));
+    QTRY_VERIFY2_WITH_TIMEOUT(told.join(QLatin1Char('|')).contains(QStringLiteral("The study no_such_study could not be opened.")), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 }
 
 void TestParticipantPage::anOpenStudyAsksForNoPassword() {
@@ -429,7 +431,7 @@ void TestParticipantPage::anUnpluggedScreenBringsThePageBack() {
     QVERIFY(screen && screen->participantWindow() && tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
     emit qGuiApp->screenRemoved(QGuiApplication::screens().at(1));
-    QTRY_VERIFY(!screen->participantWindow());
+    QTRY_VERIFY_WITH_TIMEOUT(!screen->participantWindow(), kPatience_ms);
     QCOMPARE(screen->live()->view().state, State::paused);
     QVERIFY(screen->atDesk()); // the experimenter was there, and sees what happened
     QVERIFY(screen->findChild<QLabel*>(QStringLiteral("trials.desk_note"))->text().contains(QStringLiteral("screen is gone")));

@@ -5,6 +5,7 @@
 #include "desktop/widgets/kit.h"
 #include "support/every_place.h"
 #include "support/made_study.h"
+#include "support/patience.h"
 #include "support/settled.h"
 
 #include <QCheckBox>
@@ -12,6 +13,8 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSpinBox>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -51,7 +54,7 @@ private:
     template <class Widget> Widget* find(const char* name) const { return m_page->findChild<Widget*>(QLatin1String(name)); }
     void preview() {
         find<QPushButton>("preview.start")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).isEmpty(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_page->findChildren<QFrame*>(QStringLiteral("preview.result")).isEmpty(), kPatience_ms);
     }
     QList<QLabel*> detectable() const { return m_page->findChildren<QLabel*>(QStringLiteral("preview.detectable")); }
     QStringList texts() const {

@@ -17,6 +17,7 @@
 #include "desktop/study_run/trials_screen.h"
 #include "support/sitting_hands.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>
@@ -31,12 +32,13 @@
 #include <QTabBar>
 #include <QTableWidget>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 using desktop::StudyScreen;
 using tests::DesktopFixture;
 
 namespace {
-constexpr int kPatience_ms = 20000;
 constexpr int kMostActions = 25;
 } // namespace
 
@@ -80,7 +82,7 @@ private:
         m_study = tests::addDraft(*m_site, m_site->context.actor(), design);
         m_site->go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("tab"), tab}});
         QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTabBar>(QStringLiteral("study.tabs")), kPatience_ms);
-        QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
     StudyScreen* screen() { return m_site->screen<StudyScreen>(); }
     const psychophysics::StudyDesign& design() { return screen()->draft().design(); }
@@ -103,12 +105,12 @@ private:
     /// What a person does: each call is one action.
     void click(const char* name) {
         ++m_actions;
-        QTRY_VERIFY2(shown<QAbstractButton>(name) && shown<QAbstractButton>(name)->isEnabled(), name);
+        QTRY_VERIFY2_WITH_TIMEOUT(shown<QAbstractButton>(name) && shown<QAbstractButton>(name)->isEnabled(), name, kPatience_ms);
         shown<QAbstractButton>(name)->click();
     }
     void type(const char* name, const QString& words) {
         ++m_actions;
-        QTRY_VERIFY2(shown<QWidget>(name), name);
+        QTRY_VERIFY2_WITH_TIMEOUT(shown<QWidget>(name), name, kPatience_ms);
         auto* field = shown<QWidget>(name);
         field->setFocus();
         if (auto* line = qobject_cast<QLineEdit*>(field))
@@ -141,7 +143,7 @@ private:
     }
     void step(const char* to) {
         click("study.next");
-        QTRY_VERIFY2(find<QWidget>(to), to);
+        QTRY_VERIFY2_WITH_TIMEOUT(find<QWidget>(to), to, kPatience_ms);
     }
 
     std::unique_ptr<DesktopFixture> m_site;
@@ -154,9 +156,9 @@ void TestStudyDesign::templatesCiteTheirSource() {
     const auto templates = catalogue::StudyCatalogue::load();
     QVERIFY(templates && templates->studies().size() >= 12);
     m_site->go(QStringLiteral("studies"));
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
     for (const psychophysics::StudyDesign& each : templates->studies()) {
         QVERIFY2(!each.source.empty(), each.id.c_str());
         const QString shown = text(qPrintable(QStringLiteral("new_study.template.%1.source").arg(QString::fromStdString(each.id))));
@@ -175,7 +177,7 @@ void TestStudyDesign::templatesCiteTheirSource() {
 /// One of those who design it tries it: the instructions, the controls, some of the free minute, and back to the design without a question.
 void TestStudyDesign::pilotTried() {
     click("check.pilot");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("pilot.accept")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("pilot.accept")), kPatience_ms);
     click("pilot.agreed");
     click("pilot.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
@@ -188,7 +190,7 @@ void TestStudyDesign::pilotTried() {
     QTRY_COMPARE_WITH_TIMEOUT(trials->live()->view().state, State::exploring, kPatience_ms);
     click("trials.stop"); // asks nothing: a pilot is no data
     QTRY_VERIFY_WITH_TIMEOUT(trials->live()->finished() && !trials->isBusy(), kPatience_ms);
-    QTRY_VERIFY(text("break.title").contains(QStringLiteral("pilot")));
+    QTRY_VERIFY_WITH_TIMEOUT(text("break.title").contains(QStringLiteral("pilot")), kPatience_ms);
     click("break.button"); // nor for a password
     QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
 }
@@ -197,22 +199,22 @@ void TestStudyDesign::pilotTried() {
 /// action.
 void TestStudyDesign::fromNothingToFrozen() {
     m_site->go(QStringLiteral("studies"));
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
-    QTRY_VERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
     m_actions = 0;
     click("studies.new");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.stiffness_2afc")), kPatience_ms);
     click("new_study.template.stiffness_2afc");
     type("new_study.title", QStringLiteral("Soft and stiff tubes"));
     QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes")); // made of the title
     click("new_study.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPlainTextEdit>(QStringLiteral("design.objective")), kPatience_ms);
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
     type("design.objective", QStringLiteral("Whether the Weber fraction of stiffness depends on the reference. We expect the same for both."));
     type("design.ethics", QStringLiteral("Ethics committee of the university, 17/2026"));
     enter("design.ethics"); // as Next
-    QTRY_VERIFY(find<QWidget>("conditions.copy"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("conditions.copy"), kPatience_ms);
     type("condition.reference", QStringLiteral("0.3 N/mm")); // in the unit that people say it in
     QCOMPARE(design().conditions.front().stimulus.reference, 300.0);
     QCOMPARE(find<QLineEdit>("condition.title")->text(), QStringLiteral("Tube of 300 N/m")); // names that tell the reference follow it
@@ -220,8 +222,8 @@ void TestStudyDesign::fromNothingToFrozen() {
     type("procedure.0.trials", QStringLiteral("15"));
     QCOMPARE(find<QSpinBox>("procedure.0.minimum_trials")->value(), 15); // no run has more than its most
     click("conditions.copy");
-    QTRY_COMPARE(design().conditions.size(), std::size_t{2});
-    QTRY_VERIFY(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")));
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("condition.title")->text().endsWith(QStringLiteral("(2)")), kPatience_ms);
     type("condition.reference", QStringLiteral("0.6 N/mm")); // the one field in which it differs
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
     QCOMPARE(design().conditions.back().title.at("en"), std::string("Tube of 600 N/m"));
@@ -229,18 +231,18 @@ void TestStudyDesign::fromNothingToFrozen() {
     QCOMPARE(design().conditions.back().id, std::string("tube_600"));
     ++m_actions; // a page is also reached by its name
     find<QTabBar>("study.tabs")->setCurrentIndex(StudyScreen::previewTab);
-    QTRY_VERIFY(find<QPushButton>("preview.start"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start"), kPatience_ms);
     click("preview.start");
-    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start")->isEnabled(), 120000); // what it found was looked at
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("preview.start")->isEnabled(), kPatience_ms); // what it found was looked at
     step("check.freeze");
     QVERIFY(saved());
     pilotTried();
     QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("check.freeze"), kPatience_ms);
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     click("check.freeze");
-    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
     auto* list = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<desktop::CheckList*>();
-    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting), 120000); // simulated observers
+    QTRY_VERIFY_WITH_TIMEOUT(!list->has(desktop::FreezeCheck::State::waiting), kPatience_ms); // simulated observers
     QVERIFY(!list->has(desktop::FreezeCheck::State::bad));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled()); // nobody has tried it: worth a look
     click("freeze.seen");
@@ -264,15 +266,15 @@ void TestStudyDesign::fromNothingToFrozen() {
 void TestStudyDesign::aCopyOfAFrozenStudy() {
     const psychophysics::StudyDesign original = design();
     click("study.copy");
-    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     auto* title = m_site->find<QLineEdit>(QStringLiteral("new_study.title"));
-    QTRY_COMPARE(title->text(), QStringLiteral("Soft and stiff tubes (copy)"));
+    QTRY_COMPARE_WITH_TIMEOUT(title->text(), QStringLiteral("Soft and stiff tubes (copy)"), kPatience_ms);
     QCOMPARE(title->selectedText(), title->text()); // to be typed over
     QCOMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->text(), QStringLiteral("soft_and_stiff_tubes_copy"));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
     click("new_study.accept");
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.ethics")), kPatience_ms);
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     QVERIFY(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong() != m_study);
     QCOMPARE(design().conditions.size(), original.conditions.size());
     QCOMPARE(design().conditions.back().stimulus.reference, 600.0);
@@ -281,11 +283,11 @@ void TestStudyDesign::aCopyOfAFrozenStudy() {
     QVERIFY(find<QLineEdit>("design.title") && !find<QLineEdit>("design.title")->isReadOnly());
     // And from the list.
     m_site->go(QStringLiteral("studies"), {{QStringLiteral("study"), qlonglong(m_study)}});
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("studies.copy")));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("studies.copy")), kPatience_ms);
     click("studies.copy");
-    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
-    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes (copy 2)")); // there is a copy already
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text(), QStringLiteral("Soft and stiff tubes (copy 2)"), kPatience_ms); // there is a copy already
     type("new_study.title", QStringLiteral("soft  and stiff Tubes")); // the original's, but for capitals and a space
     QVERIFY(text("new_study.title.fault").contains(QStringLiteral("Another study has this title")));
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
@@ -309,10 +311,10 @@ void TestStudyDesign::titlesOfCopies() {
 /// Nothing is chosen beforehand; words find, in any order and without accents; Enter takes what is found, and never creates by itself.
 void TestStudyDesign::aTemplateIsFoundByWords() {
     m_site->go(QStringLiteral("studies"));
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
-    QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY(shown<QPushButton>("new_study.template.new_study"));
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("new_study.template.new_study"), kPatience_ms);
     const auto* accept = m_site->find<QPushButton>(QStringLiteral("new_study.accept"));
     QVERIFY(!accept->isEnabled());
     QVERIFY(m_site->find<QLineEdit>(QStringLiteral("new_study.title"))->text().isEmpty());
@@ -350,13 +352,13 @@ void TestStudyDesign::aTemplateIsFoundByWords() {
 void TestStudyDesign::namesThatAreTaken() {
     tests::addDraft(*m_site, m_site->context.actor(), tests::smallStudy("taken"));
     m_site->go(QStringLiteral("studies"));
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
-    QTRY_VERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QLineEdit>(QStringLiteral("new_study.title")), kPatience_ms);
     click("studies.new");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
     click("new_study.template.new_study");
     type("new_study.key", QStringLiteral("taken"));
-    QTRY_VERIFY(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")));
+    QTRY_VERIFY_WITH_TIMEOUT(text("new_study.key.fault").contains(QStringLiteral("Another study has this key")), kPatience_ms);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("new_study.accept"))->isEnabled());
     QVERIFY(!m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->accessibleDescription().isEmpty());
     type("new_study.key", QStringLiteral("Soft Tubes"));
@@ -368,7 +370,7 @@ void TestStudyDesign::namesThatAreTaken() {
     openDraft(tests::smallStudy("twins"), StudyScreen::conditionsTab);
     const QString first = find<QLineEdit>("condition.title")->text();
     click("conditions.1");
-    QTRY_VERIFY(find<QLineEdit>("condition.title")->text() != first);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("condition.title")->text() != first, kPatience_ms);
     type("condition.title", first);
     QTRY_VERIFY_WITH_TIMEOUT(faultAt("condition.title").contains(QStringLiteral("same name")), kPatience_ms);
     click("study.next"); // not before it is put right
@@ -396,7 +398,7 @@ void TestStudyDesign::theSummaryIsAlwaysTrue() {
     QCOMPARE(text("study.card.feedback"), QStringLiteral("after each trial"));
     QCOMPARE(text("study.card.questions"), QStringLiteral("0 before, 4 after"));
     click("study.undo");
-    QTRY_COMPARE(text("study.card.feedback"), QStringLiteral("in practice only"));
+    QTRY_COMPARE_WITH_TIMEOUT(text("study.card.feedback"), QStringLiteral("in practice only"), kPatience_ms);
     // What is wrong is not said to be kept.
     screen()->showTab(StudyScreen::conditionsTab);
     type("condition.reference", QStringLiteral("0"));
@@ -509,23 +511,23 @@ void TestStudyDesign::onlyWhatAppliesIsThere() {
     auto* attribute = find<QComboBox>("condition.attribute");
     attribute->setCurrentIndex(static_cast<int>(psychophysics::Attribute::mass));
     emit attribute->activated(attribute->currentIndex());
-    QTRY_VERIFY(find<QComboBox>("condition.task"));
-    QTRY_VERIFY(shown<QWidget>("differences.low"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("condition.task"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QWidget>("differences.low"), kPatience_ms);
     QVERIFY(!shown<QCheckBox>("differences.both")); // a ranking has no lesser objects
     auto* task = find<QComboBox>("condition.task");
     task->setCurrentIndex(task->findData(static_cast<int>(psychophysics::Task::twoAfc)));
     emit task->activated(task->currentIndex());
-    QTRY_VERIFY(find<QComboBox>("procedure.0.function"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("procedure.0.function"), kPatience_ms);
     QVERIFY(!shown<QCheckBox>("differences.both")); // nor has a logarithm
     auto* scale = find<QComboBox>("condition.scale");
     const int logarithm = scale->currentIndex();
     scale->setCurrentIndex(1 - logarithm);
     emit scale->activated(scale->currentIndex());
-    QTRY_VERIFY(shown<QCheckBox>("differences.both"));
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QCheckBox>("differences.both"), kPatience_ms);
     scale = shown<QComboBox>("condition.scale");
     scale->setCurrentIndex(logarithm);
     emit scale->activated(logarithm);
-    QTRY_VERIFY(!shown<QCheckBox>("differences.both"));
+    QTRY_VERIFY_WITH_TIMEOUT(!shown<QCheckBox>("differences.both"), kPatience_ms);
     QVERIFY(find<QComboBox>("procedure.0.function")->count() >= 4);
     QCOMPARE(find<QDoubleSpinBox>("procedure.0.grid0.low")->suffix(), QStringLiteral(" %"));
     const auto& plus = std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front());
@@ -536,7 +538,7 @@ void TestStudyDesign::onlyWhatAppliesIsThere() {
     auto* function = find<QComboBox>("procedure.0.function");
     function->setCurrentIndex(function->findData(QStringLiteral("norm_cdf")));
     emit function->activated(function->currentIndex());
-    QTRY_COMPARE(QString::fromStdString(std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front()).parameters.front().name), QStringLiteral("mean"));
+    QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(std::get<psychophysics::QuestPlusSpec>(design().conditions.front().procedures.front()).parameters.front().name), QStringLiteral("mean"), kPatience_ms);
     QVERIFY2(saved(), qPrintable(text("study.faults"))); // with parameters that it has
 }
 
@@ -561,7 +563,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     wrong("design.objective", {}, "empty");
     right("design.objective", QStringLiteral("To see."));
     wrong("design.planned", QStringLiteral("0"), "At least one participant");
-    QTRY_VERIFY(text("study.state").contains(QStringLiteral("not saved")));
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), kPatience_ms);
     right("design.planned", QStringLiteral("8"));
     screen()->showTab(StudyScreen::conditionsTab);
     wrong("condition.reference", QStringLiteral("30000"), "1.00 N/m to 20,000 N/m"); // above all that can be rendered
@@ -575,7 +577,7 @@ void TestStudyDesign::faultsStandAtTheirFields() {
     QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("study.to_fault")->isVisible(), kPatience_ms);
     QVERIFY(!find<QTabBar>("study.tabs")->tabIcon(StudyScreen::conditionsTab).isNull());
     click("study.to_fault");
-    QTRY_VERIFY(find<QDoubleSpinBox>("condition.reference") && inFocus("condition.reference"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QDoubleSpinBox>("condition.reference") && inFocus("condition.reference"), kPatience_ms);
     QCOMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::conditionsTab));
     click("study.undo");
     QVERIFY(saved());
@@ -590,10 +592,10 @@ void TestStudyDesign::aTableOfNumbersIsPasted() {
         lines << QString::number(2.0 + 0.25 * i, 'f', 2).replace(QLatin1Char('.'), QLatin1Char(','));
     QGuiApplication::clipboard()->setText(lines.join(QStringLiteral("\r\n")));
     click("differences.levels.paste");
-    QTRY_COMPARE(design().conditions.front().stimulus.differences.size(), std::size_t{41});
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.front().stimulus.differences.size(), std::size_t{41}, kPatience_ms);
     QVERIFY(std::abs(design().conditions.front().stimulus.differences.front() - std::log10(1.02)) < 1e-9);
     QVERIFY(std::abs(design().conditions.front().stimulus.differences.back() - std::log10(1.12)) < 1e-9);
-    QTRY_COMPARE(m_site->find<QTableWidget>(QStringLiteral("differences.levels.table"))->rowCount(), 41);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("differences.levels.table"))->rowCount(), 41, kPatience_ms);
     QVERIFY(saved());
     QGuiApplication::clipboard()->setText(QStringLiteral("2; 3; many; 5"));
     click("differences.levels.paste");
@@ -649,7 +651,7 @@ void TestStudyDesign::anUnreadNumberKeepsItsPage() {
     QVERIFY(inFocus("condition.reference"));
     type("condition.reference", QStringLiteral("0.25 N/mm"));
     enter("condition.reference");
-    QTRY_COMPARE(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::trialsTab));
+    QTRY_COMPARE_WITH_TIMEOUT(find<QTabBar>("study.tabs")->currentIndex(), int(StudyScreen::trialsTab), kPatience_ms);
     QCOMPARE(design().conditions.front().stimulus.reference, 250.0);
     QVERIFY(saved());
 }
@@ -658,24 +660,24 @@ void TestStudyDesign::placeholdersAreNotFrozen() {
     psychophysics::StudyDesign plain = desktop::plainStudy();
     plain.id = "hasty";
     openDraft(plain, StudyScreen::checkTab);
-    QTRY_VERIFY(find<QWidget>("check.aim.go"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.aim.go"), kPatience_ms);
     QVERIFY(find<QWidget>("check.ethics.go") && find<QWidget>("check.consent.go") && find<QWidget>("check.pilot.go"));
     QVERIFY(!find<QWidget>("check.participants.go") && !find<QWidget>("check.practice.go") && !find<QWidget>("check.design.go"));
     click("check.freeze");
-    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled() && m_site->find<QWidget>(QStringLiteral("freeze.cannot"))->isVisible());
     QVERIFY(!m_site->find<QCheckBox>(QStringLiteral("freeze.seen"))->isVisible()); // no word makes up for what is missing
     auto* go = m_site->find<QDialog>(QStringLiteral("freeze"))->findChild<QPushButton*>(QStringLiteral("check.aim.go"));
     QVERIFY(go);
     go->click();
-    QTRY_VERIFY(find<QPlainTextEdit>("design.objective") && inFocus("design.objective"));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("design.objective") && inFocus("design.objective"), kPatience_ms);
     QVERIFY(find<QPlainTextEdit>("design.objective")->toPlainText().isEmpty()); // the placeholder is not shown as somebody's aim
     type("design.objective", QStringLiteral("Whether it works."));
     type("design.ethics", QStringLiteral("Not needed: the authors try it themselves."));
     QVERIFY(saved());
     screen()->showTab(StudyScreen::checkTab);
-    QTRY_VERIFY(find<QWidget>("check.aim") && !find<QWidget>("check.aim.go") && !find<QWidget>("check.ethics.go"));
-    QTRY_VERIFY_WITH_TIMEOUT(!find<desktop::CheckList>("check.list")->has(desktop::FreezeCheck::State::waiting), 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.aim") && !find<QWidget>("check.aim.go") && !find<QWidget>("check.ethics.go"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!find<desktop::CheckList>("check.list")->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
     QVERIFY2(text("check.precision.words").contains(QStringLiteral("factor of")), qPrintable(text("check.precision.words")));
     QVERIFY2(text("check.duration.words").contains(QStringLiteral("as simulated")), qPrintable(text("check.duration.words")));
     screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.trial.practiceTrials = 0; }, true);
@@ -690,7 +692,7 @@ void TestStudyDesign::aPilotIsKeptApart() {
     openDraft(study, StudyScreen::checkTab);
     const database::StudyNumber draft = m_study;
     click("check.pilot");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("pilot.accept")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("pilot.accept")), kPatience_ms);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("pilot.accept"))->isEnabled()); // not without agreement
     QVERIFY(text("pilot.consent").contains(QStringLiteral("my own free will")));
     click("pilot.agreed");
@@ -698,12 +700,12 @@ void TestStudyDesign::aPilotIsKeptApart() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->screen<desktop::TrialsScreen>() && m_site->screen<desktop::TrialsScreen>()->live(), kPatience_ms);
     auto* trials = m_site->screen<desktop::TrialsScreen>();
     QVERIFY(tests::beginTrials(trials)); // as any participant: instructions, controls, a free minute
-    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->view().canAnswer, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->view().canAnswer, kPatience_ms);
     for (const char* button : {"answer.2", "answer.0", "answer.confirm"}) {
-        QTRY_VERIFY(tests::sittingButton(trials, button)->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(tests::sittingButton(trials, button)->isEnabled(), kPatience_ms);
         tests::sittingButton(trials, button)->click();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(trials->live()->numbers().scored + trials->live()->numbers().spoiled > 0, kPatience_ms);
     const int scored = trials->live()->numbers().scored;
     QVERIFY(tests::stopSitting(*m_site, trials, 30000, QStringLiteral("study"))); // back at the design
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong(), qlonglong(draft));
@@ -719,7 +721,7 @@ void TestStudyDesign::aPilotIsKeptApart() {
     QVERIFY(reader.participants(draft)->empty());
     for (const char* place : {"studies", "study_run", "study_data"}) { // and no screen offers it
         m_site->go(QLatin1String(place));
-        QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
         for (const QComboBox* choice : m_site->window->screen()->findChildren<QComboBox*>())
             for (int i = 0; i < choice->count(); ++i)
                 QVERIFY2(!choice->itemText(i).contains(QStringLiteral("Pilot: ")), place);

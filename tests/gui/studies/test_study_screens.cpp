@@ -7,6 +7,7 @@
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/widgets/state_panel.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QDialog>
@@ -23,6 +24,8 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <algorithm>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using tests::DesktopFixture;
@@ -57,7 +60,7 @@ private:
     void whoIsInTheGroup(const QString& waiting);
     void go(const char* screen, const QVariantMap& parameters = {}) {
         m_site->go(QLatin1String(screen), parameters);
-        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     }
     QVariantMap study() const { return {{QStringLiteral("study"), qlonglong(m_study)}}; }
     void click(const char* name) {
@@ -79,23 +82,23 @@ void TestStudyScreens::emptyStates() {
     for (const char* screen : {"studies", "study_run", "study_data"}) {
         go(screen);
         auto* panel = m_site->window->screen()->findChild<desktop::StatePanel*>();
-        QTRY_COMPARE(panel->state(), desktop::StatePanel::State::empty);
+        QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::empty, kPatience_ms);
     }
     go("study", {{QStringLiteral("study"), 4711}});
-    QTRY_COMPARE(m_site->window->screen()->findChild<desktop::StatePanel*>()->state(), desktop::StatePanel::State::error);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->window->screen()->findChild<desktop::StatePanel*>()->state(), desktop::StatePanel::State::error, kPatience_ms);
 }
 
 void TestStudyScreens::draftFromPlain() {
     go("studies");
     click("studies.new");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study")), kPatience_ms);
     click("new_study.template.new_study");
     m_site->find<QLineEdit>(QStringLiteral("new_study.key"))->setText(QStringLiteral("first_study"));
     QMetaObject::invokeMethod(m_site->find<QLineEdit>(QStringLiteral("new_study.key")), "textEdited", Q_ARG(QString, QStringLiteral("first_study")));
     click("new_study.accept");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study"), kPatience_ms);
     m_study = m_site->context.navigator().current().parameters.value(QStringLiteral("study")).toLongLong();
-    QTRY_VERIFY(m_site->find<QLineEdit>(QStringLiteral("design.title")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.title")), kPatience_ms);
 }
 
 void TestStudyScreens::changedUndoneAndKept() {
@@ -106,9 +109,9 @@ void TestStudyScreens::changedUndoneAndKept() {
     QTest::keyClicks(title, QStringLiteral("Feeling tubes"));
     QCOMPARE(screen->draft().design().title.at("en"), std::string("Feeling tubes"));
     click("study.undo");
-    QTRY_COMPARE(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(), QStringLiteral("New study"));
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("design.title"))->text(), QStringLiteral("New study"), kPatience_ms);
     click("study.redo");
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
     auto connection = m_site->database().openReader();
     const auto stored = database::StudyReader(**connection, m_site->context.actor()).study(m_study);
     QVERIFY(stored && stored->summary.title == "Feeling tubes");
@@ -117,18 +120,18 @@ void TestStudyScreens::changedUndoneAndKept() {
 void TestStudyScreens::faultsAreSaid() {
     auto* screen = m_site->screen<desktop::StudyScreen>();
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { design.conditions.front().stimulus.reference = -1.0; });
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("not saved")), kPatience_ms);
     const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
     QVERIFY(!freeze->isEnabled() && !freeze->toolTip().isEmpty());
     click("study.undo");
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
     screen->draft().change({}, {}, [](psychophysics::StudyDesign& design) { // small enough for the rest
         design.questionnaires = tests::smallStudy("x").questionnaires;
         design.blindExperimenter = true;
         design.objective["en"] = "Whether tubes can be told apart."; // else nobody freezes it
         design.ethics = "Not needed: a test.";
     }, true);
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(QStringLiteral("all changes saved")), kPatience_ms);
     for (int tab = 0; tab < desktop::StudyScreen::tabs; ++tab) { // each page can be built
         screen->showTab(tab);
         QTest::qWait(30);
@@ -139,9 +142,9 @@ void TestStudyScreens::frozen() {
     const auto* freeze = m_site->find<QPushButton>(QStringLiteral("study.freeze"));
     QVERIFY(freeze->isEnabled() && freeze->toolTip().isEmpty());
     click("study.freeze"); // what cannot be undone does not happen at Enter
-    QTRY_VERIFY(m_site->find<QDialog>(QStringLiteral("freeze")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
     QTest::keyClick(m_site->find<QDialog>(QStringLiteral("freeze")), Qt::Key_Return);
-    QTRY_VERIFY(!m_site->find<QPushButton>(QStringLiteral("freeze.accept")));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QPushButton>(QStringLiteral("freeze.accept")), kPatience_ms);
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("study.freeze")));
     click("study.freeze");
     const QString sha = text("freeze.sha256").remove(QLatin1Char(' '));
@@ -149,27 +152,27 @@ void TestStudyScreens::frozen() {
     auto* seen = m_site->find<QCheckBox>(QStringLiteral("freeze.seen"));
     QVERIFY(seen && seen->isVisible()); // nobody has tried it
     seen->click();
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled(), 60000); // once simulated observers have done it
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("freeze.accept"))->isEnabled(), kPatience_ms); // once simulated observers have done it
     click("freeze.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(sha.left(12)), 10000);
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("participants.enrol")));
+    QTRY_VERIFY_WITH_TIMEOUT(text("study.state").contains(sha.left(12)), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.enrol")), kPatience_ms);
 }
 
 void TestStudyScreens::enrolledAndConsented() {
     click("participants.enrol");
     m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Example"));
     click("enrol.accept");
-    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!text("enrol.code").isEmpty(), kPatience_ms);
     m_code = text("enrol.code");
     click("enrol.cancel");
-    QTRY_VERIFY(m_site->find<QTableWidget>(QStringLiteral("participants.table")));
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("participants.table")), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     click("participants.consent");
     auto* agreed = m_site->find<QCheckBox>(QStringLiteral("consent.agreed"));
     QVERIFY(agreed && !m_site->find<QPushButton>(QStringLiteral("consent.accept"))->isEnabled());
     agreed->click();
     click("consent.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) && m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run")) && m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled(), kPatience_ms);
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("participants.table"))->item(0, 0)->text(), m_code);
 }
 
@@ -183,22 +186,22 @@ void TestStudyScreens::theNewOneIsSelected() {
     click("participants.enrol");
     m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("Dr Second"));
     click("enrol.accept");
-    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!text("enrol.code").isEmpty(), kPatience_ms);
     const QString second = text("enrol.code");
     click("enrol.consent"); // the next step
-    QTRY_VERIFY(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")), kPatience_ms);
     QVERIFY(!text("consent.instructions").isEmpty()); // who agrees says that they have read them
     const auto* dialog = m_site->find<QDialog>(QStringLiteral("consent"));
     QVERIFY(dialog && dialog->width() >= m_site->window->width() && dialog->height() >= m_site->window->height()); // what lies behind names conditions
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
-    QTRY_COMPARE(selected(), second);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(selected(), second, kPatience_ms);
     m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
     click("consent.accept");
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() && tests::waitUntilLoaded(*m_site), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("participants.run"))->isEnabled() && tests::waitUntilLoaded(*m_site), kPatience_ms);
     QCOMPARE(selected(), second); // read anew: still the same
     click("participants.run");
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("participant")).toString(), second);
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
 }
 
 /// Instead of an identity, or with it: who has an account gets what they do here when they ask for their data.
@@ -216,14 +219,14 @@ void TestStudyScreens::anAccountIsNamed() {
         const auto labels = m_site->find<QDialog>(QStringLiteral("enrol"))->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains(QStringLiteral("nobody here")); });
     };
-    QTRY_VERIFY(said());
+    QTRY_VERIFY_WITH_TIMEOUT(said(), kPatience_ms);
     QVERIFY(text("enrol.code").isEmpty());
     account->setText(QStringLiteral("tina"));
     click("enrol.accept");
-    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!text("enrol.code").isEmpty(), kPatience_ms);
     const QString code = text("enrol.code");
     click("enrol.cancel");
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     const database::Actor tina = m_site->actor("tina");
     auto connection = m_site->database().openReader();
     const auto held = database::PrivacyRepository(**connection, tina).exportPerson(tina.personId());
@@ -256,20 +259,20 @@ void TestStudyScreens::askedAfterEachCondition() {
     QVERIFY2(asks && asks->accessibleName().endsWith(QStringLiteral("about condition %1").arg(done + 1)), asks ? qPrintable(asks->accessibleName()) : "nothing");
     const auto all = m_site->window->screen()->findChildren<QPushButton*>();
     (*std::find_if(all.begin(), all.end(), [](const QPushButton* each) { return each->objectName().startsWith(QStringLiteral("run.questionnaire.validity.")); }))->click();
-    QTRY_VERIFY(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")), kPatience_ms);
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
     m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     QCOMPARE(offered(), 0); // answered; of the other condition there is nothing to ask yet
     auto connection = m_site->database().openReader();
     const auto answers = database::StudyReader(**connection, rhea).questionnaireAnswers(number);
     QVERIFY(answers && answers->size() == 3);
     QVERIFY(std::all_of(answers->begin(), answers->end(), [](const database::QuestionnaireAnswer& each) { return each.condition == "stiffness" && each.language == "en"; }));
     go("study_data", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("tab"), int(desktop::StudyDataScreen::questionnairesTab)}});
-    QTRY_VERIFY(m_site->find<QLabel>(QStringLiteral("summary.validity.stiffness")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLabel>(QStringLiteral("summary.validity.stiffness")), kPatience_ms);
     QVERIFY(!m_site->find<QLabel>(QStringLiteral("summary.validity.mass")));
 }
 
@@ -293,10 +296,10 @@ void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.sex.0"))->click();
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.handedness.1"))->click();
     click("enrol.accept");
-    QTRY_VERIFY(!text("enrol.code").isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!text("enrol.code").isEmpty(), kPatience_ms);
     const QString code = text("enrol.code");
     click("enrol.cancel");
-    QTRY_VERIFY(tests::waitUntilLoaded(*m_site));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
     auto connection = m_site->database().openReader();
     database::StudyReader reader(**connection, rhea);
     const auto answers = reader.questionnaireAnswers(number);
@@ -307,20 +310,20 @@ void TestStudyScreens::fieldsAreWrittenDownAtTheEnrolment() {
         return studies.recordConsent(answers->front().participant, catalogue::studySha256(QByteArray::fromStdString(design.consent.at("en"))));
     });
     go("questionnaire", {{QStringLiteral("study"), qlonglong(number)}, {QStringLiteral("participant"), code}, {QStringLiteral("questionnaire"), QStringLiteral("nasa_tlx")}});
-    QTRY_VERIFY(m_site->find<QSlider>(QStringLiteral("questionnaire.mental")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QSlider>(QStringLiteral("questionnaire.mental")), kPatience_ms);
     click("questionnaire.submit"); // a slider that nobody moved is no answer
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
     for (const char* scale : {"mental", "physical", "temporal", "performance", "effort", "frustration"})
         QTest::keyClick(m_site->find<QSlider>(QStringLiteral("questionnaire.%1").arg(QLatin1String(scale))), Qt::Key_Right);
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
     const auto rated = reader.questionnaireAnswers(number);
     QVERIFY(rated && rated->size() == 9 && rated->back().number == 12.0);
 }
 
 void TestStudyScreens::runsInOrder() {
     go("study_run", study());
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("run.begin")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
     QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), m_code); // the first who still takes part
     for (const QLabel* label : m_site->window->screen()->findChildren<QLabel*>()) // sealed: the condition's name is nowhere
         QVERIFY2(!label->text().contains(QStringLiteral("Stiffness")), qPrintable(label->text()));
@@ -328,14 +331,14 @@ void TestStudyScreens::runsInOrder() {
 
 void TestStudyScreens::questionnaire() {
     go("questionnaire", {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), m_code}, {QStringLiteral("questionnaire"), QStringLiteral("validity")}});
-    QTRY_VERIFY(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4")), kPatience_ms);
     click("questionnaire.submit"); // nothing answered: stays
     QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("questionnaire"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.realism.4"))->click();
     m_site->find<QLineEdit>(QStringLiteral("questionnaire.years"))->setText(QStringLiteral("7"));
     m_site->find<QRadioButton>(QStringLiteral("questionnaire.hand.1"))->click();
     click("questionnaire.submit");
-    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(m_site->context.navigator().current().screen, QStringLiteral("study_run"), kPatience_ms);
     auto connection = m_site->database().openReader();
     QCOMPARE(database::StudyReader(**connection, m_site->context.actor()).questionnaireAnswers(m_study)->size(), 3U);
 }
@@ -371,7 +374,7 @@ void TestStudyScreens::whoIsInTheGroup(const QString& waiting) {
         QCOMPARE(runs->item(row, group)->text(), QStringLiteral("yes"));
     }
     click("data.compare");
-    QTRY_VERIFY(m_site->find<QTableWidget>(QStringLiteral("data.comparison_table")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.comparison_table")), kPatience_ms);
     QCOMPARE(m_site->find<QTabBar>(QStringLiteral("data.tabs"))->currentIndex(), int(desktop::StudyDataScreen::comparisonTab));
     QVERIFY2(said("data.comparison_missing").contains(waiting), qPrintable(said("data.comparison_missing")));
 }
@@ -380,7 +383,7 @@ void TestStudyScreens::dataAndUnblinding() {
     const tests::VisitedStudies studies = tests::addVisitedStudies(*m_site);
     m_data = studies.data;
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.data)}});
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), kPatience_ms);
     QCOMPARE(m_site->find<QTableWidget>(QStringLiteral("data.runs"))->rowCount(), 3);
     whoIsInTheGroup(studies.waiting);
     for (int tab = 0; tab < desktop::StudyDataScreen::tabs; ++tab) {
@@ -393,7 +396,7 @@ void TestStudyScreens::dataAndUnblinding() {
         keepPicture(QStringLiteral("/study_data_%1.png").arg(tab));
     }
     go("study_data", {{QStringLiteral("study"), qlonglong(studies.blind)}});
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.unblind")), kPatience_ms);
     QVERIFY(m_site->find<QPushButton>(QStringLiteral("data.condition.0"))->text() != QStringLiteral("Stiffness of a tube"));
     for (const int tab : {desktop::StudyDataScreen::groupTab, desktop::StudyDataScreen::personTab, desktop::StudyDataScreen::trialsTab}) {
         m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(tab);
@@ -408,7 +411,7 @@ void TestStudyScreens::dataAndUnblinding() {
     }
     m_site->find<QTabBar>(QStringLiteral("data.tabs"))->setCurrentIndex(desktop::StudyDataScreen::groupTab);
     click("data.unblind");
-    QTRY_VERIFY(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept")), kPatience_ms);
     QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.ask_unblind.accept"))->isEnabled()); // not without a reason
     QString toCome; // one has begun, five are planned
     for (const QLabel* label : m_site->find<QWidget>(QStringLiteral("data.ask_unblind.to_come"))->findChildren<QLabel*>())
@@ -426,13 +429,13 @@ void TestStudyScreens::dataAndUnblinding() {
 /// Closed, asked twice, done, there already, and left meanwhile: no export ends without a word.
 void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}});
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.runs")), kPatience_ms);
     QStringList told;
     QObject hears; // no longer than what it writes to
     QObject::connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
     const auto hasTold = [&](const char* words) { return told.join(QLatin1Char('|')).contains(QLatin1String(words)); };
     click("data.csv");
-    QTRY_VERIFY(m_site->find<QFileDialog>(QStringLiteral("data.folder")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QFileDialog>(QStringLiteral("data.folder")), kPatience_ms);
     m_site->find<QFileDialog>(QStringLiteral("data.folder"))->reject();
     QVERIFY2(hasTold("Nothing was exported"), qPrintable(told.join(QLatin1Char('|'))));
 
@@ -442,17 +445,17 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     screen->exportCsvTo(folder.path());
     click("data.csv"); // while it is written
     QVERIFY2(hasTold("still being written"), qPrintable(told.join(QLatin1Char('|'))));
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), 30000);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
     QVERIFY(!QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     told.clear();
     screen->exportCsvTo(folder.path()); // it is there already
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("could not be written"), qPrintable(told.join(QLatin1Char('|'))), 30000);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("could not be written"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 
     const QTemporaryDir other;
     told.clear();
     screen->exportCsvTo(other.path());
     m_site->go(QStringLiteral("studies")); // and the screen is gone when it is done
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), 30000);
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.
@@ -461,10 +464,10 @@ void TestStudyScreens::theTableOfTrialsFits() {
     for (const char* language : {"de", "el", "en"}) {
         m_site->settings.setLanguage(QLatin1String(language));
         go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}, {QStringLiteral("tab"), desktop::StudyDataScreen::trialsTab}});
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.trials")), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QTableWidget>(QStringLiteral("data.trials")), kPatience_ms);
         auto* table = m_site->find<QTableWidget>(QStringLiteral("data.trials"));
         QCOMPARE(m_site->window->width(), 1280);
-        QTRY_VERIFY2(table->horizontalScrollBar()->maximum() == 0, language);
+        QTRY_VERIFY2_WITH_TIMEOUT(table->horizontalScrollBar()->maximum() == 0, language, kPatience_ms);
         QVERIFY2(table->columnWidth(3) >= kReadable_px, qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(language)).arg(table->columnWidth(3))));
         for (int column = 0; column < table->columnCount(); ++column)
             QVERIFY(!table->horizontalHeaderItem(column)->toolTip().isEmpty());
@@ -477,13 +480,13 @@ void TestStudyScreens::archivedWithUndo() {
     QObject::connect(&m_site->context.messages(), &desktop::Messages::told, this, [&undo](const desktop::Message& message) { undo = message.action; });
     go("studies", study());
     auto* table = m_site->find<QTableWidget>(QStringLiteral("studies.table"));
-    QTRY_VERIFY(table->rowCount() > 0); // those of the tests before
+    QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() > 0, kPatience_ms); // those of the tests before
     const int all = table->rowCount();
     click("studies.archive");
-    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all - 1, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all - 1, kPatience_ms);
     QVERIFY(undo);
     undo();
-    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), all, kPatience_ms);
 }
 
 QTEST_MAIN(TestStudyScreens)

@@ -2,10 +2,13 @@
 // A sitting: instructions, trials by keyboard, stop, and on again at the same trial.
 #include "desktop/study_run/trials_screen.h"
 #include "desktop/widgets/state_panel.h"
+#include "support/patience.h"
 #include "support/sitting_hands.h"
 
 #include <QComboBox>
 #include <QLabel>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using State = session::LiveStudyView::State;
@@ -69,7 +72,7 @@ QString TestStudyTrials::where(desktop::TrialsScreen* screen) {
 }
 
 bool TestStudyTrials::canAnswer(desktop::TrialsScreen* screen) {
-    return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, 30000);
+    return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, kPatience_ms);
 }
 
 std::vector<database::StudyTrial> TestStudyTrials::stored() {
@@ -98,11 +101,11 @@ void TestStudyTrials::trialsAreAnsweredAndKept() {
         const session::LiveStudyNumbers before = screen->live()->numbers();
         for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
             press(screen, button);
-        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->numbers().scored + screen->live()->numbers().spoiled > before.scored + before.spoiled, kPatience_ms);
     }
     press(screen, "trials.experimenter");
     QVERIFY(tests::typePassword(*m_site));
-    QTRY_VERIFY(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(!screen->findChild<QLabel*>(QStringLiteral("experimenter.progress"))->text().isEmpty(), kPatience_ms);
     stop(screen);
     m_trials = stored();
     m_stored = m_trials.size();
@@ -153,7 +156,7 @@ void TestStudyTrials::goesOnWhereItStopped() {
             words += label->text() + QLatin1Char('\n');
         return words;
     };
-    QTRY_VERIFY2(beside().contains(QStringLiteral("The fidelity of each trial will appear here")), qPrintable(beside()));
+    QTRY_VERIFY2_WITH_TIMEOUT(beside().contains(QStringLiteral("The fidelity of each trial will appear here")), qPrintable(beside()), kPatience_ms);
     QVERIFY(!beside().contains(QStringLiteral("sealed")));
     stop(screen);
     QVERIFY(stored().size() >= m_stored);

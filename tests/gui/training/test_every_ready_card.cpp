@@ -9,6 +9,7 @@
 #include "desktop/training/scene_feed.h"
 #include "report/report_text.h"
 #include "session/level_limits.h"
+#include "support/patience.h"
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -151,7 +152,7 @@ void TestEveryReadyCard::goIsAlwaysInSight() {
         QTest::qWait(0);
         auto* go = window.findChild<QPushButton*>(QStringLiteral("training.ready.go"));
         QVERIFY2(go, qPrintable(name));
-        QVERIFY2(QTest::qWaitFor([go] { return go->isVisible() && go->width() >= go->minimumSizeHint().width(); }), qPrintable(name));
+        QVERIFY2(QTest::qWaitFor([go] { return go->isVisible() && go->width() >= go->minimumSizeHint().width(); }, kPatience_ms), qPrintable(name));
         QCoreApplication::processEvents();
         const QRect at(go->mapTo(&window, QPoint()), go->size());
         if (!window.rect().contains(at) || go->visibleRegion().boundingRect() != go->rect())

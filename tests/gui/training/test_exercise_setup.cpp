@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "desktop/exercise_setup/exercise_setup_screen.h"
+#include "support/patience.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -54,7 +55,7 @@ void TestExerciseSetup::startIsEnough() {
     open(bench);
     auto* start = tile(bench, QStringLiteral("setup.start"));
     QVERIFY(start->isEnabled());
-    QTRY_VERIFY(start->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(start->hasFocus(), kPatience_ms);
     start->click();
     QVERIFY(bench.at(QStringLiteral("training")));
     pressGo(bench.desktop);
@@ -65,7 +66,7 @@ void TestExerciseSetup::startIsEnough() {
 void TestExerciseSetup::enterStarts() {
     TrainingBench bench;
     open(bench);
-    QTRY_VERIFY(tile(bench, QStringLiteral("setup.start"))->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(tile(bench, QStringLiteral("setup.start"))->hasFocus(), kPatience_ms);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     QVERIFY(bench.at(QStringLiteral("training")));
 }
@@ -107,11 +108,11 @@ void TestExerciseSetup::recommendsTheNextLevel() {
     TrainingBench bench;
     open(bench);
     const auto words = [&](int level) { return tile(bench, QStringLiteral("setup.level.%1").arg(level))->accessibleName(); };
-    QTRY_VERIFY(words(1).contains(QStringLiteral("recommended next")));
+    QTRY_VERIFY_WITH_TIMEOUT(words(1).contains(QStringLiteral("recommended next")), kPatience_ms);
     QVERIFY(words(2).contains(QStringLiteral("Not tried yet")));
     QCOMPARE(screen(bench)->plan().level, 1);
     open(bench, {{QStringLiteral("level"), 3}}); // asked for: the recommendation does not change it
-    QTRY_VERIFY(words(1).contains(QStringLiteral("recommended next")));
+    QTRY_VERIFY_WITH_TIMEOUT(words(1).contains(QStringLiteral("recommended next")), kPatience_ms);
     QCOMPARE(screen(bench)->plan().level, 3);
 }
 
@@ -141,7 +142,7 @@ void TestExerciseSetup::faultsOfATraceAreNamedByRow() {
     out.write("t_s,x_mm,y_mm,z_mm\n0,0,0,50\n0.01,0,zero,50\n");
     out.close();
     open(bench, {{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), file}});
-    QTRY_VERIFY2(bench.text("setup.trace.words").contains(QStringLiteral("cannot be played")), qPrintable(bench.text("setup.trace.words")));
+    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("cannot be played")), qPrintable(bench.text("setup.trace.words")), kPatience_ms);
     QVERIFY2(bench.text("setup.trace.words").contains(QStringLiteral("bad.csv:3")), qPrintable(bench.text("setup.trace.words")));
     QVERIFY(!tile(bench, QStringLiteral("setup.start"))->isEnabled());
 }
@@ -156,7 +157,7 @@ void TestExerciseSetup::aGoodTraceCanBeReplayed() {
         out.write(QByteArray::number(0.02 * n) + "," + QByteArray::number(0.5 * n) + ",0," + QByteArray::number(50.0 - n) + "\n");
     out.close();
     open(bench, {{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), file}});
-    QTRY_VERIFY2(bench.text("setup.trace.words").contains(QStringLiteral("21 rows")), qPrintable(bench.text("setup.trace.words")));
+    QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("21 rows")), qPrintable(bench.text("setup.trace.words")), kPatience_ms);
     tile(bench, QStringLiteral("setup.start"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 20'000); // its end ends the session
 }
@@ -177,7 +178,7 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     QVERIFY(mapping.leftHanded);
     const double x_m = bench.state().tool[0].p_WT_m[0];
     QTest::keyPress(bench.screen(), Qt::Key_Right); // right stays right
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[0] > x_m + 0.002);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > x_m + 0.002, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
     bench.screen()->feed()->training().requestStop();
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
@@ -221,7 +222,7 @@ void TestExerciseSetup::choicesSurviveANewLook() {
     const QVariantMap before = screen(bench)->plan().toMap();
     bench.desktop.settings.setTheme(desktop::ThemeName::dark);
     bench.desktop.context.applyAppearance();
-    QTRY_VERIFY(screen(bench));
+    QTRY_VERIFY_WITH_TIMEOUT(screen(bench), kPatience_ms);
     QCOMPARE(screen(bench)->plan().toMap(), before);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/key_filter.h"
+#include "support/patience.h"
 
 #include <QDialog>
 #include <QLineEdit>
@@ -8,6 +9,8 @@
 #include <QWindow>
 #include <QtTest>
 #include <array>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron::desktop;
 
@@ -81,7 +84,7 @@ void TestKeyFilter::enterPressesTheFocusedButton() {
     keys.screen.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
     keys.button.setFocus();
-    QTRY_VERIFY(keys.button.hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(keys.button.hasFocus(), kPatience_ms);
     QTest::keyClick(&keys.button, Qt::Key_Return);
     QCOMPARE(pressed.count(), 1);
     QCOMPARE(mark.count(), 0);
@@ -114,7 +117,7 @@ void TestKeyFilter::typingIsLeftAlone() {
     keys.screen.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
     keys.field.setFocus();
-    QTRY_VERIFY(keys.field.hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(keys.field.hasFocus(), kPatience_ms);
     QTest::keyClicks(&keys.field, QStringLiteral("r r"));
     QCOMPARE(keys.field.text(), QStringLiteral("r r"));
     QCOMPARE(pause.count(), 0);
@@ -146,7 +149,7 @@ void TestKeyFilter::keysOfTheToolAndOfTheExerciseAlone() {
     keys.screen.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&keys.screen));
     keys.field.setFocus();
-    QTRY_VERIFY(keys.field.hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(keys.field.hasFocus(), kPatience_ms);
     QTest::keyClicks(&keys.field, QStringLiteral("fw"));
     QCOMPARE(keys.field.text(), QStringLiteral("fw")); // typing is left alone
     QCOMPARE(depth.count(), 1);

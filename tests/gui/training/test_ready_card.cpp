@@ -7,6 +7,7 @@
 #include "desktop/training/mouse_pictogram.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
+#include "support/patience.h"
 
 #include <QDialog>
 #include <QKeyEvent>
@@ -162,7 +163,7 @@ void TestReadyCard::aFirstMovementBegins() {
     QFETCH(int, key);
     TrainingBench bench;
     bench.show();
-    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
     for (const Qt::Key no : {Qt::Key_X, Qt::Key_W}) // W moves an endoscope alone
         QTest::keyClick(QApplication::focusWidget(), no);
     QVERIFY(card(bench));
@@ -175,7 +176,7 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
     TrainingBench bench;
     bench.show();
     button(bench, "training.ready.more")->click();
-    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
     auto* help = button(bench, "training.ready.help");
     help->setFocus();
     QTest::keyClick(help, Qt::Key_Return);
@@ -183,7 +184,7 @@ void TestReadyCard::theButtonWithTheFocusIsPressed() {
         const QWidgetList tops = QApplication::topLevelWidgets();
         return std::any_of(tops.begin(), tops.end(), [](QWidget* top) { return qobject_cast<QDialog*>(top) && top->isVisible(); });
     };
-    QTRY_VERIFY(dialogIsThere());
+    QTRY_VERIFY_WITH_TIMEOUT(dialogIsThere(), kPatience_ms);
     QVERIFY(card(bench) && !bench.screen()->feed());
 }
 
@@ -213,10 +214,10 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
     shown.show();
     shown.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&shown));
-    QTRY_VERIFY(QApplication::focusWidget());
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget(), kPatience_ms);
     for (auto* each : shown.findChildren<QPushButton*>()) {
         each->setFocus();
-        QTRY_VERIFY(each->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(each->hasFocus(), kPatience_ms);
         for (const Qt::Key key : {Qt::Key_Space, Qt::Key_R, Qt::Key_D, Qt::Key_N, Qt::Key_1, Qt::Key_F5, Qt::Key_Delete})
             QTest::keyClick(each, key);
         QCOMPARE(asked, 0);
@@ -229,7 +230,7 @@ void TestReadyCard::aKeyOfTheScenePressesNoButton() {
 void TestReadyCard::whatIsHeldDownBeginsNothing() {
     TrainingBench bench;
     bench.show();
-    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Right}) {
         QKeyEvent again(QEvent::KeyPress, key, Qt::NoModifier, QString(), true);
         QApplication::sendEvent(QApplication::focusWidget(), &again);
@@ -248,8 +249,8 @@ void TestReadyCard::theWholeCardIsReadWithTheKeys() {
     button(bench, "training.ready.more")->click();
     auto* page = card(bench)->findChild<QScrollArea*>(QStringLiteral("training.ready.page"));
     QVERIFY(page);
-    QTRY_VERIFY(page->verticalScrollBar()->maximum() > 0);
-    QTRY_VERIFY(button(bench, "training.ready.go")->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(page->verticalScrollBar()->maximum() > 0, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(button(bench, "training.ready.go")->hasFocus(), kPatience_ms);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_PageDown);
     QVERIFY(page->verticalScrollBar()->value() > 0);
     QVERIFY(card(bench) && !bench.screen()->feed()); // and it is no first movement
@@ -262,7 +263,7 @@ void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
     bench.show({{QStringLiteral("practice_s"), 1.5}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
-    QTRY_VERIFY(card(bench)->hasFocus());
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench)->hasFocus(), kPatience_ms);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Right, Qt::Key_PageDown}) // they were meant for the practice
         QTest::keyClick(QApplication::focusWidget(), key);
     QTest::qWait(100);
@@ -294,12 +295,12 @@ void TestReadyCard::afterAPauseEnterMarks() {
     auto* main = button(bench, "training.main");
     main->setFocus();
     main->click();
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     main->click(); // with the mouse: the focus stays on it until the trial goes on
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!main->hasFocus());
     QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : bench.screen(), Qt::Key_Return);
-    QTRY_VERIFY(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().trial > 0 || bench.state().phase == core::TrialPhase::between, kPatience_ms);
     QVERIFY(!bench.state().paused || bench.state().phase == core::TrialPhase::between);
 }
 
@@ -308,7 +309,7 @@ void TestReadyCard::helpBringsItBack() {
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     bench.key(Qt::Key_F1);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::paused && card(bench)->isVisible());
     QVERIFY(!bench.text("training.ready.gates").isEmpty());
     QVERIFY(button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled()); // whatever is read
@@ -316,12 +317,12 @@ void TestReadyCard::helpBringsItBack() {
     QTest::qWait(200);
     QCOMPARE(bench.state().timeLeft_s, left_s);
     button(bench, "training.ready.go")->click();
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!card(bench) && bench.screen()->scene()->widget()->isVisible());
     bench.key(Qt::Key_F1);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_Space); // as a pause is always left
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     QVERIFY(!card(bench));
 }
 
@@ -330,15 +331,15 @@ void TestReadyCard::stoppedItLeadsBackToReArm() {
     bench.train();
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     bench.key(Qt::Key_Escape);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_F1);
-    QTRY_VERIFY(card(bench));
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     button(bench, "training.ready.go")->click();
     QVERIFY(!card(bench));
     QTest::qWait(100);
     QVERIFY(bench.state().paused); // a card gives no force back
     bench.key(Qt::Key_R);
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
 }
 
 void TestReadyCard::whoWatchesHasNone() {
@@ -371,7 +372,7 @@ void TestReadyCard::practiceDoesNotCount() {
     QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::first);
     bench.show({{QStringLiteral("practice_s"), 1.5}}); // it ends by itself, and says so before and after
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
-    QTRY_VERIFY(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
     QVERIFY(bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
     QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Continue")));

@@ -5,6 +5,7 @@
 #include "desktop/training/live_plot.h"
 #include "desktop/widgets/state_panel.h"
 #include "haptics/safety_settings.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QDialog>
@@ -86,7 +87,7 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
         QVERIFY(bench.text("training.trial").contains(QString::number(trial + 1)));
         const double before_m = bench.state().tool[0].p_WT_m[0];
         bench.sweepTo({trial % 2 == 0 ? 50 : -50, 20});
-        QTRY_VERIFY(trial % 2 == 0 ? bench.state().tool[0].p_WT_m[0] > before_m : bench.state().tool[0].p_WT_m[0] < before_m);
+        QTRY_VERIFY_WITH_TIMEOUT(trial % 2 == 0 ? bench.state().tool[0].p_WT_m[0] > before_m : bench.state().tool[0].p_WT_m[0] < before_m, kPatience_ms);
         while (bench.state().tool[0].p_WT_m[2] > 0.012 && bench.runs()) { // onto the ball, or the plane beside it
             bench.wheel(-240);
             QTest::qWait(20);
@@ -139,10 +140,10 @@ void TestTrainingScreen::onlyKeys() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     const double z_m = bench.state().tool[0].p_WT_m[2];
     QTest::keyPress(bench.screen(), Qt::Key_PageDown);
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[2] < z_m - 0.005);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[2] < z_m - 0.005, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_PageDown);
     QTest::keyPress(bench.screen(), Qt::Key_Right);
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[0] > 0.002);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.002, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
@@ -161,17 +162,17 @@ void TestTrainingScreen::keysWhileTheSceneHasTheFocus() {
             QTest::keyClick(static_cast<QWidget*>(source), key);
     };
     press(Qt::Key_Space);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     press(Qt::Key_Space);
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
     press(Qt::Key_Return);
-    QTRY_COMPARE(int(bench.state().trial), 1);
-    QTRY_VERIFY(bench.runs());
+    QTRY_COMPARE_WITH_TIMEOUT(int(bench.state().trial), 1, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     press(Qt::Key_Escape);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QCOMPARE(bench.text("training.force.title"), QStringLiteral("Force is stopped"));
     press(Qt::Key_R);
-    QTRY_VERIFY(!bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
 }
 
 void TestTrainingScreen::aDialogPauses() {
@@ -181,7 +182,7 @@ void TestTrainingScreen::aDialogPauses() {
     QDialog dialog(bench.desktop.window.get());
     dialog.setModal(true);
     dialog.show();
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     dialog.close();
     QTest::qWait(100);
     QVERIFY(bench.state().paused); // going on is the person's to say
@@ -195,19 +196,19 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     QVERIFY(!bench.screen()->drawn().answered);
     bench.key(Qt::Key_Return);
-    QTRY_VERIFY(bench.screen()->drawn().answered);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().answered, kPatience_ms);
     const scene3d::SceneState drawn = bench.screen()->drawn();
     QVERIFY(drawn.marked && drawn.objectShown && drawn.note.kind == scene3d::SceneNote::Kind::said && drawn.note.title.contains(QStringLiteral("mm")));
-    QTRY_VERIFY(bench.state().paused && bench.state().phase == TrialPhase::between);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused && bench.state().phase == TrialPhase::between, kPatience_ms);
     QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::said);
     QVERIFY(bench.text("training.force.title") != QStringLiteral("Paused"));
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 1, 15'000);
     QVERIFY(!bench.state().paused && bench.state().timeLeft_s > 29.0); // of 30
-    QTRY_VERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked, kPatience_ms);
     bench.key(Qt::Key_Return);
-    QTRY_VERIFY(bench.state().paused && bench.state().phase == TrialPhase::between);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused && bench.state().phase == TrialPhase::between, kPatience_ms);
     bench.key(Qt::Key_Space); // their own pause
-    QTRY_VERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused, kPatience_ms);
     QTest::qWait(static_cast<int>(desktop::AnswerNote::kHeld_ns / 1'000'000) + 500);
     QVERIFY(bench.state().paused && bench.state().trial == 1);
     bench.key(Qt::Key_Space);
@@ -221,7 +222,7 @@ void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
     bench.train({{QStringLiteral("level"), 5}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 30'000);
     bench.key(Qt::Key_Return);
-    QTRY_VERIFY(bench.screen()->drawn().note.title == QStringLiteral("Marked"));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title == QStringLiteral("Marked"), kPatience_ms);
     QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked && !bench.screen()->drawn().objectShown);
     while (!bench.runs() || bench.state().trial == 0) {
         QVERIFY(!bench.state().paused);
@@ -236,7 +237,7 @@ void TestTrainingScreen::pauseAndResume() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     QTest::keyPress(bench.screen(), Qt::Key_Right); // a held key must not go on moving the tool
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QCOMPARE(bench.text("training.force.title"), QStringLiteral("Paused"));
     const haptics::DisplayState at = bench.state();
     QTest::qWait(300);
@@ -245,11 +246,11 @@ void TestTrainingScreen::pauseAndResume() {
     QCOMPARE(bench.state().tool[0].p_WT_m[0], at.tool[0].p_WT_m[0]);
     bench.click(); // no mark while paused
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY(!bench.state().paused);
-    QTRY_VERIFY(bench.state().timeLeft_s < at.timeLeft_s);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().timeLeft_s < at.timeLeft_s, kPatience_ms);
     QCOMPARE(int(bench.state().trial), 0);
     bench.desktop.find<QPushButton>(QStringLiteral("training.main"))->click(); // the button does the same
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
 }
 
 void TestTrainingScreen::escStopsAndRearms() {
@@ -257,7 +258,7 @@ void TestTrainingScreen::escStopsAndRearms() {
     bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
     bench.key(Qt::Key_Escape);
-    QTRY_VERIFY(bench.state().force == core::ForceState::stopped);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::stopped, kPatience_ms);
     QCOMPARE(bench.state().gain, 0.0);
     QVERIFY(bench.state().paused);
     QCOMPARE(bench.text("training.force.title"), QStringLiteral("Force is stopped"));
@@ -267,10 +268,10 @@ void TestTrainingScreen::escStopsAndRearms() {
     auto* main = bench.desktop.find<QPushButton>(QStringLiteral("training.main"));
     QVERIFY(main->text().contains(QStringLiteral("Re-arm")));
     bench.key(Qt::Key_R);
-    QTRY_VERIFY(bench.state().force == core::ForceState::arming || bench.state().force == core::ForceState::ramping ||
-                bench.state().force == core::ForceState::on);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::arming || bench.state().force == core::ForceState::ramping ||
+                bench.state().force == core::ForceState::on, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
-    QTRY_VERIFY(!bench.state().paused); // the trial goes on with the tick after the full force, and the picture may lie between them
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the trial goes on with the tick after the full force, and the picture may lie between them
 }
 
 void TestTrainingScreen::aStopShowsNoForce() {
@@ -282,11 +283,11 @@ void TestTrainingScreen::aStopShowsNoForce() {
         bench.wheel(-240);
         QTest::qWait(30);
     }
-    QTRY_VERIFY(bar->isOver());
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isOver(), kPatience_ms);
     bench.key(Qt::Key_Escape);
-    QTRY_VERIFY(!bar->isOver());
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isOver(), kPatience_ms);
     bench.key(Qt::Key_R);
-    QTRY_VERIFY(bar->isOver()); // the hand is where it was
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isOver(), kPatience_ms); // the hand is where it was
 }
 
 void TestTrainingScreen::cuesFollowTheLevel_data() {
@@ -320,7 +321,7 @@ void TestTrainingScreen::aStallCostsNoTick() {
         const std::uint64_t at = bench.state().tick;
         if (stall)
             QThread::msleep(1000);
-        QTRY_VERIFY(bench.state().tick > at);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().tick > at, kPatience_ms);
         const bool seen = (bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0;
         QVERIFY(seen || !stall);
         QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000); // comes back by itself
@@ -366,11 +367,11 @@ void TestTrainingScreen::leavingAsks() {
     answer("training.ask.keep");
     bench.desktop.go(QStringLiteral("settings"));
     QVERIFY(bench.at(QStringLiteral("training")));
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     answer("training.ask.end");
     bench.desktop.go(QStringLiteral("settings"));
     QVERIFY(bench.at(QStringLiteral("settings")));
-    QTRY_VERIFY(!bench.desktop.context.trialRuns());
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), kPatience_ms);
     QVERIFY(recordOf(bench, id, bench.desktop.context.actor()).summary.state == SessionState::stopped);
     QTest::qWait(200);
     QVERIFY(bench.at(QStringLiteral("settings"))); // its end carries nobody to a debrief
@@ -395,7 +396,7 @@ void TestTrainingScreen::startAgainBeginsAtOnce() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.sweepTo({60, 0});
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[0] > 0.001);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.001, kPatience_ms);
     bench.key(Qt::Key_F5);
     const auto second = [&] { return bench.screen() && bench.screen()->feed() ? bench.screen()->feed()->training().sessionId() : 0; };
     QTRY_VERIFY_WITH_TIMEOUT(second() != 0 && second() != first, 15'000);
@@ -419,10 +420,10 @@ void TestTrainingScreen::startAgainAsksWhoHasWorked() {
     QVERIFY(button && button->isEnabled() && (button->focusPolicy() & Qt::TabFocus));
     answer("training.ask.keep");
     button->click();
-    QTRY_VERIFY(bench.state().paused);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QCOMPARE(bench.screen()->feed()->training().sessionId(), first);
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY(!bench.state().paused); // the same attempt goes on
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the same attempt goes on
     answer("training.ask.end");
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, 15'000);
@@ -433,11 +434,11 @@ void TestTrainingScreen::errorsHaveTheirWords() {
     TrainingBench bench;
     bench.train({{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), QStringLiteral("/nowhere/trace.csv")}});
     auto* panel = bench.screen()->findChild<desktop::StatePanel*>();
-    QTRY_VERIFY(panel->state() == desktop::StatePanel::State::error);
+    QTRY_VERIFY_WITH_TIMEOUT(panel->state() == desktop::StatePanel::State::error, kPatience_ms);
     QVERIFY(!bench.desktop.context.trialRuns());
     QVERIFY(bench.screen()->mayLeave());
     bench.train({{QStringLiteral("level"), 99}});
-    QTRY_VERIFY(bench.screen()->findChild<desktop::StatePanel*>()->state() == desktop::StatePanel::State::error);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->findChild<desktop::StatePanel*>()->state() == desktop::StatePanel::State::error, kPatience_ms);
 }
 
 void TestTrainingScreen::soundCanBeSilent() {

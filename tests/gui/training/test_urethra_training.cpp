@@ -6,6 +6,7 @@
 #include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/signed_bar.h"
+#include "support/patience.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -96,7 +97,7 @@ void TestUrethraTraining::aWholeProcedureByKeys() {
     KeyPilot pilot(bench, parametersOf(bench, 1));
     pilot.hold(Qt::Key_W, true);
     QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion), 20'000);
-    QTRY_VERIFY(bench.text("training.stage").startsWith(QStringLiteral("Insertion: ")));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.text("training.stage").startsWith(QStringLiteral("Insertion: ")), kPatience_ms);
     QVERIFY(bench.desktop.find<QProgressBar>(QStringLiteral("training.stage_progress"))->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::withdrawal), 30'000);
     pilot.hold(Qt::Key_W, false);
@@ -118,14 +119,14 @@ void TestUrethraTraining::mouseAndWheelMoveIt() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
     const haptics::ToolDisplay before = bench.state().tool[0];
     bench.wheel(480);
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005); // into the patient
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005, kPatience_ms); // into the patient
     bench.sweepTo({0, -60}); // upwards
     const auto pitch = [&] {
         const auto q = bench.state().tool[0].q_WT;
         const core::Vec3 axis_W = core::Quat(q[0], q[1], q[2], q[3]) * core::Vec3(0.0, 0.0, -1.0);
         return std::atan2(axis_W.z(), axis_W.y());
     };
-    QTRY_VERIFY(pitch() > 0.05);
+    QTRY_VERIFY_WITH_TIMEOUT(pitch() > 0.05, kPatience_ms);
     bench.click(); // nothing is marked
     QTest::qWait(100);
     QVERIFY(bench.runs());
@@ -138,7 +139,7 @@ void TestUrethraTraining::startAgainBringsItBack() {
     const auto start = bench.state().tool[0].p_WT_m;
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.wheel(480);
-    QTRY_VERIFY(bench.state().tool[0].p_WT_m[1] > start[1] + 0.005);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > start[1] + 0.005, kPatience_ms);
     bench.key(Qt::Key_F); // its depth of field as the person has it
     bench.key(Qt::Key_F5);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, 20'000);

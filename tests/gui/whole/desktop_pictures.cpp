@@ -5,6 +5,7 @@
 #include "desktop/training/training_screen.h"
 #include "study_pictures.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QMouseEvent>
@@ -14,6 +15,8 @@
 #include <cstdio>
 #include <iterator>
 #include <utility>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -117,7 +120,7 @@ void takePalpation(tests::DesktopFixture& desktop, const QDir& folder, const Loo
         tests::pressGo(desktop);
         auto* screen = desktop.screen<desktop::TrainingScreen>();
         const auto state = [screen] { return screen->feed() ? screen->feed()->state() : haptics::DisplayState{}; };
-        if (!QTest::qWaitFor([&] { return state().phase == core::TrialPhase::running; }, 20000))
+        if (!QTest::qWaitFor([&] { return state().phase == core::TrialPhase::running; }, kPatience_ms))
             std::fprintf(stderr, "%s: the trial did not begin\n", name);
         QObject* scene = screen->scene()->inputSource();
         QWidget* widget = screen->scene()->widget();

@@ -2,8 +2,10 @@
 // Pictures of what the screens of studies show only after somebody did something: sittings, dialogs, a preview; and of studies of other kinds.
 #pragma once
 
+#include "support/patience.h"
 #include "support/sitting_hands.h"
 
+#include <QDialog>
 #include <functional>
 
 namespace chiron::tests {
@@ -138,7 +140,7 @@ struct StudyPictures {
     void preview() {
         visit(desktop, {"preview", "rhea", {QStringLiteral("study"), {{"study", qlonglong(studies.draft)}, {"tab", 4}}}}, person);
         press("preview.start");
-        if (!QTest::qWaitFor([this] { return desktop.find<QWidget>(QStringLiteral("preview.result")) != nullptr; }, 60000))
+        if (!QTest::qWaitFor([this] { return desktop.find<QWidget>(QStringLiteral("preview.result")) != nullptr; }, kPatience_ms))
             std::fprintf(stderr, "the preview did not come\n");
         picture("study_preview_done");
     }
@@ -170,7 +172,7 @@ private:
         });
         look.start(200);
         press("trials.stop");
-        if (!QTest::qWaitFor([this] { return !desktop.context.trialRuns(); }, 10000))
+        if (!QTest::qWaitFor([this] { return !desktop.context.trialRuns(); }, kPatience_ms))
             std::fprintf(stderr, "the sitting did not end\n");
         if (auto* leave = desktop.find<QPushButton>(QStringLiteral("trials.leave")); leave && !leave->isHidden())
             leave->click();

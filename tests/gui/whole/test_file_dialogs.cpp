@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/messages.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -129,7 +130,7 @@ void TestFileDialogs::asksAndDoes() {
         return (!panel || panel->state() == StatePanel::State::content) && (asked.screen != std::string("sessions") || (table && table->model()->rowCount() > 0)) &&
                m_desktop->window->screen()->findChild<QPushButton*>(QLatin1String(asked.button));
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(isThere(), "the button is not there", 20000);
+    QTRY_VERIFY2_WITH_TIMEOUT(isThere(), "the button is not there", kPatience_ms);
     m_told.clear();
     QFileDialog* dialog = press(asked);
     QVERIFY2(dialog, "no dialog");
@@ -146,7 +147,7 @@ void TestFileDialogs::asksAndDoes() {
         QCOMPARE(dialog->defaultSuffix(), QString::fromLatin1(asked.filter).section(QStringLiteral("*."), 1).chopped(1));
     QPointer<QFileDialog> first = dialog;
     dialog->reject();
-    QTRY_VERIFY(!first);
+    QTRY_VERIFY_WITH_TIMEOUT(!first, kPatience_ms);
     QCOMPARE(m_told.join(QLatin1Char('|')), QLatin1String(asked.closed));
 
     dialog = press(asked);
@@ -160,9 +161,9 @@ void TestFileDialogs::asksAndDoes() {
     if (asked.button == std::string("storage.choose"))
         QCOMPARE(m_desktop->settings.backupFolder(), folder);
     else if (asked.missing[0] != '\0')
-        QTRY_VERIFY2_WITH_TIMEOUT(says(asked.missing), qPrintable(m_told.join(QLatin1Char('|'))), 20000);
+        QTRY_VERIFY2_WITH_TIMEOUT(says(asked.missing), qPrintable(m_told.join(QLatin1Char('|'))), kPatience_ms);
     else if (asked.button != std::string("station.record"))
-        QTRY_VERIFY2_WITH_TIMEOUT(!QDir(folder).isEmpty(), qPrintable(m_told.join(QLatin1Char('|'))), 60000);
+        QTRY_VERIFY2_WITH_TIMEOUT(!QDir(folder).isEmpty(), qPrintable(m_told.join(QLatin1Char('|'))), kPatience_ms);
     m_desktop->context.background().cancelAndWait();
 }
 

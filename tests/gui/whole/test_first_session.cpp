@@ -7,6 +7,7 @@
 #include "desktop/frame/screen.h"
 #include "database/repositories/session_reader.h"
 #include "support/content_copy.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -19,7 +20,6 @@ using namespace chiron::tests;
 namespace {
 
 constexpr const char* kPassword = "eleven-fine-horses";
-constexpr int kPatience_ms = 30000; // a site is made, stored and read on a disk that others use, too
 
 /// The shipped content with two spheres in the first level, so that a set takes seconds.
 class ShortContent {
@@ -89,7 +89,7 @@ void trainByKeys(Station& station) {
     QVERIFY(tabTo(QStringLiteral("setup.start"))); // action 3
     press(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(station.isOn("training"), kPatience_ms);
-    QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QStringLiteral("training.ready.go"));
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == QStringLiteral("training.ready.go"), kPatience_ms);
     QVERIFY(!station.context.trialRuns());
     press(Qt::Key_Return); // what to do was read
     QTRY_VERIFY_WITH_TIMEOUT(station.context.trialRuns(), kPatience_ms);

@@ -5,9 +5,12 @@
 #include "session/site.h"
 #include "support/desktop_fixture.h"
 #include "support/every_place.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QProcess>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -44,7 +47,7 @@ private slots:
             desktop::MainWindow window(context);
             window.show();
             context.openSite(); // as the program does after its first paint
-            QTRY_VERIFY_WITH_TIMEOUT(site.isOpen(), 20000);
+            QTRY_VERIFY_WITH_TIMEOUT(site.isOpen(), kPatience_ms);
             QCOMPARE(site.recovered().size(), std::size_t{1});
             QVERIFY2(site.recovered().front().problem.empty(), site.recovered().front().problem.c_str());
             const auto actor = database::AccountService(site.database()).login("tina", tests::kTestPassword);
@@ -77,7 +80,7 @@ private:
         context.navigator().go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(session)}});
         auto* panel = window.screen()->findChild<desktop::StatePanel*>();
         QVERIFY(panel);
-        QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::content, 10000);
+        QTRY_COMPARE_WITH_TIMEOUT(panel->state(), desktop::StatePanel::State::content, kPatience_ms);
     }
 };
 

@@ -2,11 +2,14 @@
 #include "database/database.h"
 #include "desktop/frame/instance_link.h"
 #include "support/desktop_fixture.h"
+#include "support/patience.h"
 
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <csignal>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 
@@ -50,7 +53,7 @@ private slots:
         Program first(m_file, m_folder->filePath(QStringLiteral("a.ini")));
         QVERIFY(first.process.waitForStarted());
         // It listens once it holds the database.
-        QVERIFY2(QTest::qWaitFor([&] { return desktop::InstanceLink::raiseOther(m_file); }, 20000), first.process.readAll().constData());
+        QVERIFY2(QTest::qWaitFor([&] { return desktop::InstanceLink::raiseOther(m_file); }, kPatience_ms), first.process.readAll().constData());
         Program second(m_file, m_folder->filePath(QStringLiteral("b.ini")));
         QVERIFY2(second.process.waitForFinished(20000), "the second program stayed");
         QCOMPARE(second.process.exitStatus(), QProcess::NormalExit);
@@ -76,7 +79,7 @@ private slots:
         core::Error refused;
         connect(&context, &desktop::AppContext::siteFailed, this, [&](const core::Error& error) { refused = error; });
         context.openSite();
-        QTRY_VERIFY_WITH_TIMEOUT(!refused.message.empty(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(!refused.message.empty(), kPatience_ms);
         QCOMPARE(refused.code, core::ErrorCode::locked);
         QVERIFY2(QString::fromStdString(refused.message).contains(QString::number(QCoreApplication::applicationPid())), refused.message.c_str());
     }

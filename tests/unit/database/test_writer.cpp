@@ -3,12 +3,15 @@
 
 #include "database/query.h"
 #include "database/schema/migration_runner.h"
+#include "support/patience.h"
 
 #include <QFile>
 #include <QProcess>
 #include <atomic>
 #include <csignal>
 #include <sys/resource.h>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using namespace chiron::database;
@@ -76,9 +79,9 @@ void TestWriter::writerDrainsSourcesAndKeepsTheirErrors() {
     f.database->writer().addSource(good);
     f.database->writer().addSource(torn);
     f.database->writer().addSource(mended);
-    QTRY_VERIFY(good.calls >= 3); // by itself, without any job
-    QTRY_VERIFY(torn.calls >= 3); // asked again after an error
-    QTRY_VERIFY(mended.calls >= 3);
+    QTRY_VERIFY_WITH_TIMEOUT(good.calls >= 3, kPatience_ms); // by itself, without any job
+    QTRY_VERIFY_WITH_TIMEOUT(torn.calls >= 3, kPatience_ms); // asked again after an error
+    QTRY_VERIFY_WITH_TIMEOUT(mended.calls >= 3, kPatience_ms);
     REQUIRE(f.database->writer().removeSource(mended));
     const int before = good.calls;
     QCOMPARE(f.database->writer().flush().error().code, core::ErrorCode::storage);

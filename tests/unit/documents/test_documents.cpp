@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QtTest>
 
 using namespace chiron::test;
@@ -20,6 +21,7 @@ private slots:
     void linksAreRead();
     void everyCitationResolves();
     void everyLinkResolves();
+    void testsWaitWithPatience();
 };
 
 void TestDocuments::citationsAreRead() {
@@ -85,6 +87,21 @@ void TestDocuments::everyLinkResolves() {
     }
     QVERIFY(links > 20);
     QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("lead nowhere:\n") + wrong.join(QLatin1Char('\n'))));
+}
+
+/// Qt's macros without a time give up after 5 s, which a machine with other work may need for anything: tests say kPatience_ms.
+void TestDocuments::testsWaitWithPatience() {
+    static const QRegularExpression impatient(QStringLiteral(R"(\bQTRY_(VERIFY2?|COMPARE)\()"));
+    int patient = 0;
+    for (const QString& file : ownTextFiles(kRoot)) {
+        if (!file.startsWith(QLatin1String("tests/")) || !(file.endsWith(QLatin1String(".cpp")) || file.endsWith(QLatin1String(".h"))))
+            continue;
+        const QString text = contentOf(kRoot + QLatin1Char('/') + file);
+        patient += static_cast<int>(text.count(QLatin1String("kPatience_ms)")));
+        const auto found = impatient.match(text);
+        QVERIFY2(!found.hasMatch(), qPrintable(file + QStringLiteral(": ") + found.captured() + QStringLiteral(": say _WITH_TIMEOUT and kPatience_ms (support/patience.h)")));
+    }
+    QVERIFY(patient > 300); // the files were read
 }
 
 QTEST_GUILESS_MAIN(TestDocuments)

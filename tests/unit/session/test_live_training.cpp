@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/live_training.h"
 #include "session/replayer.h"
+#include "support/patience.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
 #include <chrono>
 #include <set>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using core::CommandKind;
@@ -76,7 +79,7 @@ void TestLiveTraining::aPersonsSetEndsWithItsLastTrial() {
             marked.insert(shown.trial);
         }
     }
-    QTRY_COMPARE(called.load(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(called.load(), 1, kPatience_ms);
     QVERIFY2(live->result(), live->result() ? "" : live->result().error().message.c_str());
     QCOMPARE(live->result()->session, live->sessionId());
     QCOMPARE(live->droppedSamples(), std::uint64_t{0});
@@ -132,7 +135,7 @@ void TestLiveTraining::failuresComeOutOfTheResult() {
     session::TrainingRequest request = mouseRequest(1, 60.0);
     request.ringFolder = site.folder() + "/missing/folder";
     auto live = begin(site, std::move(request));
-    QTRY_VERIFY(live->finished());
+    QTRY_VERIFY_WITH_TIMEOUT(live->finished(), kPatience_ms);
     QVERIFY(!live->result());
     QVERIFY(!live->result().error().message.empty());
     QVERIFY(stateOf(site, live->sessionId()) == SessionState::faulted);

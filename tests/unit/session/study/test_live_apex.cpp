@@ -13,9 +13,12 @@
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"
 #include "support/apex_marker.h"
+#include "support/patience.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using View = session::LiveStudyView::State;
@@ -23,7 +26,6 @@ using View = session::LiveStudyView::State;
 namespace {
 
 constexpr const char* kPassword = "a long password for tests";
-constexpr int kPatience_ms = 30000;
 constexpr double kBeside_m = 0.003;
 constexpr double kNear_m = 2e-4; ///< what is shown, not felt, slows the hand down where it touches
 

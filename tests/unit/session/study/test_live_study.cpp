@@ -12,6 +12,7 @@
 #include "session/study/study_store.h"
 #include "session/study/trial_fidelity.h"
 #include "session/study_export.h"
+#include "support/patience.h"
 #include "support/session_fixture.h"
 #include "support/study_designs.h"
 
@@ -25,13 +26,14 @@
 #include <cmath>
 #include <functional>
 
+using chiron::tests::kPatience_ms;
+
 using namespace chiron;
 using View = session::LiveStudyView::State;
 
 namespace {
 
 constexpr const char* kPassword = "a long password for tests";
-constexpr int kPatience_ms = 20000;
 
 /// A frozen study of one condition with one participant who has consented.
 struct Site {
