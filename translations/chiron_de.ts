@@ -410,6 +410,18 @@ Einzelheiten: %2</translation>
         <source>The input is not valid. Nothing was changed.</source>
         <translation>Die Angaben sind ungültig. Nichts wurde geändert.</translation>
     </message>
+    <message>
+        <source>A file that the site needs is missing. Put it back, then try again. Nothing was changed.</source>
+        <translation>Eine Datei, die der Standort braucht, fehlt. Legen Sie sie zurück und versuchen Sie es noch einmal. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>It could not be read. Check that the drive is connected and that you may read the file, then try again. Nothing was changed.</source>
+        <translation>Lesen ist fehlgeschlagen. Prüfen Sie, ob das Laufwerk angeschlossen ist und ob Sie die Datei lesen dürfen, und versuchen Sie es noch einmal. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The stored data are not valid. Nothing was changed.</source>
+        <translation>Die gespeicherten Daten sind ungültig. Nichts wurde geändert.</translation>
+    </message>
 </context>
 <context>
     <name>ExercisePart</name>

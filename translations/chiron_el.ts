@@ -410,6 +410,18 @@ Details: %2</source>
         <source>The input is not valid. Nothing was changed.</source>
         <translation>Τα στοιχεία που δόθηκαν δεν είναι έγκυρα. Τίποτα δεν άλλαξε.</translation>
     </message>
+    <message>
+        <source>A file that the site needs is missing. Put it back, then try again. Nothing was changed.</source>
+        <translation>Λείπει ένα αρχείο που χρειάζεται το κέντρο. Επαναφέρετέ το και δοκιμάστε ξανά. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>It could not be read. Check that the drive is connected and that you may read the file, then try again. Nothing was changed.</source>
+        <translation>Η ανάγνωση απέτυχε. Ελέγξτε ότι ο δίσκος είναι συνδεδεμένος και ότι έχετε δικαίωμα ανάγνωσης του αρχείου και δοκιμάστε ξανά. Τίποτα δεν άλλαξε.</translation>
+    </message>
+    <message>
+        <source>The stored data are not valid. Nothing was changed.</source>
+        <translation>Τα αποθηκευμένα δεδομένα δεν είναι έγκυρα. Τίποτα δεν άλλαξε.</translation>
+    </message>
 </context>
 <context>
     <name>ExercisePart</name>
