@@ -2,8 +2,8 @@
 #pragma once
 
 #include "report/block_maker.h"
-#include "report/grasp_report.h"
 #include "report/report_data.h"
+#include "report/word_table.h"
 
 namespace chiron::report {
 

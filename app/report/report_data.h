@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/grasp_report_data.h"
+#include "app/exercises/elastic_tube/report/tube_report.h"
+#include "app/exercises/object_handling/report/handling_report.h"
 #include "app/exercises/palpation/report/palpation_report_data.h"
+#include "app/exercises/sphere_apex/report/apex_report.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 
 #include <QDateTime>
 #include <QString>
@@ -29,28 +32,6 @@ struct MetricRow {
     std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
     std::optional<double> limit{}; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
     int trials = 0; ///< how many the value is of; 0: not known
-};
-
-/// Signed error of one mark, in % of the sphere's radius (models.md §2.3).
-struct ApexError {
-    int trial = 0; ///< 0-based; people see it 1-based
-    double x_percent = 0.0;
-    double y_percent = 0.0;
-    bool miss = false; ///< marked out of contact or farther than R: kept, drawn differently
-    bool timedOut = false;
-};
-
-/// How an endoscope kept to its canal, by depth: the largest value in each millimetre, on the way in and on the way out. What
-/// was not passed is not a number. mm and degrees, as people read them.
-struct InsertionProfile {
-    std::vector<double> depth_mm; ///< middle of each millimetre, ascending
-    std::vector<double> offsetIn_mm, offsetOut_mm;       ///< distance from the centre-line
-    std::vector<double> alignmentIn_deg, alignmentOut_deg; ///< between the instrument and the canal
-    double bend_mm = 0.0; ///< where the orientation has to change
-    double neck_mm = 0.0; ///< the canal's end
-    double goal_mm = 0.0; ///< depth that ends the insertion
-    int landmarks = 0;    ///< to be seen
-    int landmarksSeen = 0;
 };
 
 struct TimeSpan {

@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/exercise_parts.h"
 
-#include "session_report/grasp_report_of.h"
-#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
-#include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
+#include "app/exercises/elastic_tube/session_report/tube_report_of.h"
+#include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
+#include "app/exercises/sphere_apex/session_report/apex_errors.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 
 namespace chiron::session_report {
 
 namespace {
-
-/// Where each trial's answer lay, % of the radius: what the scores count; without a mark, where the tool stood at the end.
-std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) {
-    std::vector<report::ApexError> errors;
-    for (const scoring::TrialTrace& trial : trace.trials) {
-        if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
-            continue;
-        scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
-        prepared.trial = &trial;
-        prepared.tool = &trial.tools.front();
-        const auto answer = scoring::apexAnswer(prepared);
-        if (!answer)
-            continue;
-        report::ApexError error;
-        error.trial = trial.trial;
-        error.timedOut = !trial.marked;
-        error.x_percent = answer->errorX_percent;
-        error.y_percent = answer->errorY_percent;
-        error.miss = trial.marked && answer->miss;
-        errors.push_back(error);
-    }
-    return errors;
-}
 
 struct PartsOf {
     const scoring::SessionTrace& trace;

@@ -6,8 +6,8 @@
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
-#include "report/grasp_report.h"
-#include "report/session_plots.h"
+#include "report/plot_view.h"
+#include "report/word_table.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/report_data.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
 

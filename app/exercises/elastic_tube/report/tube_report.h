@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "report/plot_theme.h"
+#include "report/trial_outcome.h"
+#include "report/word_table.h"
+
+#include <QLocale>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace chiron::report {
 
-/// How a trial of a task without a mark ended.
-enum class TrialOutcome {
-    done,
-    timedOut,
-    failed,     ///< it could not be done any more
-    unfinished, ///< the session ended before
-};
+class PlotView;
 
 /// One trial on an elastic tube. Absent: the task has no such target, or it was never held.
 struct TubeTrialRow {
@@ -47,22 +47,14 @@ struct TubeReport {
     std::vector<TubeTrialRow> rows;
 };
 
-/// One trial of object handling. Where the object lay at the end: from the target's middle, seen from above.
-struct HandlingTrialRow {
-    int trial = 0;
-    TrialOutcome outcome = TrialOutcome::unfinished;
-    std::optional<double> squeezeMax_N;
-    std::optional<double> overLimit_s;
-    std::optional<double> x_mm, y_mm;
-    std::optional<double> fromTarget_mm;
-    bool taken = false;           ///< it was held; else it is only the nearest one
-    std::optional<bool> heaviest; ///< of a weighing that was done: whether the heaviest was chosen
-};
-
-struct HandlingReport {
-    double squeezeLimit_N = 0.0;
-    double targetRadius_mm = 0.0;
-    std::vector<HandlingTrialRow> rows;
-};
+/// The plots of an elastic tube over time. Each makes a new view (GUI thread); empty data give an empty plot with a note.
+/// Tension with the band that was asked for ...
+std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& theme);
+/// The pull on the fold over the tube with its band; null where there was no fold.
+std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme& theme);
+/// ... and stretch with the mark, where the task has one, and the length that counts as over-stretched.
+std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme);
+/// What each trial came to.
+WordTable tubeTable(const TubeReport& tube, const QLocale& locale);
 
 } // namespace chiron::report

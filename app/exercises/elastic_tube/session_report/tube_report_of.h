@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/elastic_tube/report/tube_report.h"
 #include "catalogue/exercise.h"
-#include "report/grasp_report_data.h"
 #include "scoring/trace.h"
 
 namespace chiron::session_report {
@@ -10,8 +10,5 @@ namespace chiron::session_report {
 /// What a session on an elastic tube came to: tension and stretch with what was asked for, and each trial's own metrics, as the
 /// scores compute them. A trial that was stopped is there, as not finished. Pure.
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
-
-/// The same of object handling: squeeze and place of each trial. Pure.
-report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
 } // namespace chiron::session_report
