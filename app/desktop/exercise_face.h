@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "core/result.h"
+#include "desktop/debrief/debrief_part.h"
+#include "scoring/trace.h"
+
+#include <QString>
+#include <string_view>
+
+namespace chiron::desktop {
+
+/// What the screens show of one kind of exercise alone. A new kind adds a class and one line in app/exercises/face_catalogue.cpp.
+/// Stateless.
+class ExerciseFace {
+public:
+    ExerciseFace() = default;
+    ExerciseFace(const ExerciseFace&) = delete;
+    ExerciseFace& operator=(const ExerciseFace&) = delete;
+    virtual ~ExerciseFace() = default;
+
+    virtual std::string_view id() const noexcept = 0;
+
+    /// What stands above its part of a debrief.
+    virtual QString debriefTitle() const = 0;
+    /// What is said there where no trial was begun.
+    virtual QString debriefEmpty() const = 0;
+    /// Reads that part from a session of `level`, which is of this kind. Any thread.
+    virtual DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const = 0;
+};
+
+/// The face of the exercise with this id. Failure: notFound naming the exercises that exist.
+core::Result<const ExerciseFace*> exerciseFace(std::string_view id);
+
+} // namespace chiron::desktop

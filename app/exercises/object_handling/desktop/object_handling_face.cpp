@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/object_handling/desktop/object_handling_face.h"
+
+#include "app/exercises/object_handling/session_report/handling_report_of.h"
+#include "desktop/debrief/part_widgets.h"
+#include "desktop/plots/responsive_row.h"
+
+#include <QVBoxLayout>
+
+namespace chiron::desktop {
+
+namespace {
+
+class HandlingDebrief final : public DebriefPart {
+public:
+    explicit HandlingDebrief(report::HandlingReport handling) : m_handling(std::move(handling)) {}
+
+    std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
+        if (m_handling.rows.empty())
+            return nullptr;
+        const report::PlotTheme look = plotThemeOf(theme, locale);
+        PartColumn column(theme);
+        auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
+        row->add(partPlot(theme, report::squeezePlot(m_handling, look), "debrief.squeeze", 280), 3);
+        row->add(partPlot(theme, report::placePlot(m_handling, look), "debrief.place", 280), 2);
+        column.layout->addWidget(row);
+        column.layout->addWidget(trialTable(theme, report::handlingTable(m_handling, locale), "debrief.handling_trials"));
+        return std::move(column.holder);
+    }
+
+private:
+    report::HandlingReport m_handling;
+};
+
+} // namespace
+
+QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
+
+QString ObjectHandlingFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no object to show. The session is kept and listed."); }
+
+DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
+    return std::make_unique<HandlingDebrief>(session_report::handlingReportOf(trace, level));
+}
+
+} // namespace chiron::desktop

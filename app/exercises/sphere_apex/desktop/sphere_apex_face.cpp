@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/sphere_apex/desktop/sphere_apex_face.h"
+
+#include "app/exercises/sphere_apex/session_report/apex_errors.h"
+#include "desktop/debrief/part_widgets.h"
+#include "desktop/plots/responsive_row.h"
+
+namespace chiron::desktop {
+
+namespace {
+
+class ApexDebrief final : public DebriefPart {
+public:
+    explicit ApexDebrief(std::vector<report::ApexError> errors) : m_errors(std::move(errors)) {}
+
+    std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
+        if (m_errors.empty())
+            return nullptr;
+        const report::PlotTheme look = plotThemeOf(theme, locale);
+        auto row = std::make_unique<ResponsiveRow>(theme.px(640), theme.px(12));
+        row->add(partPlot(theme, report::apexScatterPlot(m_errors, look), "debrief.scatter", 280), 2);
+        row->add(partPlot(theme, report::apexTrialPlot(m_errors, look), "debrief.trials", 280), 3);
+        return row;
+    }
+
+private:
+    std::vector<report::ApexError> m_errors;
+};
+
+} // namespace
+
+QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
+
+QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed."); }
+
+DebriefReading SphereApexFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
+    return std::make_unique<ApexDebrief>(session_report::apexErrorsOf(trace));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/exercise_face.h"
+
+namespace chiron::desktop {
+
+class UrethraInsertionFace final : public ExerciseFace {
+public:
+    std::string_view id() const noexcept override { return "urethra_insertion"; }
+    QString debriefTitle() const override;
+    QString debriefEmpty() const override;
+    DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;
+};
+
+} // namespace chiron::desktop
