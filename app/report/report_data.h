@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/exercises/elastic_tube/report/tube_report.h"
-#include "app/exercises/object_handling/report/handling_report.h"
-#include "app/exercises/palpation/report/palpation_report_data.h"
-#include "app/exercises/sphere_apex/report/apex_report.h"
-#include "app/exercises/urethra_insertion/report/insertion_report.h"
-
 #include <QDateTime>
 #include <QString>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace chiron::report {
+
+class ReportSection;
 
 /// One line of the metrics table; numbers in the metric's own unit, as people read them.
 struct MetricRow {
@@ -111,17 +108,8 @@ struct ForceFacts {
 /// More of a score's samples than this outside of the checked range, and the score says so (data.md, Range of a law).
 inline constexpr double kBeyondCheckedSaid = 0.01;
 
-/// What only one exercise has to show: each fills its own part, and leaves the others alone.
-struct ExerciseParts {
-    std::vector<ApexError> apexErrors;
-    std::optional<InsertionProfile> insertion;
-    std::optional<PalpationReport> palpation;
-    std::optional<TubeReport> tube;
-    std::optional<HandlingReport> handling;
-};
-
 /// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
-struct ReportData : ExerciseParts {
+struct ReportData {
     QString person;             ///< display name, or the operator's ("expert, seed 7")
     bool simulated = false;     ///< a scripted hand, not a person
     bool demonstration = false; ///< the permanent banner of a demonstration database
@@ -139,6 +127,7 @@ struct ReportData : ExerciseParts {
     int trialsDone = 0;         ///< trials that came to an end
     std::vector<MetricRow> metrics; ///< of a session that came to no end, none is judged (`passed`, `headline`)
     std::optional<ForceFacts> force; ///< absent where nothing was recorded
+    std::vector<std::shared_ptr<const ReportSection>> sections; ///< what its exercise alone shows, in reading order; none is null
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

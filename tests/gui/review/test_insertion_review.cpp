@@ -3,6 +3,7 @@
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "gui/review/made_insertion.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 #include "report/session_plots.h"
 #include "report/report_writer.h"
 #include "session/playback_ghost.h"
@@ -127,8 +128,9 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     QVERIFY(stored.has_value());
     QVERIFY((*stored)->record().summary.state == database::SessionState::completed);
     const auto report = session_report::reportDataOf(**stored, **connection, desktop.actor("tina"), "en");
-    QVERIFY(report.has_value() && report->insertion);
-    QVERIFY(report->insertion->depth_mm.back() > 34.0);
+    QVERIFY(report.has_value() && report->sections.size() == 1);
+    const auto* section = dynamic_cast<const report::InsertionSection*>(report->sections.front().get());
+    QVERIFY(section && section->profile().depth_mm.back() > 34.0);
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("report.pdf"));
     QVERIFY(report::writeSessionPdf(file, *report, report::lightTheme(QLocale::c())).has_value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/report/tube_report.h"
 
+#include "report/block_maker.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
 
@@ -104,6 +105,13 @@ WordTable tubeTable(const TubeReport& tube, const QLocale& locale) {
             table.rows.back().push_back(inUnit(row.retractionInBand_percent, "%", locale));
     }
     return table;
+}
+
+void TubeSection::addTo(BlockMaker& blocks) const {
+    blocks.addHeading(Words::tr("Tension and stretch"));
+    for (auto plot : {tensionPlot, retractionPlot, stretchPlot})
+        blocks.addPlot(plot(m_tube, blocks.theme()), 216);
+    blocks.addTrialTable(tubeTable(m_tube, blocks.theme().locale));
 }
 
 } // namespace chiron::report

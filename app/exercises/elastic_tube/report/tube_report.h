@@ -2,12 +2,14 @@
 #pragma once
 
 #include "report/plot_theme.h"
+#include "report/report_section.h"
 #include "report/trial_outcome.h"
 #include "report/word_table.h"
 
 #include <QLocale>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace chiron::report {
@@ -56,5 +58,17 @@ std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme
 std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme);
 /// What each trial came to.
 WordTable tubeTable(const TubeReport& tube, const QLocale& locale);
+
+/// Tension and stretch over time, and what each trial came to.
+class TubeSection final : public ReportSection {
+public:
+    explicit TubeSection(TubeReport tube) : m_tube(std::move(tube)) {}
+
+    const TubeReport& tube() const { return m_tube; }
+    void addTo(BlockMaker& blocks) const override;
+
+private:
+    TubeReport m_tube;
+};
 
 } // namespace chiron::report

@@ -105,4 +105,8 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
     return tube;
 }
 
+std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+    return std::make_shared<report::TubeSection>(tubeReportOf(trace, level));
+}
+
 } // namespace chiron::session_report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/report/handling_report.h"
 
+#include "report/block_maker.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
 
@@ -75,6 +76,18 @@ WordTable handlingTable(const HandlingReport& handling, const QLocale& locale) {
             table.rows.back().push_back(!row.heaviest ? kNothing : *row.heaviest ? Words::tr("✓ the heaviest") : Words::tr("✗ a lighter one"));
     }
     return table;
+}
+
+void HandlingSection::addTo(BlockMaker& blocks) const {
+    blocks.addHeading(Words::tr("Squeeze and place of each trial"));
+    PlotView* squeeze = blocks.keep(squeezePlot(m_handling, blocks.theme()));
+    PlotView* place = blocks.keep(placePlot(m_handling, blocks.theme()));
+    blocks.add(270, 8, [squeeze, place](QCPPainter& p, const QRectF& box) {
+        const double left = box.width() * 0.54 - 8;
+        squeeze->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
+        place->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
+    });
+    blocks.addTrialTable(handlingTable(m_handling, blocks.theme().locale));
 }
 
 } // namespace chiron::report

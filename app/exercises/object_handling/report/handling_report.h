@@ -2,12 +2,14 @@
 #pragma once
 
 #include "report/plot_theme.h"
+#include "report/report_section.h"
 #include "report/trial_outcome.h"
 #include "report/word_table.h"
 
 #include <QLocale>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace chiron::report {
@@ -37,5 +39,17 @@ std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const Plot
 /// ... and where each object lay at the end, seen from above about the target.
 std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTheme& theme);
 WordTable handlingTable(const HandlingReport& handling, const QLocale& locale);
+
+/// How hard each object was squeezed and where it lay in the end, and what each trial came to.
+class HandlingSection final : public ReportSection {
+public:
+    explicit HandlingSection(HandlingReport handling) : m_handling(std::move(handling)) {}
+
+    const HandlingReport& handling() const { return m_handling; }
+    void addTo(BlockMaker& blocks) const override;
+
+private:
+    HandlingReport m_handling;
+};
 
 } // namespace chiron::report

@@ -57,4 +57,8 @@ report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, cons
     return handling;
 }
 
+std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+    return std::make_shared<report::HandlingSection>(handlingReportOf(trace, level));
+}
+
 } // namespace chiron::session_report

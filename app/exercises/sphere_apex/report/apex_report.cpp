@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/report/apex_report.h"
 
+#include "report/block_maker.h"
+#include "report/plot_canvas.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
+#include <QDir>
 
 namespace chiron::report {
 
@@ -58,6 +61,27 @@ std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, co
     if (errors.empty())
         view->setNote(Words::tr("No trial was marked"));
     return view;
+}
+
+void ApexSection::addTo(BlockMaker& blocks) const {
+    blocks.addHeading(Words::tr("Error in locating the apex"));
+    PlotView* scatter = blocks.keep(apexScatterPlot(m_errors, blocks.theme()));
+    PlotView* bars = blocks.keep(apexTrialPlot(m_errors, blocks.theme()));
+    blocks.add(290, 4, [scatter, bars](QCPPainter& p, const QRectF& box) {
+        const double left = box.width() * 0.46;
+        scatter->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
+        bars->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
+    });
+}
+
+core::Result<void> ApexSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+    if (m_errors.empty())
+        return {};
+    const QString path = folder.filePath(QStringLiteral("apex_errors.png"));
+    if (auto done = writePair(path, *apexScatterPlot(m_errors, theme), *apexTrialPlot(m_errors, theme), theme); !done)
+        return done;
+    written.push_back(path);
+    return {};
 }
 
 } // namespace chiron::report

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "report/plot_theme.h"
+#include "report/report_section.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace chiron::report {
@@ -24,5 +26,18 @@ struct ApexError {
 std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
 /// ... and the signed error in x and y of each trial.
 std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
+
+/// How far each answer lay from the apex; without any, that no trial was marked.
+class ApexSection final : public ReportSection {
+public:
+    explicit ApexSection(std::vector<ApexError> errors) : m_errors(std::move(errors)) {}
+
+    const std::vector<ApexError>& errors() const { return m_errors; }
+    void addTo(BlockMaker& blocks) const override;
+    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const override;
+
+private:
+    std::vector<ApexError> m_errors;
+};
 
 } // namespace chiron::report

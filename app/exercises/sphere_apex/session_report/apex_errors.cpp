@@ -27,4 +27,8 @@ std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) 
     return errors;
 }
 
+std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel&) {
+    return std::make_shared<report::ApexSection>(apexErrorsOf(trace));
+}
+
 } // namespace chiron::session_report

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/report/insertion_report.h"
 
+#include "report/block_maker.h"
+#include "report/plot_canvas.h"
 #include "report/plot_view.h"
 #include "report/report_text.h"
 
+#include <QDir>
 #include <algorithm>
 #include <cmath>
 
@@ -46,6 +49,30 @@ std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
     return depthPlot(Words::tr("Alignment, largest in each millimetre"), Words::tr("Alignment (°)"), profile, profile.alignmentIn_deg,
                      profile.alignmentOut_deg, theme);
+}
+
+void InsertionSection::addTo(BlockMaker& blocks) const {
+    const QLocale& locale = blocks.theme().locale;
+    blocks.addHeading(Words::tr("Off-centre and alignment over depth"));
+    if (m_profile.landmarks > 0)
+        blocks.addPairs({{Words::tr("Landmarks of the bladder seen"),
+                          Words::tr("%1 of %2").arg(locale.toString(m_profile.landmarksSeen), locale.toString(m_profile.landmarks))}},
+                        1);
+    PlotView* offset = blocks.keep(offsetDepthPlot(m_profile, blocks.theme()));
+    PlotView* alignment = blocks.keep(alignmentDepthPlot(m_profile, blocks.theme()));
+    blocks.add(250, 4, [offset, alignment](QCPPainter& p, const QRectF& box) {
+        const double half = 0.5 * (box.width() - 8);
+        offset->paintTo(p, QRectF(box.left(), box.top(), half, box.height()));
+        alignment->paintTo(p, QRectF(box.left() + half + 8, box.top(), half, box.height()));
+    });
+}
+
+core::Result<void> InsertionSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+    const QString path = folder.filePath(QStringLiteral("insertion.png"));
+    if (auto done = writePair(path, *offsetDepthPlot(m_profile, theme), *alignmentDepthPlot(m_profile, theme), theme); !done)
+        return done;
+    written.push_back(path);
+    return {};
 }
 
 } // namespace chiron::report

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "report/plot_theme.h"
+#include "report/report_section.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace chiron::report {
@@ -27,5 +29,18 @@ struct InsertionProfile {
 /// Each makes a new view (GUI thread).
 std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
+
+/// How the endoscope kept to its canal, by depth.
+class InsertionSection final : public ReportSection {
+public:
+    explicit InsertionSection(InsertionProfile profile) : m_profile(std::move(profile)) {}
+
+    const InsertionProfile& profile() const { return m_profile; }
+    void addTo(BlockMaker& blocks) const override;
+    core::Result<void> savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const override;
+
+private:
+    InsertionProfile m_profile;
+};
 
 } // namespace chiron::report

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session report tells of a palpation: sensitivity, findings, and the maps of each trial beside the truth.
-#include "app/exercises/palpation/report/palpation_report_data.h"
-#include "report/report_blocks.h"
+#include "app/exercises/palpation/report/palpation_section.h"
+
+#include "report/block_maker.h"
+#include "report/plot_canvas.h"
 #include "report/report_text.h"
 
+#include <QDir>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <qcustomplot.h>
@@ -63,31 +66,8 @@ int countOf(const PalpationReport& report, Kind kind) {
     return count;
 }
 
-} // namespace
-
-void ReportBlocks::addPalpation() {
-    if (!m_data.palpation)
-        return;
-    const PalpationReport& report = *m_data.palpation;
-    const QLocale& locale = m_theme.locale;
-    const int hits = countOf(report, Kind::hit);
-    addHeading(Words::tr("What was found"));
-    addPairs({{Words::tr("Lumps found"), Words::tr("%1 of %2").arg(locale.toString(hits), locale.toString(hits + countOf(report, Kind::missed)))},
-              {Words::tr("False alarms"), locale.toString(countOf(report, Kind::falseAlarm))},
-              {Words::tr("Regions: hits, false alarms"),
-               Words::tr("%1 of %2, %3 of %4")
-                   .arg(locale.toString(report.regions.hits), locale.toString(report.regions.ofSignal),
-                        locale.toString(report.regions.falseAlarms), locale.toString(report.regions.ofNoise))},
-              {Words::tr("Sensitivity d′"), sensitivity(report.regions, locale)},
-              {Words::tr("Criterion c"), core::isUsable(report.regions) ? locale.toString(core::criterion(report.regions), 'f', 2) : QString()}},
-             3);
-    addFindings(report);
-    for (const PalpationTrialReport& trial : report.trials)
-        addMaps(trial);
-}
-
-void ReportBlocks::addFindings(const PalpationReport& report) {
-    const QLocale& locale = m_theme.locale;
+void addFindings(BlockMaker& blocks, const PalpationReport& report) {
+    const QLocale& locale = blocks.theme().locale;
     std::vector<std::vector<QString>> rows;
     for (const PalpationTrialReport& trial : report.trials)
         for (const PalpationFindingRow& row : trial.rows)
@@ -96,21 +76,63 @@ void ReportBlocks::addFindings(const PalpationReport& report) {
                             rating(row.confidence, locale), outcome(row),
                             row.error_mm ? locale.toString(*row.error_mm, 'f', 1) : QStringLiteral("–")});
     if (rows.empty()) {
-        addText(Words::tr("Nothing was reported, and nothing was there"), m_theme.font(12), m_theme.ink, 6);
+        blocks.addText(Words::tr("Nothing was reported, and nothing was there"), blocks.theme().font(12), blocks.theme().ink, 6);
         return;
     }
-    addTable({Words::tr("Trial"), Words::tr("No."), Words::tr("x, y (mm)"), Words::tr("Radius (mm)"), Words::tr("Hardness"),
-              Words::tr("Confidence"), Words::tr("Outcome"), Words::tr("Error (mm)")},
-             rows, {0.08, 0.07, 0.16, 0.13, 0.12, 0.13, 0.19, 0.12}, {true, true, true, true, true, true, false, true});
+    blocks.addTable({Words::tr("Trial"), Words::tr("No."), Words::tr("x, y (mm)"), Words::tr("Radius (mm)"), Words::tr("Hardness"),
+                     Words::tr("Confidence"), Words::tr("Outcome"), Words::tr("Error (mm)")},
+                    rows, {0.08, 0.07, 0.16, 0.13, 0.12, 0.13, 0.19, 0.12}, {true, true, true, true, true, true, false, true});
 }
 
-void ReportBlocks::addMaps(const PalpationTrialReport& trial) {
-    addHeading(trial.timedOut ? Words::tr("Trial %1, time ran out").arg(trial.trial + 1) : Words::tr("Trial %1").arg(trial.trial + 1));
-    add(kMapHeight, 4, [this, &trial](QCPPainter& p, const QRectF& box) {
-        PlotTheme small = m_theme;
+void addMaps(BlockMaker& blocks, const PalpationTrialReport& trial) {
+    blocks.addHeading(trial.timedOut ? Words::tr("Trial %1, time ran out").arg(trial.trial + 1) : Words::tr("Trial %1").arg(trial.trial + 1));
+    blocks.add(kMapHeight, 4, [&theme = blocks.theme(), &trial](QCPPainter& p, const QRectF& box) {
+        PlotTheme small = theme;
         small.scale = kMapScale;
         paintPalpationMaps(p, box, trial, small);
     });
+}
+
+core::Result<void> saveMaps(const PalpationTrialReport& trial, const QString& path, const PlotTheme& theme) {
+    const QSizeF size(1400, 440);
+    QImage image((size * kPictureScale).toSize(), QImage::Format_RGB32);
+    image.fill(theme.paper);
+    QPainter painter(&image);
+    painter.scale(kPictureScale, kPictureScale);
+    paintPalpationMaps(painter, QRectF(QPointF(0, 0), size).adjusted(16, 16, -16, -16), trial, theme);
+    painter.end();
+    return writePng(path, image);
+}
+
+} // namespace
+
+void PalpationSection::addTo(BlockMaker& blocks) const {
+    const QLocale& locale = blocks.theme().locale;
+    const int hits = countOf(m_report, Kind::hit);
+    blocks.addHeading(Words::tr("What was found"));
+    blocks.addPairs({{Words::tr("Lumps found"), Words::tr("%1 of %2").arg(locale.toString(hits), locale.toString(hits + countOf(m_report, Kind::missed)))},
+                     {Words::tr("False alarms"), locale.toString(countOf(m_report, Kind::falseAlarm))},
+                     {Words::tr("Regions: hits, false alarms"),
+                      Words::tr("%1 of %2, %3 of %4")
+                          .arg(locale.toString(m_report.regions.hits), locale.toString(m_report.regions.ofSignal),
+                               locale.toString(m_report.regions.falseAlarms), locale.toString(m_report.regions.ofNoise))},
+                     {Words::tr("Sensitivity d′"), sensitivity(m_report.regions, locale)},
+                     {Words::tr("Criterion c"), core::isUsable(m_report.regions) ? locale.toString(core::criterion(m_report.regions), 'f', 2) : QString()}},
+                    3);
+    addFindings(blocks, m_report);
+    for (const PalpationTrialReport& trial : m_report.trials)
+        addMaps(blocks, trial);
+}
+
+// One picture a trial: palpation_1.png, ...
+core::Result<void> PalpationSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
+    for (const PalpationTrialReport& trial : m_report.trials) {
+        const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));
+        if (auto done = saveMaps(trial, path, theme); !done)
+            return done;
+        written.push_back(path);
+    }
+    return {};
 }
 
 void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTrialReport& trial, const PlotTheme& theme) {
