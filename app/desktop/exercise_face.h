@@ -4,9 +4,12 @@
 #include "catalogue/exercise.h"
 #include "core/result.h"
 #include "desktop/debrief/debrief_part.h"
+#include "desktop/playback/playback_layer.h"
 #include "scoring/trace.h"
+#include "session/session_setup.h"
 
 #include <QString>
+#include <memory>
 #include <string_view>
 
 namespace chiron::desktop {
@@ -28,6 +31,9 @@ public:
     virtual QString debriefEmpty() const = 0;
     /// Reads that part from a session of `level`, which is of this kind. Any thread.
     virtual DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const = 0;
+
+    /// What a playback of this session shows beside what it shows of all; never null. Any thread.
+    virtual std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const = 0;
 };
 
 /// The face of the exercise with this id. Failure: notFound naming the exercises that exist.

@@ -3,12 +3,27 @@
 
 namespace chiron::desktop {
 
+namespace {
+
+class ComparisonLayer final : public PlaybackLayer {
+public:
+    QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const override {
+        return trialReadout(view, locale);
+    }
+};
+
+} // namespace
+
 QString ComparisonFace::debriefTitle() const { return DebriefPartTexts::tr("What was compared"); }
 
 QString ComparisonFace::debriefEmpty() const { return DebriefPartTexts::tr("What was compared and answered is shown with its study."); }
 
 DebriefReading ComparisonFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace&) const {
     return nullptr; // shown with its study
+}
+
+std::unique_ptr<PlaybackLayer> ComparisonFace::playbackLayer(const session::SessionSetup&, const scoring::SessionTrace&) const {
+    return std::make_unique<ComparisonLayer>();
 }
 
 } // namespace chiron::desktop

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 
+#include "app/exercises/elastic_tube/desktop/tube_layer.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
 
@@ -39,6 +40,10 @@ QString ElasticTubeFace::debriefEmpty() const { return DebriefPartTexts::tr("The
 
 DebriefReading ElasticTubeFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
     return std::make_unique<TubeDebrief>(session_report::tubeReportOf(trace, level));
+}
+
+std::unique_ptr<PlaybackLayer> ElasticTubeFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
+    return std::make_unique<TubeLayer>(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
 }
 
 } // namespace chiron::desktop

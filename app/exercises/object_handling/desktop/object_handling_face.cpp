@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
 
+#include "app/exercises/object_handling/desktop/handling_layer.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
@@ -40,6 +41,10 @@ QString ObjectHandlingFace::debriefEmpty() const { return DebriefPartTexts::tr("
 
 DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
     return std::make_unique<HandlingDebrief>(session_report::handlingReportOf(trace, level));
+}
+
+std::unique_ptr<PlaybackLayer> ObjectHandlingFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
+    return std::make_unique<HandlingLayer>(std::get<simulation::ObjectHandlingParameters>(setup.level.parameters), setup.seed);
 }
 
 } // namespace chiron::desktop

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_face.h"
 
+#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
 #include "app/exercises/palpation/session/palpation_record.h"
@@ -38,6 +39,14 @@ DebriefReading PalpationFace::readDebrief(const catalogue::ExerciseLevel& level,
                                         "Findings and maps could not be read from the recording. The scores above are as they were stored."),
             std::move(records.error())});
     return std::make_unique<PalpationDebrief>(parameters, std::move(*records));
+}
+
+std::unique_ptr<PlaybackLayer> PalpationFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const {
+    const simulation::PalpationParameters& level = *palpationOf(setup.level);
+    auto records = session::palpationRecord(trace, level);
+    if (!records)
+        return std::make_unique<PalpationLayer>(std::move(records.error()));
+    return std::make_unique<PalpationLayer>(PalpationReplay(level, std::move(*records)));
 }
 
 } // namespace chiron::desktop

@@ -27,6 +27,13 @@ private:
     std::vector<report::ApexError> m_errors;
 };
 
+class ApexLayer final : public PlaybackLayer {
+public:
+    QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const override {
+        return trialReadout(view, locale);
+    }
+};
+
 } // namespace
 
 QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
@@ -35,6 +42,10 @@ QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("Ther
 
 DebriefReading SphereApexFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
     return std::make_unique<ApexDebrief>(session_report::apexErrorsOf(trace));
+}
+
+std::unique_ptr<PlaybackLayer> SphereApexFace::playbackLayer(const session::SessionSetup&, const scoring::SessionTrace&) const {
+    return std::make_unique<ApexLayer>();
 }
 
 } // namespace chiron::desktop

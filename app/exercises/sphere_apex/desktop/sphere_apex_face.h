@@ -11,6 +11,7 @@ public:
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;
+    std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const override;
 };
 
 } // namespace chiron::desktop

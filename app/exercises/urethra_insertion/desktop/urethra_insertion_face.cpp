@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/desktop/urethra_insertion_face.h"
 
+#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
@@ -48,6 +50,10 @@ QString UrethraInsertionFace::debriefEmpty() const { return DebriefPartTexts::tr
 
 DebriefReading UrethraInsertionFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
     return std::make_unique<InsertionDebrief>(session_report::insertionProfileOf(trace));
+}
+
+std::unique_ptr<PlaybackLayer> UrethraInsertionFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
+    return std::make_unique<InsertionLayer>(endoscopyOf(setup.level)->depthOfField);
 }
 
 } // namespace chiron::desktop
