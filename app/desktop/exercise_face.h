@@ -8,7 +8,9 @@
 #include "scoring/trace.h"
 #include "session/session_setup.h"
 
+#include <QLocale>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <string_view>
 
@@ -24,6 +26,9 @@ public:
     virtual ~ExerciseFace() = default;
 
     virtual std::string_view id() const noexcept = 0;
+
+    /// What is particular about a level, a line each, before one begins with it; empty where its objective says it all.
+    virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
 
     /// What stands above its part of a debrief.
     virtual QString debriefTitle() const = 0;

@@ -14,6 +14,8 @@ public:
 
 } // namespace
 
+QStringList ComparisonFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
+
 QString ComparisonFace::debriefTitle() const { return DebriefPartTexts::tr("What was compared"); }
 
 QString ComparisonFace::debriefEmpty() const { return DebriefPartTexts::tr("What was compared and answered is shown with its study."); }

@@ -4,6 +4,7 @@
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
+#include "desktop/exercise_setup/level_facts.h"
 
 #include <QVBoxLayout>
 
@@ -32,7 +33,39 @@ private:
     report::TubeReport m_tube;
 };
 
+QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
+    const QString hold_s = locale.toString(p.hold_s, 'g', 3);
+    switch (p.task) {
+    case simulation::TubeTask::hold:
+    case simulation::TubeTask::twoHanded:
+        return LevelFactTexts::tr("Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s")
+            .arg(factNumber(p.targetLow_N, locale), factNumber(p.targetHigh_N, locale), factNumber(p.band_N, locale), hold_s);
+    case simulation::TubeTask::stretch:
+        return LevelFactTexts::tr("Goal: stretch the tube to %1 times its length and hold it for %2 s").arg(locale.toString(p.markRatio, 'g', 3), hold_s);
+    case simulation::TubeTask::transfer:
+        return LevelFactTexts::tr("Goal: hand over the end of the tube and hold it in the target for %1 s").arg(hold_s);
+    }
+    return {};
+}
+
+QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale& locale) {
+    QStringList facts{tubeGoalText(p, locale)};
+    facts << (p.hasFold()     ? LevelFactTexts::tr("Instruments: three, one in each hand and one that holds tissue back")
+              : p.tools() > 1 ? LevelFactTexts::tr("Instruments: two, one in each hand")
+                              : LevelFactTexts::tr("Instruments: one"));
+    if (p.hasFold())
+        facts << LevelFactTexts::tr("Over the tube: a fold of tissue, to be held back with %1 to %2 N").arg(factNumber(p.retractionLow_N, locale), factNumber(p.retractionHigh_N, locale));
+    const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
+    const QString tears = locale.toString(p.tearRatio, 'g', 3);
+    facts << (p.tube.stiffening_per_m > 0.0
+                  ? LevelFactTexts::tr("Tube: %1 mm long, gets stiffer as it stretches, tears at %2 times its length").arg(length_mm, tears)
+                  : LevelFactTexts::tr("Tube: %1 mm long, tears at %2 times its length").arg(length_mm, tears));
+    return facts << trialsFact(p.trials, p.trialLimit_s, locale);
+}
+
 } // namespace
+
+QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale); }
 
 QString ElasticTubeFace::debriefTitle() const { return DebriefPartTexts::tr("How the tube was held and stretched"); }
 

@@ -5,6 +5,7 @@
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
+#include "desktop/exercise_setup/level_facts.h"
 
 #include <QVBoxLayout>
 
@@ -33,7 +34,20 @@ private:
     report::HandlingReport m_handling;
 };
 
+QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
+    QStringList facts;
+    if (p.task == simulation::HandlingTask::weigh)
+        facts << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
+    else
+        facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+    if (p.organBed)
+        facts << LevelFactTexts::tr("Surface: a soft organ that gives way");
+    return facts << trialsFact(p.trials, p.trialLimit_s, locale);
+}
+
 } // namespace
+
+QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale); }
 
 QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
 

@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
 #include "app/exercises/palpation/session/palpation_record.h"
+#include "desktop/exercise_setup/level_facts.h"
 
 namespace chiron::desktop {
 
@@ -24,7 +25,42 @@ private:
     std::vector<session::PalpationTrialRecord> m_records; ///< one a trial that was begun
 };
 
+QString handsText(const simulation::PalpationParameters& p) {
+    if (p.hands > 1)
+        return p.fingers > 1 ? LevelFactTexts::tr("Hands: two, two fingers each") : LevelFactTexts::tr("Hands: two, one finger each");
+    return p.fingers > 1 ? LevelFactTexts::tr("Hands: one, two fingers side by side") : LevelFactTexts::tr("Hands: one, one finger");
+}
+
+QString lumpsText(const simulation::PalpationParameters& p, const QLocale& locale) {
+    const int least = p.catchTrials > 0 ? 0 : p.lumpsLow;
+    if (least == p.lumpsHigh)
+        return LevelFactTexts::tr("Lumps per trial: %1").arg(locale.toString(p.lumpsHigh));
+    if (least == 0 && p.lumpsHigh == 1)
+        return LevelFactTexts::tr("Lumps per trial: one or none");
+    return least == 0 ? LevelFactTexts::tr("Lumps per trial: 0 to %1").arg(locale.toString(p.lumpsHigh))
+                      : LevelFactTexts::tr("Lumps per trial: %1 to %2").arg(locale.toString(least), locale.toString(p.lumpsHigh));
+}
+
+QString reportedText(const simulation::PalpationParameters& p) {
+    QStringList asked{LevelFactTexts::tr("where it is")};
+    if (p.asksSize)
+        asked << LevelFactTexts::tr("how large");
+    if (p.asksHardness)
+        asked << LevelFactTexts::tr("how hard");
+    if (p.asksConfidence)
+        asked << LevelFactTexts::tr("how sure you are");
+    return LevelFactTexts::tr("To report for each finding: %1").arg(asked.join(QStringLiteral(", ")));
+}
+
+QStringList palpationFacts(const simulation::PalpationParameters& p, const QLocale& locale) {
+    QStringList facts{handsText(p), lumpsText(p, locale), reportedText(p)};
+    facts << LevelFactTexts::tr("Press with %1 to %2 N").arg(factNumber(p.bandLow_N, locale), factNumber(p.bandHigh_N, locale));
+    return facts << trialsFact(p.trials, p.trialLimit_s, locale);
+}
+
 } // namespace
+
+QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return palpationFacts(*palpationOf(level), locale); }
 
 QString PalpationFace::debriefTitle() const { return DebriefPartTexts::tr("What was searched and what was found"); }
 

@@ -36,6 +36,8 @@ public:
 
 } // namespace
 
+QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
+
 QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
 
 QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed."); }

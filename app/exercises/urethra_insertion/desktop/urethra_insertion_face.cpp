@@ -7,6 +7,8 @@
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
+#include "desktop/exercise_setup/level_facts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -42,7 +44,48 @@ private:
     std::optional<report::InsertionProfile> m_profile;
 };
 
+QString tissueText(const std::string& tissue) {
+    if (tissue == "normal")
+        return LevelFactTexts::tr("Tissue: normal");
+    if (tissue == "tight")
+        return LevelFactTexts::tr("Tissue: tight urethra");
+    if (tissue == "stricture")
+        return LevelFactTexts::tr("Tissue: with a stricture, a narrow and stiff ring");
+    return LevelFactTexts::tr("Tissue: %1").arg(QString::fromStdString(tissue));
+}
+
+QString depthOfFieldText(const simulation::UrethraInsertionParameters& p) {
+    if (p.depthOfFieldFixed)
+        return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, fixed") : LevelFactTexts::tr("Depth of field: off, fixed");
+    return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, can be switched off") : LevelFactTexts::tr("Depth of field: off, can be switched on");
+}
+
+QString wayText(const simulation::UrethraInsertionParameters& p, const QLocale& locale) {
+    const QString goal_mm = locale.toString(qRound(InsertionGauge(p).goal_m() * 1e3));
+    return p.withdraws ? LevelFactTexts::tr("Distance: %1 mm in, then back out").arg(goal_mm) : LevelFactTexts::tr("Distance: %1 mm in").arg(goal_mm);
+}
+
+bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
+
+QString viewText(const std::vector<std::string>& cues) {
+    const bool overview = has(cues, "overview");
+    if (has(cues, "guidance"))
+        return overview ? LevelFactTexts::tr("Help: the path is marked in the picture, and a second picture shows it from outside")
+                        : LevelFactTexts::tr("Help: the path is marked in the picture");
+    return overview ? LevelFactTexts::tr("Help: a second picture shows the endoscope from outside") : LevelFactTexts::tr("Help: none, only the endoscope's picture");
+}
+
 } // namespace
+
+QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+    const simulation::UrethraInsertionParameters& p = *endoscopyOf(level);
+    QStringList facts{wayText(p, locale), tissueText(p.tissue)};
+    if (!p.landmarks.empty())
+        facts << LevelFactTexts::tr("Landmarks of the bladder to inspect: %1").arg(locale.toString(static_cast<int>(p.landmarks.size())));
+    facts << viewText(level.cues) << depthOfFieldText(p);
+    facts << LevelFactTexts::tr("Time: %1 s at most").arg(locale.toString(qRound(p.trialLimit_s)));
+    return facts;
+}
 
 QString UrethraInsertionFace::debriefTitle() const { return DebriefPartTexts::tr("How the endoscope followed the urethra"); }
 
