@@ -5,6 +5,7 @@
 #include "core/result.h"
 #include "desktop/debrief/debrief_part.h"
 #include "desktop/playback/playback_layer.h"
+#include "desktop/training/found_answer.h"
 #include "scoring/trace.h"
 #include "session/session_setup.h"
 
@@ -12,9 +13,19 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace chiron::desktop {
+
+/// How the optics of an instrument with a lens are set on a level.
+struct DepthOfField {
+    bool on = false;
+    bool fixed = false; ///< the level keeps it so
+
+    /// `wanted`: as the person switched it.
+    bool shown(std::optional<bool> wanted) const { return fixed ? on : wanted.value_or(on); }
+};
 
 /// What the screens show of one kind of exercise alone. A new kind adds a class and one line in app/exercises/face_catalogue.cpp.
 /// Stateless.
@@ -29,6 +40,11 @@ public:
 
     /// What is particular about a level, a line each, before one begins with it; empty where its objective says it all.
     virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
+
+    /// Of the instrument that looks into the body; empty where there is none.
+    virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const { return std::nullopt; }
+    /// How a trial is judged at its end where its answer is not one mark; null where it is one.
+    virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
 
     /// What stands above its part of a debrief.
     virtual QString debriefTitle() const = 0;

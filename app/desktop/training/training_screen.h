@@ -28,6 +28,7 @@ class QStackedWidget;
 
 namespace chiron::desktop {
 
+class ExerciseFace;
 class ForceNotice;
 class HeaderBar;
 class InfoView;
@@ -133,6 +134,7 @@ private:
     TrainingPlan m_plan;
     std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
     const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's, or m_tried; null: no such level
+    const ExerciseFace* m_face = nullptr;              ///< of the level's exercise
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;

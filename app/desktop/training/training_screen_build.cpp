@@ -2,6 +2,7 @@
 // What the training screen is made of, and its words.
 #include "desktop/training/training_screen.h"
 
+#include "desktop/exercise_face.h"
 #include "desktop/frame/app_context.h"
 #include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "desktop/training/force_notice.h"
@@ -53,8 +54,11 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_tools = (*kind)->toolCount(*m_level);
         }
     }
-    if (m_level)
+    if (m_level) {
         m_palpated = palpationOf(*m_level);
+        if (const auto face = exerciseFace(m_level->exercise))
+            m_face = *face;
+    }
     m_sound = SoundCuePlayer(m_limits.force_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
@@ -138,17 +142,17 @@ QWidget* TrainingScreen::buildFoot() {
         m_activeText->setObjectName(QStringLiteral("training.active_tool"));
         row->addWidget(m_activeText, 0, Qt::AlignTop);
     }
-    const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr;
-    if (!endoscopy)
+    const auto optics = m_face ? m_face->depthOfField(*m_level) : std::nullopt;
+    if (!optics)
         return foot;
-    const QString text = !endoscopy->depthOfFieldFixed ? tr("Depth of field (F)")
-                         : endoscopy->depthOfField     ? tr("Depth of field: this level keeps it on")
-                                                       : tr("Depth of field: this level keeps it off");
+    const QString text = !optics->fixed ? tr("Depth of field (F)")
+                         : optics->on   ? tr("Depth of field: this level keeps it on")
+                                        : tr("Depth of field: this level keeps it off");
     m_depthOfField = new QCheckBox(text);
     m_depthOfField->setObjectName(QStringLiteral("training.depth_of_field"));
     m_depthOfField->setToolTip(tr("The picture is sharp at one distance only, as through a real endoscope"));
-    m_depthOfField->setEnabled(!endoscopy->depthOfFieldFixed);
-    m_depthOfField->setChecked(endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : m_plan.depthOfField.value_or(endoscopy->depthOfField));
+    m_depthOfField->setEnabled(!optics->fixed);
+    m_depthOfField->setChecked(optics->shown(m_plan.depthOfField));
     connect(m_depthOfField, &QCheckBox::toggled, this, &TrainingScreen::setDepthOfField);
     row->addWidget(m_depthOfField, 0, Qt::AlignTop);
     return foot;

@@ -2,6 +2,7 @@
 #include "app/exercises/palpation/desktop/palpation_face.h"
 
 #include "app/exercises/palpation/desktop/palpation_layer.h"
+#include "app/exercises/palpation/desktop/found_lumps.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
 #include "app/exercises/palpation/session/palpation_record.h"
@@ -61,6 +62,8 @@ QStringList palpationFacts(const simulation::PalpationParameters& p, const QLoca
 } // namespace
 
 QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return palpationFacts(*palpationOf(level), locale); }
+
+std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const { return std::make_unique<FoundLumps>(); }
 
 QString PalpationFace::debriefTitle() const { return DebriefPartTexts::tr("What was searched and what was found"); }
 

@@ -9,6 +9,7 @@ class PalpationFace final : public ExerciseFace {
 public:
     std::string_view id() const noexcept override { return "palpation"; }
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
+    std::unique_ptr<FoundAnswer> foundAnswer() const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;

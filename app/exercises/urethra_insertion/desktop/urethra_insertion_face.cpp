@@ -3,15 +3,16 @@
 
 #include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/debrief/part_widgets.h"
+#include "desktop/exercise_setup/level_facts.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/widgets/kit.h"
-#include "app/exercises/urethra_insertion/desktop/insertion_values.h"
-#include "desktop/exercise_setup/level_facts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <optional>
 
 namespace chiron::desktop {
@@ -85,6 +86,11 @@ QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& lev
     facts << viewText(level.cues) << depthOfFieldText(p);
     facts << LevelFactTexts::tr("Time: %1 s at most").arg(locale.toString(qRound(p.trialLimit_s)));
     return facts;
+}
+
+std::optional<DepthOfField> UrethraInsertionFace::depthOfField(const catalogue::ExerciseLevel& level) const {
+    const simulation::UrethraInsertionParameters& p = *endoscopyOf(level);
+    return DepthOfField{p.depthOfField, p.depthOfFieldFixed};
 }
 
 QString UrethraInsertionFace::debriefTitle() const { return DebriefPartTexts::tr("How the endoscope followed the urethra"); }

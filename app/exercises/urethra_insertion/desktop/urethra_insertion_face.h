@@ -9,6 +9,7 @@ class UrethraInsertionFace final : public ExerciseFace {
 public:
     std::string_view id() const noexcept override { return "urethra_insertion"; }
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
+    std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel& level) const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;
