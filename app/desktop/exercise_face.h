@@ -6,6 +6,7 @@
 #include "desktop/debrief/debrief_part.h"
 #include "desktop/playback/playback_layer.h"
 #include "desktop/training/found_answer.h"
+#include "desktop/training/live_part.h"
 #include "scoring/trace.h"
 #include "session/session_setup.h"
 
@@ -43,6 +44,8 @@ public:
 
     /// Of the instrument that looks into the body; empty where there is none.
     virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const { return std::nullopt; }
+    /// What the training screen has for it alone; never null. `level` outlives it.
+    virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const = 0;
     /// How a trial is judged at its end where its answer is not one mark; null where it is one.
     virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
 

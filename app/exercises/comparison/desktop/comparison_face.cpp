@@ -16,6 +16,10 @@ public:
 
 QStringList ComparisonFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
 
+std::unique_ptr<LivePart> ComparisonFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<PointPart>(level, std::move(around));
+}
+
 QString ComparisonFace::debriefTitle() const { return DebriefPartTexts::tr("What was compared"); }
 
 QString ComparisonFace::debriefEmpty() const { return DebriefPartTexts::tr("What was compared and answered is shown with its study."); }

@@ -5,6 +5,7 @@
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/training/grasp_part.h"
 
 #include <QVBoxLayout>
 
@@ -66,6 +67,10 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 } // namespace
 
 QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale); }
+
+std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<GraspPart>(level, std::move(around));
+}
 
 QString ElasticTubeFace::debriefTitle() const { return DebriefPartTexts::tr("How the tube was held and stretched"); }
 

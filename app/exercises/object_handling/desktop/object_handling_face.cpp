@@ -6,6 +6,7 @@
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/exercise_setup/level_facts.h"
+#include "desktop/training/grasp_part.h"
 
 #include <QVBoxLayout>
 
@@ -48,6 +49,10 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
 } // namespace
 
 QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale); }
+
+std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<GraspPart>(level, std::move(around));
+}
 
 QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
 

@@ -5,6 +5,7 @@
 #include "app/exercises/palpation/desktop/found_lumps.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
+#include "app/exercises/palpation/desktop/palpation_part.h"
 #include "app/exercises/palpation/session/palpation_record.h"
 #include "desktop/exercise_setup/level_facts.h"
 
@@ -64,6 +65,10 @@ QStringList palpationFacts(const simulation::PalpationParameters& p, const QLoca
 QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return palpationFacts(*palpationOf(level), locale); }
 
 std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const { return std::make_unique<FoundLumps>(); }
+
+std::unique_ptr<LivePart> PalpationFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<PalpationPart>(*palpationOf(level), std::move(around));
+}
 
 QString PalpationFace::debriefTitle() const { return DebriefPartTexts::tr("What was searched and what was found"); }
 

@@ -10,6 +10,7 @@ public:
     std::string_view id() const noexcept override { return "palpation"; }
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
     std::unique_ptr<FoundAnswer> foundAnswer() const override;
+    std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;

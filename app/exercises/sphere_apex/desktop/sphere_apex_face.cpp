@@ -38,6 +38,10 @@ public:
 
 QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
 
+std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<PointPart>(level, std::move(around));
+}
+
 QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
 
 QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed."); }

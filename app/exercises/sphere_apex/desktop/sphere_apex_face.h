@@ -9,6 +9,7 @@ class SphereApexFace final : public ExerciseFace {
 public:
     std::string_view id() const noexcept override { return "sphere_apex"; }
     QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const override;
+    std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const override;
     QString debriefTitle() const override;
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;

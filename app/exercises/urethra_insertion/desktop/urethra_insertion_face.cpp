@@ -3,6 +3,7 @@
 
 #include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
+#include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_values.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 #include "desktop/debrief/part_widgets.h"
@@ -18,6 +19,17 @@
 namespace chiron::desktop {
 
 namespace {
+
+class InsertionPart final : public LivePart {
+public:
+    InsertionPart(const simulation::UrethraInsertionParameters& level, LiveSurroundings around) : LivePart(std::move(around)), m_level(level) {}
+
+    InfoView* makePanel() override { return new InsertionPanel(around().theme, around().locale, around().cues, m_level); }
+    double panelWidth_px() const override { return kWidePanel_px; }
+
+private:
+    const simulation::UrethraInsertionParameters& m_level;
+};
 
 class InsertionDebrief final : public DebriefPart {
 public:
@@ -91,6 +103,10 @@ QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& lev
 std::optional<DepthOfField> UrethraInsertionFace::depthOfField(const catalogue::ExerciseLevel& level) const {
     const simulation::UrethraInsertionParameters& p = *endoscopyOf(level);
     return DepthOfField{p.depthOfField, p.depthOfFieldFixed};
+}
+
+std::unique_ptr<LivePart> UrethraInsertionFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<InsertionPart>(*endoscopyOf(level), std::move(around));
 }
 
 QString UrethraInsertionFace::debriefTitle() const { return DebriefPartTexts::tr("How the endoscope followed the urethra"); }
