@@ -5,6 +5,7 @@
 #include "core/result.h"
 #include "desktop/debrief/debrief_part.h"
 #include "desktop/playback/playback_layer.h"
+#include "desktop/results/results_part.h"
 #include "desktop/training/found_answer.h"
 #include "desktop/training/live_part.h"
 #include "scoring/trace.h"
@@ -58,6 +59,9 @@ public:
 
     /// What a playback of this session shows beside what it shows of all; never null. Any thread.
     virtual std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const = 0;
+
+    /// What the results of a person show of it alone; null: nothing. Whoever lays it out owns it. GUI thread.
+    virtual ResultsPart* resultsPart(const Theme&, const QLocale&) const { return nullptr; }
 };
 
 /// The face of the exercise with this id. Failure: notFound naming the exercises that exist.

@@ -9,7 +9,7 @@
 #include "desktop/playback/playback_screen.h"
 #include "desktop/plots/metric_words.h"
 #include "app/exercises/palpation/desktop/palpation_map_view.h"
-#include "desktop/results/roc_box.h"
+#include "app/exercises/palpation/desktop/roc_box.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"

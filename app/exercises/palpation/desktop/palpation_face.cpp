@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_face.h"
 
-#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "app/exercises/palpation/desktop/found_lumps.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
+#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "app/exercises/palpation/desktop/palpation_part.h"
+#include "app/exercises/palpation/desktop/roc_box.h"
 #include "app/exercises/palpation/session/palpation_record.h"
 #include "desktop/exercise_setup/level_facts.h"
 
@@ -91,6 +92,12 @@ std::unique_ptr<PlaybackLayer> PalpationFace::playbackLayer(const session::Sessi
     if (!records)
         return std::make_unique<PalpationLayer>(std::move(records.error()));
     return std::make_unique<PalpationLayer>(PalpationReplay(level, std::move(*records)));
+}
+
+ResultsPart* PalpationFace::resultsPart(const Theme& theme, const QLocale& locale) const {
+    auto* box = new RocBox(theme, locale);
+    box->setObjectName(QStringLiteral("results.detection"));
+    return box;
 }
 
 } // namespace chiron::desktop

@@ -15,6 +15,7 @@ public:
     QString debriefEmpty() const override;
     DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const override;
     std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const override;
+    ResultsPart* resultsPart(const Theme& theme, const QLocale& locale) const override;
 };
 
 } // namespace chiron::desktop

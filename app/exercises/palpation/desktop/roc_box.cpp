@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/results/roc_box.h"
+#include "app/exercises/palpation/desktop/roc_box.h"
 
+#include "curriculum/exercises/palpation/scoring/roc_curve.h"
+#include "database/database.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
-#include "curriculum/exercises/palpation/scoring/roc_curve.h"
 
 #include <QCoreApplication>
 #include <array>
@@ -51,7 +52,7 @@ std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const 
 }
 
 RocBox::RocBox(const Theme& theme, const QLocale& locale, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_panel(new StatePanel(theme)) {
+    : ResultsPart(parent), m_theme(theme), m_locale(locale), m_panel(new StatePanel(theme)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(kit::label(theme, tr("Confidence and accuracy (ROC)"), TextStyle::title));
@@ -59,9 +60,39 @@ RocBox::RocBox(const Theme& theme, const QLocale& locale, QWidget* parent)
     column->addWidget(m_panel);
 }
 
-void RocBox::showLoading(std::shared_ptr<WorkToken> work) { m_panel->showLoading(tr("Reading the recordings …"), std::move(work)); }
+RocBox::~RocBox() {
+    if (m_work)
+        m_work->cancel();
+}
 
-void RocBox::showError(const core::Error& error) { m_panel->showError(tr("The recordings could not be read"), error); }
+void RocBox::ask(Background& background, database::Database& database, const database::Actor& actor, const ResultsQuestion& question) {
+    if (m_level == question.level)
+        return;
+    m_level = question.level;
+    if (m_work)
+        m_work->cancel();
+    const session::DetectionQuery query{question.person, question.level, question.felt, {}};
+    m_work = background.run(
+        this,
+        [&database, actor, query](WorkToken& token) -> core::Result<session::PooledDetection> {
+            auto connection = database.openReader();
+            if (!connection)
+                return tl::unexpected(connection.error());
+            return session::detectionOf(**connection, actor, query, [&token](double part) {
+                token.setProgress(static_cast<int>(100 * part), 100);
+                return !token.cancelled();
+            });
+        },
+        [this, query](core::Result<session::PooledDetection> pooled) {
+            if (query.level != m_level)
+                return; // another level was chosen meanwhile
+            if (pooled)
+                show(*pooled, query.felt);
+            else
+                m_panel->showError(tr("The recordings could not be read"), pooled.error());
+        });
+    m_panel->showLoading(tr("Reading the recordings …"), m_work);
+}
 
 void RocBox::show(const session::PooledDetection& pooled, bool felt) {
     const core::DetectionCounts counts = pooled.counts();
