@@ -8,10 +8,10 @@
 namespace chiron::desktop {
 
 namespace {
+QString after(const QString& what, const QString& how) { return how.isEmpty() ? what : AnswerTexts::tr("%1. %2").arg(what, how); }
+
 namespace bits = core::event_bits;
 constexpr std::uint32_t kEnds = bits::kMarked | bits::kTimedOut | bits::kCompleted;
-
-QString after(const QString& what, const QString& how) { return how.isEmpty() ? what : AnswerTexts::tr("%1. %2").arg(what, how); }
 } // namespace
 
 AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth)
