@@ -12,7 +12,5 @@ TriangleMesh tubeMesh(const TubeCurve& curve);
 TriangleMesh tubeMarks(const TubeCurve& curve, const core::LaparoscopyCues& cues);
 /// The soft shade of the tube on the floor; `light` of a vertex is how dark.
 TriangleMesh tubeShade(const TubeCurve& curve, double floor_m);
-/// The same of a round thing at this place.
-void addShade(TriangleMesh& mesh, const core::Vec3& p_W, double radius_m, double floor_m);
 
 } // namespace chiron::scene3d
