@@ -24,7 +24,9 @@ public:
     /// Adds its blocks, under a heading. It must outlive their painting.
     virtual void addTo(BlockMaker& blocks) const = 0;
     /// Writes its pictures into `folder`, where it has any, and adds their paths to `written`. Fails with storage.
-    virtual core::Result<void> savePictures(const QDir& /*folder*/, const PlotTheme&, std::vector<QString>& /*written*/) const { return {}; }
+    virtual core::Result<void> savePictures(const QDir& /*folder*/, const PlotTheme&, std::vector<QString>& /*written*/) const {
+        return {};
+    }
 };
 
 } // namespace chiron::report

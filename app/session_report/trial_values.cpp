@@ -28,7 +28,8 @@ const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const ch
     return nullptr;
 }
 
-TrialScores::TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level, std::initializer_list<const char*> ids) {
+TrialScores::TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level,
+                         std::initializer_list<const char*> ids) {
     std::vector<scoring::MetricRequest> requests;
     for (const char* id : ids) {
         const auto chosen = std::find_if(level.metrics.begin(), level.metrics.end(), [id](const auto& metric) { return metric.id == id; });

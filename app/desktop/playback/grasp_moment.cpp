@@ -81,8 +81,9 @@ QString graspReadout(const session::PlaybackView& view, const QString& held, con
     const QString trial = locale.toString(view.moment.trial + 1);
     const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
-    return view.moment.paused ? PlaybackTexts::tr("Trial %1 · %2 · %3 · force %4 · speed %5").arg(trial, stillWords(view.moment), held, force, speed)
-                              : PlaybackTexts::tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, held, force, speed);
+    return view.moment.paused
+               ? PlaybackTexts::tr("Trial %1 · %2 · %3 · force %4 · speed %5").arg(trial, stillWords(view.moment), held, force, speed)
+               : PlaybackTexts::tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, held, force, speed);
 }
 
 void addEnergyPlot(PlaybackPlots& plots) {

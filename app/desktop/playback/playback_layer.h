@@ -42,7 +42,8 @@ public:
     /// Adds to what the scene shows at a moment of the track; what it points to stays valid until the next call.
     virtual void showIn(scene3d::SceneState&, const session::PlaybackTrack&, const session::PlaybackView&, double /*t_s*/) {}
     /// One line about a moment of the track.
-    virtual QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s, const QLocale& locale) const = 0;
+    virtual QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
+                            const QLocale& locale) const = 0;
     /// Adds its plots between those of force and speed, each time that all are drawn.
     virtual void addPlots(PlaybackPlots&) const {}
 };

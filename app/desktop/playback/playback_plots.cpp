@@ -22,8 +22,9 @@ constexpr double kPageLead = 0.05; // of the page, before the cursor when a page
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
                              const catalogue::ExerciseParameters& level, const PlaybackLayer* layer, bool books, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_layer(layer), m_series(session_report::seriesOf(track, level, locale)),
-      m_limit_N(track.forceLimit_N), m_books(books), m_column(new QVBoxLayout(this)) {
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_layer(layer),
+      m_series(session_report::seriesOf(track, level, locale)), m_limit_N(track.forceLimit_N), m_books(books),
+      m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.px(4));
     m_to_s = end_s();
@@ -116,7 +117,8 @@ void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> 
     for (const double value : m_ghost->*values)
         scaled.push_back(factor * value);
     const bool several = m_series.tools.size() > 1; // a ghost is its first tool's
-    view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName, m_ghost->t_s, scaled, report::PlotStyle::dashDotD);
+    view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName, m_ghost->t_s, scaled,
+                 report::PlotStyle::dashDotD);
 }
 
 std::vector<report::PlotView*> PlaybackPlots::views() const {

@@ -26,7 +26,8 @@ public:
     using QWidget::QWidget;
 
     /// Reads and shows this; nothing anew where the same level is asked for again.
-    virtual void ask(Background& background, database::Database& database, const database::Actor& actor, const ResultsQuestion& question) = 0;
+    virtual void ask(Background& background, database::Database& database, const database::Actor& actor,
+                     const ResultsQuestion& question) = 0;
 };
 
 } // namespace chiron::desktop

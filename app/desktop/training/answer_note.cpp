@@ -27,7 +27,8 @@ QString AnswerNote::markedWords(const session::LiveSample& at) const {
         return AnswerTexts::tr("Marked");
     const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - object->p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - object->p_WObject.y());
     const QString mm = m_locale.toString(1e3 * beside_m, 'f', 1);
-    return beside_m > object->radius_m ? AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm) : AnswerTexts::tr("%1 mm from the top").arg(mm);
+    return beside_m > object->radius_m ? AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm)
+                                       : AnswerTexts::tr("%1 mm from the top").arg(mm);
 }
 
 QString AnswerNote::foundWords() const {

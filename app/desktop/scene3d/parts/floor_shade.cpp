@@ -42,7 +42,8 @@ void addShade(TriangleMesh& mesh, const core::Vec3& p_W, double radius_m, double
         const std::uint32_t next = (i + 1) % kSides;
         const std::uint32_t inner = first + 1;
         const std::uint32_t outer = inner + kSides;
-        for (std::uint32_t index : {first, inner + i, inner + next, inner + i, outer + i, outer + next, inner + i, outer + next, inner + next})
+        for (std::uint32_t index :
+             {first, inner + i, inner + next, inner + i, outer + i, outer + next, inner + i, outer + next, inner + next})
             mesh.indices.push_back(index);
     }
 }

@@ -42,7 +42,8 @@ QString tubeGoalText(const simulation::ElasticTubeParameters& p, const QLocale& 
         return LevelFactTexts::tr("Goal: a tension between %1 and %2 N, held within ±%3 N for %4 s")
             .arg(factNumber(p.targetLow_N, locale), factNumber(p.targetHigh_N, locale), factNumber(p.band_N, locale), hold_s);
     case simulation::TubeTask::stretch:
-        return LevelFactTexts::tr("Goal: stretch the tube to %1 times its length and hold it for %2 s").arg(locale.toString(p.markRatio, 'g', 3), hold_s);
+        return LevelFactTexts::tr("Goal: stretch the tube to %1 times its length and hold it for %2 s")
+            .arg(locale.toString(p.markRatio, 'g', 3), hold_s);
     case simulation::TubeTask::transfer:
         return LevelFactTexts::tr("Goal: hand over the end of the tube and hold it in the target for %1 s").arg(hold_s);
     }
@@ -55,7 +56,8 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
               : p.tools() > 1 ? LevelFactTexts::tr("Instruments: two, one in each hand")
                               : LevelFactTexts::tr("Instruments: one"));
     if (p.hasFold())
-        facts << LevelFactTexts::tr("Over the tube: a fold of tissue, to be held back with %1 to %2 N").arg(factNumber(p.retractionLow_N, locale), factNumber(p.retractionHigh_N, locale));
+        facts << LevelFactTexts::tr("Over the tube: a fold of tissue, to be held back with %1 to %2 N")
+                     .arg(factNumber(p.retractionLow_N, locale), factNumber(p.retractionHigh_N, locale));
     const QString length_mm = locale.toString(qRound(p.restLength_m * 1e3));
     const QString tears = locale.toString(p.tearRatio, 'g', 3);
     facts << (p.tube.stiffening_per_m > 0.0
@@ -66,7 +68,9 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 
 } // namespace
 
-QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale); }
+QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+    return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale);
+}
 
 std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
     return std::make_unique<GraspPart>(level, std::move(around));
@@ -74,7 +78,9 @@ std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLev
 
 QString ElasticTubeFace::debriefTitle() const { return DebriefPartTexts::tr("How the tube was held and stretched"); }
 
-QString ElasticTubeFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no tension to show. The session is kept and listed."); }
+QString ElasticTubeFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is no tension to show. The session is kept and listed.");
+}
 
 DebriefReading ElasticTubeFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
     return std::make_unique<TubeDebrief>(session_report::tubeReportOf(trace, level));

@@ -91,8 +91,9 @@ void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::Pla
     const core::Vec3 lying = core::Vec3(end.x() - m_level.restLength_m, end.y(), m_level.radius_m);
     cues.p_WGrip[0] = arrayOf(anchored ? base : holderOf(view, cues.gripHeldBy[0]).value_or(lying));
     if (cues.grips == 3) // held: at its holder's tip; free: as the tube has it
-        cues.p_WGrip[1] = arrayOf(holderOf(view, cues.gripHeldBy[1])
-                                      .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_level.restLength_m, m_level.gripShare)));
+        cues.p_WGrip[1] =
+            arrayOf(holderOf(view, cues.gripHeldBy[1])
+                        .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_level.restLength_m, m_level.gripShare)));
     cues.stretch_m = quantityAt(track, view, "stretch_m");
     if (m_level.hasFold())
         fillFold(track, view, cues);

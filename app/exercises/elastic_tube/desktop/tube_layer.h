@@ -29,7 +29,8 @@ public:
     Band retractionBand() const { return m_level.hasFold() ? Band{m_level.retractionLow_N, m_level.retractionHigh_N} : Band{}; }
 
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
-    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s, const QLocale& locale) const override;
+    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
+                    const QLocale& locale) const override;
     void addPlots(PlaybackPlots& plots) const override;
 
 private:

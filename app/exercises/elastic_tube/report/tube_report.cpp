@@ -83,7 +83,8 @@ std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& t
     }
     if (tube.overStretch_mm > 0.0) {
         view->shadeAbove(Words::tr("over-stretched"), tube.t_s, tube.stretch_mm, tube.overStretch_mm);
-        view->addLimit(Words::tr("limit %1").arg(formatValue(tube.overStretch_mm, QStringLiteral("mm"), theme.locale)), tube.overStretch_mm);
+        view->addLimit(Words::tr("limit %1").arg(formatValue(tube.overStretch_mm, QStringLiteral("mm"), theme.locale)),
+                       tube.overStretch_mm);
     }
     view->addLine(Words::tr("stretch"), tube.t_s, tube.stretch_mm, PlotStyle::solidA);
     finishTube(*view, tube);

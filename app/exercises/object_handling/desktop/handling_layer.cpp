@@ -48,10 +48,12 @@ void HandlingLayer::showIn(scene3d::SceneState& state, const session::PlaybackTr
     showGrasp(state, cuesAt(track, view));
 }
 
-QString HandlingLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double, const QLocale& locale) const {
+QString HandlingLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double,
+                               const QLocale& locale) const {
     const core::LaparoscopyCues cues = cuesAt(track, view);
     const QString held = report::formatValue(cues.squeeze_N[0], QStringLiteral("N"), locale);
-    return graspReadout(view, cues.squeezeShown ? PlaybackTexts::tr("squeeze %1").arg(held) : PlaybackTexts::tr("tension %1").arg(held), locale);
+    return graspReadout(view, cues.squeezeShown ? PlaybackTexts::tr("squeeze %1").arg(held) : PlaybackTexts::tr("tension %1").arg(held),
+                        locale);
 }
 
 void HandlingLayer::addPlots(PlaybackPlots& plots) const {

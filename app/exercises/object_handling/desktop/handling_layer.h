@@ -21,7 +21,8 @@ public:
     core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
 
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
-    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s, const QLocale& locale) const override;
+    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
+                    const QLocale& locale) const override;
     void addPlots(PlaybackPlots& plots) const override;
 
 private:

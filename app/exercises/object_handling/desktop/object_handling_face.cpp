@@ -38,9 +38,11 @@ private:
 QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
     QStringList facts;
     if (p.task == simulation::HandlingTask::weigh)
-        facts << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
+        facts
+            << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
     else
-        facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring").arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+        facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring")
+                     .arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
     if (p.organBed)
         facts << LevelFactTexts::tr("Surface: a soft organ that gives way");
     return facts << trialsFact(p.trials, p.trialLimit_s, locale);
@@ -48,7 +50,9 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
 
 } // namespace
 
-QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale); }
+QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+    return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale);
+}
 
 std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
     return std::make_unique<GraspPart>(level, std::move(around));
@@ -56,7 +60,9 @@ std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::Exercise
 
 QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
 
-QString ObjectHandlingFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no object to show. The session is kept and listed."); }
+QString ObjectHandlingFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is no object to show. The session is kept and listed.");
+}
 
 DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
     return std::make_unique<HandlingDebrief>(session_report::handlingReportOf(trace, level));

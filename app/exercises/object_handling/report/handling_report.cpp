@@ -33,7 +33,8 @@ std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const Plot
     }
     view->addBars(Words::tr("squeeze"), bars, PlotStyle::solidA, 0, 1);
     if (handling.squeezeLimit_N > 0.0)
-        view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)), handling.squeezeLimit_N);
+        view->addLimit(Words::tr("limit %1").arg(formatValue(handling.squeezeLimit_N, QStringLiteral("N"), theme.locale)),
+                       handling.squeezeLimit_N);
     view->setXCategories(names);
     if (bars.empty())
         view->setNote(handling.rows.empty() ? Words::tr("No trial was started") : Words::tr("No trial was finished"));
@@ -68,12 +69,16 @@ WordTable handlingTable(const HandlingReport& handling, const QLocale& locale) {
     if (weighing)
         table.head.push_back(Words::tr("Chosen"));
     for (const HandlingTrialRow& row : handling.rows) {
-        const QString place = row.x_mm && row.y_mm ? QStringLiteral("%1, %2").arg(locale.toString(*row.x_mm, 'f', 1), locale.toString(*row.y_mm, 'f', 1))
-                                                   : kNothing;
+        const QString place = row.x_mm && row.y_mm
+                                  ? QStringLiteral("%1, %2").arg(locale.toString(*row.x_mm, 'f', 1), locale.toString(*row.y_mm, 'f', 1))
+                                  : kNothing;
         table.rows.push_back({locale.toString(row.trial + 1), trialOutcomeWords(row.outcome, false), inUnit(row.squeezeMax_N, "N", locale),
-                              inUnit(row.overLimit_s, "s", locale), row.taken ? inUnit(row.fromTarget_mm, "mm", locale) : Words::tr("never held"), place});
+                              inUnit(row.overLimit_s, "s", locale),
+                              row.taken ? inUnit(row.fromTarget_mm, "mm", locale) : Words::tr("never held"), place});
         if (weighing)
-            table.rows.back().push_back(!row.heaviest ? kNothing : *row.heaviest ? Words::tr("✓ the heaviest") : Words::tr("✗ a lighter one"));
+            table.rows.back().push_back(!row.heaviest   ? kNothing
+                                        : *row.heaviest ? Words::tr("✓ the heaviest")
+                                                        : Words::tr("✗ a lighter one"));
     }
     return table;
 }

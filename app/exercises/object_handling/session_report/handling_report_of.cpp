@@ -31,7 +31,8 @@ void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
     row.fromTarget_mm = 1e3 * answer->fromTarget_m;
     const auto task = truthIn(trial, "task");
     const auto heaviest = truthIn(trial, "heaviest");
-    if (task && heaviest && static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh && trial.completed)
+    if (task && heaviest && static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh &&
+        trial.completed)
         row.heaviest = answer->number == static_cast<int>(*heaviest);
 }
 

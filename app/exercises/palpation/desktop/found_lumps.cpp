@@ -25,7 +25,8 @@ std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObjec
 
 QString FoundLumps::words(const session::TrialObject& truth, const QLocale& locale) const {
     const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_findings);
-    const auto hits = static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
+    const auto hits =
+        static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
     const int wrong = static_cast<int>(matches.size()) - hits;
     const auto lumps = static_cast<int>(truth.lumps.size());
     QString words;
@@ -36,7 +37,10 @@ QString FoundLumps::words(const session::TrialObject& truth, const QLocale& loca
     else if (hits == 0)
         words = AnswerTexts::tr("The lump was missed");
     else
-        words = AnswerTexts::tr("Lump found, %1 mm off").arg(locale.toString(1e3 * std::find_if(matches.begin(), matches.end(), [](const auto& match) { return match.hit(); })->distance_m, 'f', 1));
+        words =
+            AnswerTexts::tr("Lump found, %1 mm off")
+                .arg(locale.toString(
+                    1e3 * std::find_if(matches.begin(), matches.end(), [](const auto& match) { return match.hit(); })->distance_m, 'f', 1));
     return wrong == 0 ? words : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
 }
 

@@ -63,7 +63,9 @@ QStringList palpationFacts(const simulation::PalpationParameters& p, const QLoca
 
 } // namespace
 
-QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const { return palpationFacts(*palpationOf(level), locale); }
+QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+    return palpationFacts(*palpationOf(level), locale);
+}
 
 std::unique_ptr<FoundAnswer> PalpationFace::foundAnswer() const { return std::make_unique<FoundLumps>(); }
 
@@ -79,10 +81,11 @@ DebriefReading PalpationFace::readDebrief(const catalogue::ExerciseLevel& level,
     const simulation::PalpationParameters& parameters = *palpationOf(level);
     auto records = session::palpationRecord(trace, parameters);
     if (!records)
-        return tl::unexpected(DebriefPartLost{
-            QCoreApplication::translate("chiron::desktop::DebriefScreen",
-                                        "Findings and maps could not be read from the recording. The scores above are as they were stored."),
-            std::move(records.error())});
+        return tl::unexpected(
+            DebriefPartLost{QCoreApplication::translate(
+                                "chiron::desktop::DebriefScreen",
+                                "Findings and maps could not be read from the recording. The scores above are as they were stored."),
+                            std::move(records.error())});
     return std::make_unique<PalpationDebrief>(parameters, std::move(*records));
 }
 

@@ -18,7 +18,8 @@ struct GuideTexts {
 
 } // namespace
 
-PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveSurroundings around) : LivePart(std::move(around)), m_level(level) {
+PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveSurroundings around)
+    : LivePart(std::move(around)), m_level(level) {
     if (this->around().cues.coverage)
         m_map.emplace(m_level);
 }
@@ -35,7 +36,8 @@ std::unique_ptr<HandControl> PalpationPart::takeHand(session::LiveTraining& trai
     const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
         return nullptr; // somebody else's hand
-    auto fingers = std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(), around().leftHanded, m_level.pinch.has_value());
+    auto fingers =
+        std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(), around().leftHanded, m_level.pinch.has_value());
     fingers->onChosen(std::move(chosen));
     return fingers;
 }
@@ -46,7 +48,8 @@ std::vector<ControlHint> PalpationPart::controls() const {
     return {{Pictogram::moveMouse, GuideTexts::tr("Move"), GuideTexts::tr("Move the mouse, or use the arrow keys.")},
             {Pictogram::wheelTowards, GuideTexts::tr("Press"),
              GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.")},
-            {Pictogram::leftClick, GuideTexts::tr("Mark a finding"), GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
+            {Pictogram::leftClick, GuideTexts::tr("Mark a finding"),
+             GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
 }
 
 QString PalpationPart::keysText() const {

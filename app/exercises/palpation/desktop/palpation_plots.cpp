@@ -27,7 +27,8 @@ bool addFingers(const PlaybackPlots& plots, report::PlotView& view, const char* 
         std::vector<double> values = quantity->values;
         for (double& value : values)
             value *= factor;
-        const QString name = track.toolCount > 1 ? PlaybackPlots::tr("finger %1").arg(plots.plotLocale().toString(finger + 1)) : PlaybackPlots::tr("finger");
+        const QString name =
+            track.toolCount > 1 ? PlaybackPlots::tr("finger %1").arg(plots.plotLocale().toString(finger + 1)) : PlaybackPlots::tr("finger");
         view.addLine(name, t_s, values, kStyles[static_cast<std::size_t>(finger)]);
         any = true;
     }

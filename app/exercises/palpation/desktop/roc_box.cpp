@@ -25,9 +25,10 @@ constexpr int kHeight_px = 340;
 
 QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve, const QLocale& locale) {
     const core::DetectionCounts counts = pooled.counts();
-    return Words::tr("Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.")
-        .arg(locale.toString(curve.area, 'f', 2), locale.toString(pooled.sessions), felt ? Words::tr("force felt") : Words::tr("force shown"),
-             locale.toString(counts.ofSignal), locale.toString(counts.ofNoise));
+    return Words::tr(
+               "Area under the curve: %1, where 0.5 is chance and 1 is perfect. Sessions: %2 (%3). Places with a lump: %4, without: %5.")
+        .arg(locale.toString(curve.area, 'f', 2), locale.toString(pooled.sessions),
+             felt ? Words::tr("force felt") : Words::tr("force shown"), locale.toString(counts.ofSignal), locale.toString(counts.ofNoise));
 }
 
 std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale) {

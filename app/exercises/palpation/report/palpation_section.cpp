@@ -62,7 +62,8 @@ QString sensitivity(const core::DetectionCounts& regions, const QLocale& locale)
 int countOf(const PalpationReport& report, Kind kind) {
     int count = 0;
     for (const PalpationTrialReport& trial : report.trials)
-        count += static_cast<int>(std::count_if(trial.rows.begin(), trial.rows.end(), [kind](const auto& row) { return row.kind == kind; }));
+        count +=
+            static_cast<int>(std::count_if(trial.rows.begin(), trial.rows.end(), [kind](const auto& row) { return row.kind == kind; }));
     return count;
 }
 
@@ -85,7 +86,8 @@ void addFindings(BlockMaker& blocks, const PalpationReport& report) {
 }
 
 void addMaps(BlockMaker& blocks, const PalpationTrialReport& trial) {
-    blocks.addHeading(trial.timedOut ? Words::tr("Trial %1, time ran out").arg(trial.trial + 1) : Words::tr("Trial %1").arg(trial.trial + 1));
+    blocks.addHeading(trial.timedOut ? Words::tr("Trial %1, time ran out").arg(trial.trial + 1)
+                                     : Words::tr("Trial %1").arg(trial.trial + 1));
     blocks.add(kMapHeight, 4, [&theme = blocks.theme(), &trial](QCPPainter& p, const QRectF& box) {
         PlotTheme small = theme;
         small.scale = kMapScale;
@@ -110,14 +112,16 @@ void PalpationSection::addTo(BlockMaker& blocks) const {
     const QLocale& locale = blocks.theme().locale;
     const int hits = countOf(m_report, Kind::hit);
     blocks.addHeading(Words::tr("What was found"));
-    blocks.addPairs({{Words::tr("Lumps found"), Words::tr("%1 of %2").arg(locale.toString(hits), locale.toString(hits + countOf(m_report, Kind::missed)))},
+    blocks.addPairs({{Words::tr("Lumps found"),
+                      Words::tr("%1 of %2").arg(locale.toString(hits), locale.toString(hits + countOf(m_report, Kind::missed)))},
                      {Words::tr("False alarms"), locale.toString(countOf(m_report, Kind::falseAlarm))},
                      {Words::tr("Regions: hits, false alarms"),
                       Words::tr("%1 of %2, %3 of %4")
                           .arg(locale.toString(m_report.regions.hits), locale.toString(m_report.regions.ofSignal),
                                locale.toString(m_report.regions.falseAlarms), locale.toString(m_report.regions.ofNoise))},
                      {Words::tr("Sensitivity d′"), sensitivity(m_report.regions, locale)},
-                     {Words::tr("Criterion c"), core::isUsable(m_report.regions) ? locale.toString(core::criterion(m_report.regions), 'f', 2) : QString()}},
+                     {Words::tr("Criterion c"),
+                      core::isUsable(m_report.regions) ? locale.toString(core::criterion(m_report.regions), 'f', 2) : QString()}},
                     3);
     addFindings(blocks, m_report);
     for (const PalpationTrialReport& trial : m_report.trials)

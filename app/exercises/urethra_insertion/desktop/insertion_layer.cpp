@@ -32,8 +32,8 @@ core::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const sessi
 } // namespace
 
 std::vector<PlaybackSwitch> InsertionLayer::switches() const {
-    return {{kDepthOfField, PlaybackTexts::tr("Depth of field"), PlaybackTexts::tr("The picture is sharp at one distance only, as through a real endoscope"),
-             m_depthOfField, true}};
+    return {{kDepthOfField, PlaybackTexts::tr("Depth of field"),
+             PlaybackTexts::tr("The picture is sharp at one distance only, as through a real endoscope"), m_depthOfField, true}};
 }
 
 void InsertionLayer::turn(std::string_view key, bool on) {
@@ -43,7 +43,8 @@ void InsertionLayer::turn(std::string_view key, bool on) {
 
 void InsertionLayer::setUp(scene3d::SceneSetup& setup) const { setup.depthOfField = m_depthOfField; }
 
-void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
+void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view,
+                            double t_s) {
     if (!view.insertion)
         return;
     state.objectShown = true; // the endoscope's picture
@@ -58,8 +59,9 @@ QString InsertionLayer::readout(const session::PlaybackTrack&, const session::Pl
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
     const QString stage = stageTitle(view.insertion->stage);
     const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
-    return view.moment.paused ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, stillWords(view.moment), depth, force, speed)
-                              : PlaybackTexts::tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
+    return view.moment.paused
+               ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, stillWords(view.moment), depth, force, speed)
+               : PlaybackTexts::tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
 }
 
 void InsertionLayer::addPlots(PlaybackPlots& plots) const {

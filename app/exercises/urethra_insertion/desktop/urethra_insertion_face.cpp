@@ -22,7 +22,8 @@ namespace {
 
 class InsertionPart final : public LivePart {
 public:
-    InsertionPart(const simulation::UrethraInsertionParameters& level, LiveSurroundings around) : LivePart(std::move(around)), m_level(level) {}
+    InsertionPart(const simulation::UrethraInsertionParameters& level, LiveSurroundings around)
+        : LivePart(std::move(around)), m_level(level) {}
 
     InfoView* makePanel() override { return new InsertionPanel(around().theme, around().locale, around().cues, m_level); }
     double panelWidth_px() const override { return kWidePanel_px; }
@@ -70,12 +71,14 @@ QString tissueText(const std::string& tissue) {
 QString depthOfFieldText(const simulation::UrethraInsertionParameters& p) {
     if (p.depthOfFieldFixed)
         return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, fixed") : LevelFactTexts::tr("Depth of field: off, fixed");
-    return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, can be switched off") : LevelFactTexts::tr("Depth of field: off, can be switched on");
+    return p.depthOfField ? LevelFactTexts::tr("Depth of field: on, can be switched off")
+                          : LevelFactTexts::tr("Depth of field: off, can be switched on");
 }
 
 QString wayText(const simulation::UrethraInsertionParameters& p, const QLocale& locale) {
     const QString goal_mm = locale.toString(qRound(InsertionGauge(p).goal_m() * 1e3));
-    return p.withdraws ? LevelFactTexts::tr("Distance: %1 mm in, then back out").arg(goal_mm) : LevelFactTexts::tr("Distance: %1 mm in").arg(goal_mm);
+    return p.withdraws ? LevelFactTexts::tr("Distance: %1 mm in, then back out").arg(goal_mm)
+                       : LevelFactTexts::tr("Distance: %1 mm in").arg(goal_mm);
 }
 
 bool has(const std::vector<std::string>& cues, const char* cue) { return std::find(cues.begin(), cues.end(), cue) != cues.end(); }
@@ -85,7 +88,8 @@ QString viewText(const std::vector<std::string>& cues) {
     if (has(cues, "guidance"))
         return overview ? LevelFactTexts::tr("Help: the path is marked in the picture, and a second picture shows it from outside")
                         : LevelFactTexts::tr("Help: the path is marked in the picture");
-    return overview ? LevelFactTexts::tr("Help: a second picture shows the endoscope from outside") : LevelFactTexts::tr("Help: none, only the endoscope's picture");
+    return overview ? LevelFactTexts::tr("Help: a second picture shows the endoscope from outside")
+                    : LevelFactTexts::tr("Help: none, only the endoscope's picture");
 }
 
 } // namespace
@@ -111,7 +115,9 @@ std::unique_ptr<LivePart> UrethraInsertionFace::livePart(const catalogue::Exerci
 
 QString UrethraInsertionFace::debriefTitle() const { return DebriefPartTexts::tr("How the endoscope followed the urethra"); }
 
-QString UrethraInsertionFace::debriefEmpty() const { return DebriefPartTexts::tr("There is nothing of the procedure to show. The session is kept and listed."); }
+QString UrethraInsertionFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is nothing of the procedure to show. The session is kept and listed.");
+}
 
 DebriefReading UrethraInsertionFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
     return std::make_unique<InsertionDebrief>(session_report::insertionProfileOf(trace));
