@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/device_friction.h"
+#include "app/exercises/urethra_insertion/session/device_friction.h"
 
 #include "devices/kinematics_catalogue.h"
 
