@@ -4,6 +4,7 @@
 #include "catalogue/exercise.h"
 #include "core/result.h"
 #include "desktop/debrief/debrief_part.h"
+#include "desktop/home/level_picture.h"
 #include "desktop/playback/playback_layer.h"
 #include "desktop/results/results_part.h"
 #include "desktop/training/found_answer.h"
@@ -40,6 +41,8 @@ public:
 
     virtual std::string_view id() const noexcept = 0;
 
+    /// The picture of a level, where one is chosen; null: none of its levels is offered for training.
+    virtual std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const = 0;
     /// What is particular about a level, a line each, before one begins with it; empty where its objective says it all.
     virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
 

@@ -14,6 +14,10 @@ public:
 
 } // namespace
 
+std::unique_ptr<LevelPicture> ComparisonFace::picture(const catalogue::ExerciseLevel&, const PictureFrame&) const {
+    return nullptr; // of studies
+}
+
 QStringList ComparisonFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
 
 std::unique_ptr<LivePart> ComparisonFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {

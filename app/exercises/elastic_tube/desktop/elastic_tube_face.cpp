@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 
+#include "app/exercises/elastic_tube/desktop/tube_picture.h"
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
@@ -67,6 +68,10 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 }
 
 } // namespace
+
+std::unique_ptr<LevelPicture> ElasticTubeFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<TubePicture>(std::get<simulation::ElasticTubeParameters>(level.parameters), frame);
+}
 
 QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
     return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
 
+#include "app/exercises/object_handling/desktop/handling_picture.h"
 #include "app/exercises/object_handling/desktop/handling_layer.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
@@ -49,6 +50,10 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
 }
 
 } // namespace
+
+std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<HandlingPicture>(std::get<simulation::ObjectHandlingParameters>(level.parameters), frame);
+}
 
 QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
     return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale);

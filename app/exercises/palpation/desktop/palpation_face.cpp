@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_face.h"
 
+#include "app/exercises/palpation/desktop/palpation_picture.h"
 #include "app/exercises/palpation/desktop/found_lumps.h"
 #include "app/exercises/palpation/desktop/palpating.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
@@ -62,6 +63,10 @@ QStringList palpationFacts(const simulation::PalpationParameters& p, const QLoca
 }
 
 } // namespace
+
+std::unique_ptr<LevelPicture> PalpationFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<PalpationPicture>(*palpationOf(level), frame);
+}
 
 QStringList PalpationFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
     return palpationFacts(*palpationOf(level), locale);

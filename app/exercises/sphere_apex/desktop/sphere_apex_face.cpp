@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/desktop/sphere_apex_face.h"
 
+#include "app/exercises/sphere_apex/desktop/apex_picture.h"
 #include "app/exercises/sphere_apex/session_report/apex_errors.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
@@ -35,6 +36,10 @@ public:
 };
 
 } // namespace
+
+std::unique_ptr<LevelPicture> SphereApexFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<ApexPicture>(std::get<simulation::SphereApexParameters>(level.parameters), frame);
+}
 
 QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/desktop/urethra_insertion_face.h"
 
+#include "app/exercises/urethra_insertion/desktop/urethra_picture.h"
 #include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 #include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
@@ -93,6 +94,10 @@ QString viewText(const std::vector<std::string>& cues) {
 }
 
 } // namespace
+
+std::unique_ptr<LevelPicture> UrethraInsertionFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<UrethraPicture>(*endoscopyOf(level), frame);
+}
 
 QStringList UrethraInsertionFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
     const simulation::UrethraInsertionParameters& p = *endoscopyOf(level);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a palpation: the cut through the middle of its tissue, in its true proportions, and the fingers on it.
-#include "desktop/home/exercise_picture.h"
+#include "app/exercises/palpation/desktop/palpation_picture.h"
 
 #include "simulation/palpation/tissue_surface.h"
 
@@ -16,23 +15,23 @@ constexpr double kPress_m = 0.004; // as deep as the drawn finger presses
 constexpr double kWide_m = 0.016;  // of a finger
 } // namespace
 
-void ExercisePicture::paintPalpation(QPainter& painter) const {
-    const simulation::TissueSurface surface(m_palpation->tissue.shape);
-    const double half_m = m_palpation->areaHalf_m.x() + 0.012;
+void PalpationPicture::paint(QPainter& painter) const {
+    const simulation::TissueSurface surface(m_level.tissue.shape);
+    const double half_m = m_level.areaHalf_m.x() + 0.012;
     const double perMetre = width() / (2.0 * half_m);
-    const double base = height() * 0.62 + 0.6 * (surface.highest_m() - m_palpation->tissue.shape.planeHeight_m) * perMetre;
-    const bool two = m_palpation->hands > 1;
+    const double base = height() * 0.62 + 0.6 * (surface.highest_m() - m_level.tissue.shape.planeHeight_m) * perMetre;
+    const bool two = m_level.hands > 1;
     const double finger_m = two ? 0.40 * half_m : 0.0;
     const auto dent_m = [&](double x_m) {
         double depth_m = 0.0;
         for (const double at_m : {finger_m, two ? -finger_m : finger_m}) {
-            const double r = (x_m - at_m) / (3.0 * m_palpation->tissue.contactRadius_m);
+            const double r = (x_m - at_m) / (3.0 * m_level.tissue.contactRadius_m);
             depth_m = std::max(depth_m, kPress_m * std::pow(std::max(0.0, 1.0 - r * r), 3));
         }
         return depth_m;
     };
     const auto at = [&](double x_m) {
-        const double z_m = surface.heightAt({x_m, 0.0}).z_m - m_palpation->tissue.shape.planeHeight_m - dent_m(x_m);
+        const double z_m = surface.heightAt({x_m, 0.0}).z_m - m_level.tissue.shape.planeHeight_m - dent_m(x_m);
         return QPointF(0.5 * width() + x_m * perMetre, base - z_m * perMetre);
     };
     QPolygonF edge;
@@ -52,12 +51,13 @@ void ExercisePicture::paintPalpation(QPainter& painter) const {
     painter.setPen(QPen(tissue.darker(170), std::max(1.5, width() * 0.009)));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(edge);
-    if (!m_palpation->kinds.empty() && m_palpation->lumpsHigh > 0) { // dashed where it has to be felt
-        const simulation::LumpKind& kind = m_palpation->kinds.front();
+    if (!m_level.kinds.empty() && m_level.lumpsHigh > 0) { // dashed where it has to be felt
+        const simulation::LumpKind& kind = m_level.kinds.front();
         const double radius = kind.radius_m * perMetre;
         const QPointF lump = at(0.55 * half_m) + QPointF(0.0, kind.depth_m * perMetre);
         painter.setBrush(m_visible ? QBrush(tissue.darker(200)) : QBrush(Qt::NoBrush));
-        painter.setPen(QPen(m_visible ? tissue.darker(260) : m_theme.color(Colour::text), std::max(1.5, width() * 0.009), m_visible ? Qt::SolidLine : Qt::DashLine));
+        painter.setPen(QPen(m_visible ? tissue.darker(260) : m_theme.color(Colour::text), std::max(1.5, width() * 0.009),
+                            m_visible ? Qt::SolidLine : Qt::DashLine));
         painter.drawEllipse(lump, radius, radius);
     }
     paintFinger(painter, at(finger_m), false, perMetre);
@@ -65,7 +65,7 @@ void ExercisePicture::paintPalpation(QPainter& painter) const {
         paintFinger(painter, at(-finger_m), true, perMetre);
 }
 
-void ExercisePicture::paintFinger(QPainter& painter, QPointF tip, bool fromLeft, double perMetre) const {
+void PalpationPicture::paintFinger(QPainter& painter, QPointF tip, bool fromLeft, double perMetre) const {
     const double wide = kWide_m * perMetre;
     const double way = fromLeft ? -1.0 : 1.0;
     QPainterPath line(tip + QPointF(0.0, -0.5 * wide));
