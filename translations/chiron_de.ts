@@ -150,6 +150,10 @@
         <source>It slipped: hold it a little more firmly</source>
         <translation>Abgerutscht: Halten Sie etwas fester</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -6930,13 +6934,6 @@ Aufzeichnung und Wertungen bleiben erhalten, zählen aber nicht.</translation>
     <message>
         <source>%1 What was recorded can be played back.</source>
         <translation>%1 Was aufgezeichnet wurde, lässt sich wiedergeben.</translation>
-    </message>
-</context>
-<context>
-    <name>Words</name>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
 </context>
 <context>

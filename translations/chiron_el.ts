@@ -150,6 +150,10 @@
         <source>It slipped: hold it a little more firmly</source>
         <translation>Γλίστρησε: κρατήστε λίγο πιο σφιχτά</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -6930,13 +6934,6 @@ Recording and scores are kept but do not count.</source>
     <message>
         <source>%1 What was recorded can be played back.</source>
         <translation>%1 Όσα καταγράφηκαν μπορούν να αναπαραχθούν.</translation>
-    </message>
-</context>
-<context>
-    <name>Words</name>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
     </message>
 </context>
 <context>

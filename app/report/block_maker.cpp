@@ -3,7 +3,9 @@
 
 #include "report/text_box.h"
 
+#include <QFontMetricsF>
 #include <algorithm>
+#include <numeric>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -78,6 +80,40 @@ void BlockMaker::addPlotRow(std::vector<std::unique_ptr<PlotView>> row, double h
         for (std::size_t i = 0; i < views.size(); ++i)
             views[i]->paintTo(p, QRectF(box.left() + static_cast<double>(i) * (width + kPlotGap), box.top(), width, box.height()));
     });
+}
+
+void BlockMaker::addPlot(std::unique_ptr<PlotView> plot, double height) {
+    if (!plot)
+        return;
+    PlotView* view = keep(std::move(plot));
+    add(height, kPlotGap, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
+}
+
+PlotView* BlockMaker::keep(std::unique_ptr<PlotView> plot) {
+    m_plots.push_back(std::move(plot));
+    return m_plots.back().get();
+}
+
+void BlockMaker::addTrialTable(const WordTable& table) {
+    // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
+    const QFontMetricsF head(m_theme.font(11, true));
+    const QFontMetricsF body(m_theme.font(12));
+    constexpr double kPadding = 12.5; // a cell's, and rounding
+    std::vector<double> widths;
+    for (std::size_t column = 0; column < table.head.size(); ++column) {
+        double width = 0.0;
+        for (const QString& word : table.head[column].split(QLatin1Char(' ')))
+            width = std::max(width, head.horizontalAdvance(word));
+        for (const std::vector<QString>& row : table.rows)
+            width = std::max(width, body.horizontalAdvance(row[column]));
+        widths.push_back(width + kPadding);
+    }
+    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+    for (double& width : widths)
+        width /= sum;
+    std::vector<bool> right(table.head.size(), true);
+    right[1] = false; // how it ended, in words
+    addTable(table.head, table.rows, widths, right);
 }
 
 } // namespace chiron::report

@@ -4,6 +4,7 @@
 #include "report/page_layout.h"
 #include "report/plot_theme.h"
 #include "report/plot_view.h"
+#include "report/word_table.h"
 
 #include <memory>
 #include <utility>
@@ -20,9 +21,8 @@ public:
     BlockMaker& operator=(const BlockMaker&) = delete;
 
     const std::vector<Block>& blocks() const { return m_blocks; }
+    const PlotTheme& theme() const { return m_theme; }
 
-protected:
-    ~BlockMaker() = default;
     void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep = false, int header = -1);
     void addHeading(const QString& text);
     /// Words in a frame: what must be known before anything else is read.
@@ -35,6 +35,15 @@ protected:
                   const std::vector<double>& shares, const std::vector<bool>& rightAligned);
     /// Plots side by side, each with an equal share of the width.
     void addPlotRow(std::vector<std::unique_ptr<PlotView>> row, double height);
+    /// One plot over the whole width; null is left out.
+    void addPlot(std::unique_ptr<PlotView> plot, double height);
+    /// A row per trial: columns as wide as their words, the second one (how it ended) to the left.
+    void addTrialTable(const WordTable& table);
+    /// Keeps a plot that a block paints, for as long as the blocks.
+    PlotView* keep(std::unique_ptr<PlotView> plot);
+
+protected:
+    ~BlockMaker() = default;
 
     const PlotTheme& m_theme;
     double m_width;

@@ -29,6 +29,14 @@ QImage renderPanels(const std::vector<Panel>& panels, QSize size, double scale, 
     return image;
 }
 
+core::Result<void> writePair(const QString& path, PlotView& left, PlotView& right, const PlotTheme& theme) {
+    constexpr QSize kSize(960, 420);
+    const double split = 0.46 * kSize.width();
+    return writePng(path, renderPanels({{&left, QRectF(0, 0, split, kSize.height())},
+                                        {&right, QRectF(split, 0, kSize.width() - split, kSize.height())}},
+                                       kSize, kPictureScale, theme));
+}
+
 core::Result<void> writePng(const QString& path, const QImage& image) {
     if (image.isNull())
         return core::fail(core::ErrorCode::wrongUse,

@@ -2,13 +2,12 @@
 #include "report/report_blocks.h"
 
 #include "report/headline_card.h"
+#include "report/report_section.h"
 #include "report/report_text.h"
 #include "report/session_plots.h"
 #include "report/text_box.h"
 
-#include <QFontMetricsF>
 #include <algorithm>
-#include <numeric>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -42,11 +41,8 @@ ReportBlocks::ReportBlocks(const ReportData& data, const PlotTheme& theme, doubl
     addVerdict();
     addFacts();
     addHeadlines();
-    addApex();
-    addInsertion();
-    addPalpation();
-    addTube();
-    addHandling();
+    for (const auto& section : m_data.sections)
+        section->addTo(*this);
     addForce();
     addCriticalErrors();
     addMetrics();
@@ -178,88 +174,6 @@ void ReportBlocks::addMetrics() {
              rows, {0.34, 0.19, 0.16, 0.2, 0.11}, {false, true, true, true, false});
 }
 
-void ReportBlocks::addApex() {
-    if (m_data.exerciseId != QLatin1String("sphere_apex") && m_data.apexErrors.empty())
-        return;
-    addHeading(Words::tr("Error in locating the apex"));
-    m_plots.push_back(apexScatterPlot(m_data.apexErrors, m_theme));
-    m_plots.push_back(apexTrialPlot(m_data.apexErrors, m_theme));
-    PlotView* scatter = m_plots[m_plots.size() - 2].get();
-    PlotView* bars = m_plots.back().get();
-    add(290, 4, [scatter, bars](QCPPainter& p, const QRectF& box) {
-        const double left = box.width() * 0.46;
-        scatter->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
-        bars->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
-    });
-}
-
-void ReportBlocks::addInsertion() {
-    if (!m_data.insertion)
-        return;
-    const InsertionProfile& profile = *m_data.insertion;
-    addHeading(Words::tr("Off-centre and alignment over depth"));
-    if (profile.landmarks > 0)
-        addPairs({{Words::tr("Landmarks of the bladder seen"),
-                   Words::tr("%1 of %2").arg(m_theme.locale.toString(profile.landmarksSeen), m_theme.locale.toString(profile.landmarks))}},
-                 1);
-    m_plots.push_back(offsetDepthPlot(profile, m_theme));
-    m_plots.push_back(alignmentDepthPlot(profile, m_theme));
-    PlotView* offset = m_plots[m_plots.size() - 2].get();
-    PlotView* alignment = m_plots.back().get();
-    add(250, 4, [offset, alignment](QCPPainter& p, const QRectF& box) {
-        const double half = 0.5 * (box.width() - 8);
-        offset->paintTo(p, QRectF(box.left(), box.top(), half, box.height()));
-        alignment->paintTo(p, QRectF(box.left() + half + 8, box.top(), half, box.height()));
-    });
-}
-
-void ReportBlocks::addWords(const WordTable& table) {
-    // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
-    const QFontMetricsF head(m_theme.font(11, true));
-    const QFontMetricsF body(m_theme.font(12));
-    constexpr double kPadding = 12.5; // a cell's, and rounding
-    std::vector<double> widths;
-    for (std::size_t column = 0; column < table.head.size(); ++column) {
-        double width = 0.0;
-        for (const QString& word : table.head[column].split(QLatin1Char(' ')))
-            width = std::max(width, head.horizontalAdvance(word));
-        for (const std::vector<QString>& row : table.rows)
-            width = std::max(width, body.horizontalAdvance(row[column]));
-        widths.push_back(width + kPadding);
-    }
-    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
-    for (double& width : widths)
-        width /= sum;
-    std::vector<bool> right(table.head.size(), true);
-    right[1] = false; // how it ended, in words
-    addTable(table.head, table.rows, widths, right);
-}
-
-void ReportBlocks::addTube() {
-    if (!m_data.tube)
-        return;
-    addHeading(Words::tr("Tension and stretch"));
-    for (auto plot : {tensionPlot, retractionPlot, stretchPlot})
-        addPlot(plot(*m_data.tube, m_theme), 216);
-    addWords(tubeTable(*m_data.tube, m_theme.locale));
-}
-
-void ReportBlocks::addHandling() {
-    if (!m_data.handling)
-        return;
-    addHeading(Words::tr("Squeeze and place of each trial"));
-    m_plots.push_back(squeezePlot(*m_data.handling, m_theme));
-    m_plots.push_back(placePlot(*m_data.handling, m_theme));
-    PlotView* squeeze = m_plots[m_plots.size() - 2].get();
-    PlotView* place = m_plots.back().get();
-    add(270, 8, [squeeze, place](QCPPainter& p, const QRectF& box) {
-        const double left = box.width() * 0.54 - 8;
-        squeeze->paintTo(p, QRectF(box.left(), box.top(), left, box.height()));
-        place->paintTo(p, QRectF(box.left() + left + 8, box.top(), box.width() - left - 8, box.height()));
-    });
-    addWords(handlingTable(*m_data.handling, m_theme.locale));
-}
-
 void ReportBlocks::addForce() {
     if (!m_data.force)
         return;
@@ -296,14 +210,6 @@ void ReportBlocks::addCriticalErrors() {
     }
     head.push_back(Words::tr("What happened"));
     addTable(head, rows, shares, right);
-}
-
-void ReportBlocks::addPlot(std::unique_ptr<PlotView> plot, double height) {
-    if (!plot)
-        return;
-    PlotView* view = plot.get();
-    m_plots.push_back(std::move(plot));
-    add(height, 8, [view](QCPPainter& p, const QRectF& box) { view->paintTo(p, box); });
 }
 
 void ReportBlocks::addPlots() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "report/block_maker.h"
-#include "report/grasp_report.h"
 #include "report/report_data.h"
 
 namespace chiron::report {
@@ -19,18 +18,8 @@ private:
     void addVerdict();
     void addHeadlines();
     void addMetrics();
-    void addApex();
-    void addInsertion();
-    void addPalpation();
-    void addFindings(const PalpationReport& report);
-    void addMaps(const PalpationTrialReport& trial);
-    void addTube();
-    void addHandling();
-    void addWords(const WordTable& table);
     void addForce();
     void addCriticalErrors();
-    /// Null is left out.
-    void addPlot(std::unique_ptr<PlotView> plot, double height);
     void addPlots();
     void addIntegrity();
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/grasp_report_data.h"
-#include "app/exercises/palpation/report/palpation_report_data.h"
-
 #include <QDateTime>
 #include <QString>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace chiron::report {
+
+class ReportSection;
 
 /// One line of the metrics table; numbers in the metric's own unit, as people read them.
 struct MetricRow {
@@ -29,28 +29,6 @@ struct MetricRow {
     std::optional<double> chance; ///< what somebody reaches who only guesses; absent where guessing has no such value
     std::optional<double> limit{}; ///< below gateMaximum: the limit of the level, over which the pass mark lets it be by a little
     int trials = 0; ///< how many the value is of; 0: not known
-};
-
-/// Signed error of one mark, in % of the sphere's radius (models.md §2.3).
-struct ApexError {
-    int trial = 0; ///< 0-based; people see it 1-based
-    double x_percent = 0.0;
-    double y_percent = 0.0;
-    bool miss = false; ///< marked out of contact or farther than R: kept, drawn differently
-    bool timedOut = false;
-};
-
-/// How an endoscope kept to its canal, by depth: the largest value in each millimetre, on the way in and on the way out. What
-/// was not passed is not a number. mm and degrees, as people read them.
-struct InsertionProfile {
-    std::vector<double> depth_mm; ///< middle of each millimetre, ascending
-    std::vector<double> offsetIn_mm, offsetOut_mm;       ///< distance from the centre-line
-    std::vector<double> alignmentIn_deg, alignmentOut_deg; ///< between the instrument and the canal
-    double bend_mm = 0.0; ///< where the orientation has to change
-    double neck_mm = 0.0; ///< the canal's end
-    double goal_mm = 0.0; ///< depth that ends the insertion
-    int landmarks = 0;    ///< to be seen
-    int landmarksSeen = 0;
 };
 
 struct TimeSpan {
@@ -130,17 +108,8 @@ struct ForceFacts {
 /// More of a score's samples than this outside of the checked range, and the score says so (data.md, Range of a law).
 inline constexpr double kBeyondCheckedSaid = 0.01;
 
-/// What only one exercise has to show: each fills its own part, and leaves the others alone.
-struct ExerciseParts {
-    std::vector<ApexError> apexErrors;
-    std::optional<InsertionProfile> insertion;
-    std::optional<PalpationReport> palpation;
-    std::optional<TubeReport> tube;
-    std::optional<HandlingReport> handling;
-};
-
 /// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
-struct ReportData : ExerciseParts {
+struct ReportData {
     QString person;             ///< display name, or the operator's ("expert, seed 7")
     bool simulated = false;     ///< a scripted hand, not a person
     bool demonstration = false; ///< the permanent banner of a demonstration database
@@ -158,6 +127,7 @@ struct ReportData : ExerciseParts {
     int trialsDone = 0;         ///< trials that came to an end
     std::vector<MetricRow> metrics; ///< of a session that came to no end, none is judged (`passed`, `headline`)
     std::optional<ForceFacts> force; ///< absent where nothing was recorded
+    std::vector<std::shared_ptr<const ReportSection>> sections; ///< what its exercise alone shows, in reading order; none is null
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

@@ -4,11 +4,11 @@
 #include "report/page_writer.h"
 #include "report/plot_canvas.h"
 #include "report/report_blocks.h"
+#include "report/report_section.h"
 #include "report/report_text.h"
 #include "report/session_plots.h"
 
 #include <QDir>
-#include <QPainter>
 #include <qcustomplot.h>
 
 namespace chiron::report {
@@ -36,39 +36,8 @@ PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
     return frame;
 }
 
-constexpr double kPngScale = 2.0;
-
-core::Result<void> save(PlotView& left, PlotView* right, const QString& path, QSize size,
-                        const PlotTheme& theme) {
-    std::vector<Panel> panels{{&left, QRectF(QPointF(0, 0), QSizeF(size))}};
-    if (right) {
-        const double split = 0.46 * size.width();
-        panels = {{&left, QRectF(0, 0, split, size.height())},
-                  {right, QRectF(split, 0, size.width() - split, size.height())}};
-    }
-    return writePng(path, renderPanels(panels, size, kPngScale, theme));
-}
-
-core::Result<void> saveMaps(const PalpationTrialReport& trial, const QString& path, const PlotTheme& theme) {
-    const QSizeF size(1400, 440);
-    QImage image((size * kPngScale).toSize(), QImage::Format_RGB32);
-    image.fill(theme.paper);
-    QPainter painter(&image);
-    painter.scale(kPngScale, kPngScale);
-    paintPalpationMaps(painter, QRectF(QPointF(0, 0), size).adjusted(16, 16, -16, -16), trial, theme);
-    painter.end();
-    return writePng(path, image);
-}
-
-/// One picture a trial: palpation_1.png, ...
-core::Result<void> saveAllMaps(const PalpationReport& report, const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) {
-    for (const PalpationTrialReport& trial : report.trials) {
-        const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));
-        if (auto done = saveMaps(trial, path, theme); !done)
-            return done;
-        written.push_back(path);
-    }
-    return {};
+core::Result<void> save(PlotView& plot, const QString& path, QSize size, const PlotTheme& theme) {
+    return writePng(path, renderPanels({{&plot, QRectF(QPointF(0, 0), QSizeF(size))}}, size, kPictureScale, theme));
 }
 
 } // namespace
@@ -90,14 +59,6 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         return tl::unexpected(storageError(folder, QStringLiteral("the folder could not be made")));
     const QSize wide(900, 360);
     std::vector<QString> written;
-    const auto write = [&](const char* name, std::unique_ptr<PlotView> left,
-                           std::unique_ptr<PlotView> right) {
-        const QString path = directory.filePath(QLatin1String(name));
-        auto result = save(*left, right.get(), path, right ? QSize(960, 420) : wide, theme);
-        if (result)
-            written.push_back(path);
-        return result;
-    };
     // One below the other, where several tools need several plots.
     const auto writeColumn = [&](const char* name, std::vector<std::unique_ptr<PlotView>> plots) -> core::Result<void> {
         std::erase(plots, nullptr);
@@ -106,7 +67,7 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         for (std::size_t i = 0; i < plots.size(); ++i)
             panels.push_back({plots[i].get(), QRectF(0, static_cast<double>(i) * wide.height(), wide.width(), wide.height())});
         const QString path = directory.filePath(QLatin1String(name));
-        auto result = writePng(path, renderPanels(panels, size, kPngScale, theme));
+        auto result = writePng(path, renderPanels(panels, size, kPictureScale, theme));
         if (result)
             written.push_back(path);
         return result;
@@ -119,28 +80,19 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         return tl::unexpected(done.error());
     if (auto done = writeColumn("force.png", std::move(forces)); !done)
         return tl::unexpected(done.error());
-    if (auto done = write("speed.png", speedPlot(data.series, theme), nullptr); !done)
+    const QString speed = directory.filePath(QStringLiteral("speed.png"));
+    if (auto done = save(*speedPlot(data.series, theme), speed, wide, theme); !done)
         return tl::unexpected(done.error());
-    if (!data.apexErrors.empty()) {
-        auto done = write("apex_errors.png", apexScatterPlot(data.apexErrors, theme),
-                          apexTrialPlot(data.apexErrors, theme));
-        if (!done)
-            return tl::unexpected(done.error());
-    }
-    if (data.insertion) {
-        auto done = write("insertion.png", offsetDepthPlot(*data.insertion, theme), alignmentDepthPlot(*data.insertion, theme));
-        if (!done)
-            return tl::unexpected(done.error());
-    }
-    if (data.palpation)
-        if (auto done = saveAllMaps(*data.palpation, directory, theme, written); !done)
+    written.push_back(speed);
+    for (const auto& section : data.sections)
+        if (auto done = section->savePictures(directory, theme, written); !done)
             return tl::unexpected(done.error());
     return written;
 }
 
 core::Result<void> writeComparisonPng(const QString& path, const ComparisonData& data,
                                       const PlotTheme& theme) {
-    return save(*comparisonPlot(data, theme), nullptr, path, QSize(900, 460), theme);
+    return save(*comparisonPlot(data, theme), path, QSize(900, 460), theme);
 }
 
 } // namespace chiron::report

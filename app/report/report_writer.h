@@ -19,8 +19,8 @@ core::Result<void> writeSessionPdf(const QString& path, const ReportData& data, 
 /// The same pages on somebody's own device. False where it cannot be painted on. GUI thread.
 bool paintSession(QPagedPaintDevice& device, const ReportData& data, const PlotTheme& theme);
 
-/// Writes the four pictures of a session into `folder` (made if missing): position.png, force.png, speed.png
-/// and, with apex errors, apex_errors.png. Returns the paths written. Fails with storage.
+/// Writes the pictures of a session into `folder` (made if missing): position.png, force.png, speed.png and those of its exercise's own
+/// sections. Returns the paths written. Fails with storage.
 core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const ReportData& data,
                                                     const PlotTheme& theme);
 

@@ -14,8 +14,6 @@ namespace chiron::report {
 
 namespace {
 
-constexpr int kLateShape = 2; // of addGroupMarkers: neither a mark's nor a miss's
-
 std::unique_ptr<PlotView> timePlot(const QString& title, const PlotAxis& yAxis, const SampleSeries& series,
                                    const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);
@@ -203,93 +201,6 @@ std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTh
     auto view = timePlot(Words::tr("Angle between endoscope and canal"), {Words::tr("Alignment (°)"), 0.0, {}}, series, theme);
     view->addLine(Words::tr("alignment"), series.t_s, series.alignment_deg, PlotStyle::solidA);
     finish(*view, series, series.t_s.empty() || series.alignment_deg.empty());
-    return view;
-}
-
-namespace {
-
-/// One quantity over depth: in and out.
-std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, const InsertionProfile& profile,
-                                    const std::vector<double>& in, const std::vector<double>& out, const PlotTheme& theme) {
-    auto view = std::make_unique<PlotView>(theme);
-    view->setTitle(title);
-    const auto isNumber = [](double value) { return std::isfinite(value); };
-    const bool entered = std::any_of(in.begin(), in.end(), isNumber);
-    const double deepest = profile.depth_mm.empty() ? 0.0 : profile.depth_mm.back();
-    view->setXAxis({Words::tr("Depth (mm)"), std::min(0.0, profile.depth_mm.empty() ? 0.0 : profile.depth_mm.front()),
-                    std::max({deepest, profile.goal_mm, 1.0})});
-    view->setYAxis({axis, 0.0, {}});
-    view->addLine(Words::tr("in"), profile.depth_mm, in, PlotStyle::solidA);
-    if (std::any_of(out.begin(), out.end(), isNumber))
-        view->addLine(Words::tr("out"), profile.depth_mm, out, PlotStyle::dashedB);
-    const double end_mm = std::max(deepest, profile.goal_mm);
-    std::vector<TimedEvent> places;
-    for (const auto& [at_mm, name] : {std::pair{profile.bend_mm, Words::tr("bend")}, std::pair{profile.neck_mm, Words::tr("bladder neck")}})
-        if (at_mm > 0.0 && at_mm <= end_mm)
-            places.push_back({at_mm, name});
-    view->addEvents(places);
-    if (!entered)
-        view->setNote(Words::tr("The endoscope did not enter"));
-    return view;
-}
-
-} // namespace
-
-std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
-    return depthPlot(Words::tr("Off-centre, largest in each millimetre"), Words::tr("Off-centre (mm)"), profile, profile.offsetIn_mm,
-                     profile.offsetOut_mm, theme);
-}
-
-std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme) {
-    return depthPlot(Words::tr("Alignment, largest in each millimetre"), Words::tr("Alignment (°)"), profile, profile.alignmentIn_deg,
-                     profile.alignmentOut_deg, theme);
-}
-
-std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
-    auto view = std::make_unique<PlotView>(theme);
-    view->setTitle(Words::tr("Where the marks lie on the sphere"));
-    view->setXAxis({Words::tr("Error in x (% of radius)"), {}, {}});
-    view->setYAxis({Words::tr("Error in y (% of radius)"), {}, {}});
-    view->setEqualScale(true);
-    view->addCircle(Words::tr("outline"), 100.0);
-    std::vector<PlotPoint> hits, misses, late;
-    for (const ApexError& error : errors)
-        (error.timedOut ? late : error.miss ? misses : hits).push_back({error.x_percent, error.y_percent});
-    if (!hits.empty() || errors.empty())
-        view->addMarkers(Words::tr("mark"), hits, PlotStyle::solidA);
-    if (!misses.empty())
-        view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
-    if (!late.empty())
-        view->addGroupMarkers(Words::tr("no mark: time was up"), late, kLateShape);
-    if (errors.empty())
-        view->setNote(Words::tr("No trial was marked"));
-    return view;
-}
-
-std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme) {
-    auto view = std::make_unique<PlotView>(theme);
-    view->setTitle(Words::tr("Error in locating virtual spheres (%)"));
-    view->setXAxis({Words::tr("Trial"), {}, {}});
-    view->setYAxis({Words::tr("Error (% of radius)"), {}, {}});
-    std::vector<QString> names;
-    std::vector<PlotPoint> x, y, misses, late;
-    for (const ApexError& error : errors) {
-        const double place = static_cast<double>(names.size());
-        names.push_back(QString::number(error.trial + 1));
-        x.push_back({place, error.x_percent});
-        y.push_back({place, error.y_percent});
-        if (error.timedOut || error.miss)
-            (error.timedOut ? late : misses).push_back({place, 0.0});
-    }
-    view->addBars(QStringLiteral("x"), x, PlotStyle::solidA, 0, 2);
-    view->addBars(QStringLiteral("y"), y, PlotStyle::dashedB, 1, 2);
-    if (!misses.empty())
-        view->addMarkers(Words::tr("miss"), misses, PlotStyle::solidA, true);
-    if (!late.empty())
-        view->addGroupMarkers(Words::tr("no mark: time was up"), late, kLateShape);
-    view->setXCategories(names);
-    if (errors.empty())
-        view->setNote(Words::tr("No trial was marked"));
     return view;
 }
 

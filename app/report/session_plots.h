@@ -24,13 +24,6 @@ std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme&
 /// An endoscope in its canal over time: distance from the centre-line, angle to it.
 std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme);
 std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme);
-/// The same over depth, in and out, with the bend and the bladder neck marked.
-std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
-std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
-/// P2's figure 4, "% Error In Locating Virtual Spheres": where the marks lie within the sphere's outline ...
-std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
-/// ... and the signed error in x and y of each trial.
-std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
 /// One column an operator: its sessions as points, mean ± SD beside them, the reference as a line.
 std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotTheme& theme);
 

@@ -6,7 +6,7 @@
 #include "recording/digest.h"
 #include "scoring/force_facts.h"
 #include "session/level_limits.h"
-#include "session_report/exercise_parts.h"
+#include "session_report/exercise_section.h"
 #include "session_report/metric_words.h"
 #include "session_report/track_series.h"
 
@@ -168,7 +168,8 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     if (auto read = session.decode(); !read)
         return tl::unexpected(read.error());
     const scoring::SessionTrace& trace = **session.trace();
-    static_cast<ExerciseParts&>(data) = exercisePartsOf(trace, session.setup().level);
+    if (auto section = exerciseSectionOf(trace, session.setup().level))
+        data.sections.push_back(std::move(section));
     data.force = feltFactsOf(trace);
     const session::PlaybackTrack& track = **session.track(); // curves and critical errors are playback's own
     data.series = seriesOf(track, session.setup().level.parameters, QLocale(QString::fromStdString(language)));

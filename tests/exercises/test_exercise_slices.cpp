@@ -96,6 +96,8 @@ struct Listed {
 };
 constexpr Listed kLists[]{
     {"app", "session", "app/exercises/session_catalogue.cpp"},
+    {"app", "session_report", "app/exercises/report_catalogue.cpp"},
+    {"app", "desktop", "app/exercises/face_catalogue.cpp"},
     {"app", "scene3d", "app/exercises/flat_catalogue.cpp"},
     {"app", "scene3d_plugin", "app/exercises/scene_catalogue.cpp"},
     {"curriculum", "catalogue", "curriculum/catalogue/exercise_contents.cpp"},

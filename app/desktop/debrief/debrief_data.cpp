@@ -4,9 +4,7 @@
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "session/level_standing.h"
-#include "app/exercises/palpation/session/palpation_record.h"
 #include "session/session_view.h"
-#include "session_report/exercise_parts.h"
 #include "session_report/session_report.h"
 
 #include <algorithm>
@@ -59,6 +57,10 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     if (!setup)
         return tl::unexpected(setup.error());
     head.setup = std::move(*setup);
+    const auto face = exerciseFace(head.setup.level.exercise);
+    if (!face)
+        return tl::unexpected(face.error());
+    head.face = *face;
     auto report = session_report::reportHeadOf(head.record, head.setup, connection, actor, language);
     if (!report)
         return tl::unexpected(report.error());
@@ -89,14 +91,11 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
     const scoring::SessionTrace& trace = **(*stored)->trace();
     DebriefDetails details;
     const catalogue::ExerciseLevel& level = (*stored)->setup().level;
-    details.parts = session_report::exercisePartsOf(trace, level);
+    const auto face = exerciseFace(level.exercise);
+    if (!face)
+        return tl::unexpected(face.error());
+    details.part = (*face)->readDebrief(level, trace);
     details.force = session_report::feltFactsOf(trace);
-    if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters)) {
-        if (auto records = session::palpationRecord(trace, *palpation))
-            details.palpation = std::move(*records);
-        else
-            details.palpationLost = std::move(records.error());
-    }
     details.duration_s = track.duration_s;
     auto comments = loadComments(connection, actor, session);
     if (!comments)

@@ -4,9 +4,9 @@
 #include "core/result.h"
 #include "database/connection.h"
 #include "database/repositories/session_types.h"
+#include "desktop/exercise_face.h"
 #include "desktop/playback/playback_data.h"
 #include "report/report_data.h"
-#include "app/exercises/palpation/session/palpation_record.h"
 #include "session/session_setup.h"
 #include "session/worst_moment.h"
 
@@ -22,6 +22,7 @@ namespace chiron::desktop {
 struct DebriefHead {
     database::SessionRecord record;
     session::SessionSetup setup;
+    const ExerciseFace* face = nullptr; ///< of its exercise; never null once loaded
     report::ReportData report; ///< facts and metrics; no samples
     /// The same person's attempt at this level before this one, on a device of the same class: its values by metric. Empty: none.
     std::map<std::string, double> before;
@@ -37,10 +38,8 @@ struct CommentAtMoment {
 
 /// What has to be read from the recording, some tenths of a second later.
 struct DebriefDetails {
-    report::ExerciseParts parts; ///< of this session's exercise alone
+    DebriefReading part; ///< of this session's exercise alone; where it was lost the rest holds
     report::ForceFacts force;
-    std::vector<session::PalpationTrialRecord> palpation; ///< palpations: one a trial that was begun
-    std::optional<core::Error> palpationLost; ///< why `palpation` is empty although trials were begun; the rest holds
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
     std::vector<CommentAtMoment> comments; ///< by time; those on the whole session first

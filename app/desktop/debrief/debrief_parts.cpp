@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
-#include "desktop/debrief/exercise_part.h"
 #include "desktop/debrief/headline_card.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/frame/app_context.h"
@@ -252,7 +251,7 @@ QWidget* DebriefScreen::forceBox() {
 QWidget* DebriefScreen::answersBox() {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, exercisePartTitle(m_head->setup.level.parameters), TextStyle::title));
+    box.layout->addWidget(kit::label(theme, m_head->face->debriefTitle(), TextStyle::title));
     m_answers = new StatePanel(theme);
     m_answers->setMinimumHeight(theme.px(290));
     box.layout->addWidget(m_answers);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/debrief/debrief_screen.h"
 
-#include "desktop/debrief/exercise_part.h"
 #include "desktop/debrief/metrics_table.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
@@ -172,14 +171,14 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
         m_worstText->setText(tr("No moment stands out."));
     showForce(details.force);
     showComments(details.comments);
-    const catalogue::ExerciseParameters& level = m_head->setup.level.parameters;
-    if (details.palpationLost)
-        m_answers->showError(tr("Findings and maps could not be read from the recording. The scores above are as they were stored."), *details.palpationLost);
-    else if (auto part = exercisePart(context().theme(), context().locale(), level, details)) {
-        m_answers->setContent(part.release()); // the panel owns it from here on
+    if (!details.part)
+        return m_answers->showError(details.part.error().words, details.part.error().why);
+    const DebriefPart* part = details.part->get();
+    if (auto shown = part ? part->widget(context().theme(), context().locale()) : nullptr) {
+        m_answers->setContent(shown.release()); // the panel owns it from here on
         m_answers->showContent();
     } else
-        m_answers->showEmpty(tr("No trial was finished"), exercisePartEmpty(level));
+        m_answers->showEmpty(tr("No trial was finished"), m_head->face->debriefEmpty());
 }
 
 void DebriefScreen::showForce(const report::ForceFacts& force) {

@@ -3,7 +3,7 @@
 
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
-#include "app/exercises/palpation/session/palpation_record.h"
+#include "desktop/exercise_face.h"
 #include "session/session_view.h"
 
 #include <algorithm>
@@ -42,23 +42,6 @@ GhostCandidate* bestOf(std::vector<GhostCandidate>& own, database::Connection& c
 
 } // namespace
 
-namespace {
-
-/// What was found and what was true. Movement and force do not depend on it: where it cannot be told, the playback goes on without.
-void addPalpation(const scoring::SessionTrace& trace, PlaybackData& data) {
-    const auto* level = std::get_if<simulation::PalpationParameters>(&data.setup.level.parameters);
-    if (!level)
-        return;
-    auto records = session::palpationRecord(trace, *level);
-    if (!records) {
-        data.palpationLost = std::move(records.error());
-        return;
-    }
-    data.palpation.emplace(*level, std::move(*records));
-}
-
-} // namespace
-
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
                                         database::SessionId session, const std::function<bool(double)>& progress) {
     PlaybackData data;
@@ -70,7 +53,6 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     if (!setup)
         return tl::unexpected(setup.error());
     data.setup = std::move(*setup);
-    data.grasp = GraspReplay::of(data.setup);
     if (data.record.summary.recordingErased)
         return data;
     auto stored = session::SessionView::open(connection, actor, session);
@@ -79,7 +61,10 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     if (auto read = (*stored)->decode(progress); !read)
         return tl::unexpected(read.error());
     data.track = **(*stored)->track();
-    addPalpation(**(*stored)->trace(), data);
+    const auto face = exerciseFace(data.setup.level.exercise);
+    if (!face)
+        return tl::unexpected(face.error());
+    data.layer = (*face)->playbackLayer(data.setup, **(*stored)->trace());
     return data;
 }
 

@@ -4,13 +4,13 @@
 #include "core/result.h"
 #include "database/connection.h"
 #include "database/repositories/session_reader.h"
-#include "desktop/playback/grasp_replay.h"
-#include "app/exercises/palpation/desktop/palpation_replay.h"
+#include "desktop/playback/playback_layer.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +21,7 @@ namespace chiron::desktop {
 struct PlaybackData {
     database::SessionRecord record;
     session::SessionSetup setup;
-    std::optional<GraspReplay> grasp; ///< exercises that grasp
-    std::optional<PalpationReplay> palpation; ///< palpations
-    std::optional<core::Error> palpationLost; ///< palpations: why there is none of it; the track holds
+    std::unique_ptr<PlaybackLayer> layer; ///< of its exercise; null without a recording
     session::PlaybackTrack track; ///< empty where nothing was recorded, or where the recording was erased
 };
 

@@ -10,12 +10,9 @@
 #include "desktop/plots/session_words.h"
 #include "desktop/results/results_place.h"
 #include "desktop/scene3d/scene_view.h"
-#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
-#include "app/exercises/urethra_insertion/desktop/stage_words.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 #include "desktop/widgets/state_panel.h"
-#include "report/report_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -111,12 +108,11 @@ QWidget* PlaybackScreen::stageColumn() {
     m_sceneHolder->setContentsMargins(theme.px(1), theme.px(1), theme.px(1), theme.px(1));
     column->addWidget(holder, 1);
     column->addWidget(readoutRow());
-    if (m_data->palpation)
-        column->addWidget(palpationRow());
-    if (m_data->palpationLost) {
-        auto* lost = kit::label(theme, tr("Findings and maps could not be read from the recording: %1").arg(QString::fromStdString(m_data->palpationLost->message)),
-                                TextStyle::small);
-        lost->setObjectName(QStringLiteral("playback.palpation_lost"));
+    if (QWidget* switches = switchRow())
+        column->addWidget(switches);
+    if (const QString words = m_data->layer->lost(); !words.isEmpty()) {
+        auto* lost = kit::label(theme, words, TextStyle::small);
+        lost->setObjectName(QStringLiteral("playback.layer_lost"));
         column->addWidget(lost);
     }
     m_scrubber = new Scrubber(theme);
@@ -130,7 +126,7 @@ QWidget* PlaybackScreen::stageColumn() {
         pauses_s.emplace_back(span.begin_s, span.end_s);
     column->addWidget(new TransportBar(theme, locale, m_clock, std::move(pauses_s)));
     const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) || context().has(database::Role::admin);
-    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->grasp ? &*m_data->grasp : nullptr, expert);
+    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->layer.get(), expert);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;
@@ -142,16 +138,43 @@ QWidget* PlaybackScreen::readoutRow() {
     m_readout = kit::label(theme, {}, TextStyle::mono);
     m_readout->setObjectName(QStringLiteral("playback.readout"));
     row->add(m_readout, 1);
-    const auto* endoscopy = endoscopyOf(m_data->setup.level);
-    if (!endoscopy)
-        return row;
-    m_depthOfField = new QCheckBox(tr("Depth of field"));
-    m_depthOfField->setObjectName(QStringLiteral("playback.depth_of_field"));
-    m_depthOfField->setToolTip(tr("The picture is sharp at one distance only, as through a real endoscope"));
-    m_depthOfField->setChecked(place().parameters.value(QStringLiteral("depth_of_field"), endoscopy->depthOfField).toBool());
-    connect(m_depthOfField, &QCheckBox::toggled, this, &PlaybackScreen::setDepthOfField);
-    row->add(m_depthOfField, 0);
+    for (const PlaybackSwitch& each : m_data->layer->switches())
+        if (each.ofPicture)
+            row->add(switchBox(each), 0);
     return row;
+}
+
+QWidget* PlaybackScreen::switchRow() {
+    const Theme& theme = context().theme();
+    ResponsiveRow* row = nullptr;
+    for (const PlaybackSwitch& each : m_data->layer->switches()) {
+        if (each.ofPicture)
+            continue;
+        if (!row)
+            row = new ResponsiveRow(theme.px(560), theme.px(8));
+        row->add(switchBox(each));
+    }
+    return row;
+}
+
+QCheckBox* PlaybackScreen::switchBox(const PlaybackSwitch& of) {
+    const QString key = QLatin1String(of.key);
+    auto* box = new QCheckBox(of.text);
+    box->setObjectName(QStringLiteral("playback.%1").arg(key));
+    box->setToolTip(of.tip);
+    box->setChecked(place().parameters.value(key, of.on).toBool());
+    m_data->layer->turn(of.key, box->isChecked());
+    connect(box, &QCheckBox::toggled, this, [this, key, ofPicture = of.ofPicture](bool on) {
+        m_data->layer->turn(key.toStdString(), on);
+        if (ofPicture && m_scene)
+            m_scene->change(sceneSetup());
+        QVariantMap parameters = context().navigator().current().parameters;
+        parameters.insert(key, on);
+        context().navigator().note(parameters);
+        if (!ofPicture)
+            showMoment(m_clock.position_s());
+    });
+    return box;
 }
 
 QWidget* PlaybackScreen::sideColumn() {
@@ -198,40 +221,6 @@ QWidget* PlaybackScreen::ghostBox() {
     column->addWidget(m_ghostChoice);
     connect(m_ghostChoice, &QComboBox::activated, this, &PlaybackScreen::chooseGhost);
     return box;
-}
-
-/// Why nothing runs: empty while it does.
-QString PlaybackScreen::stillWords(const session::PlaybackMoment& moment) {
-    if (!moment.paused)
-        return {};
-    return moment.force == core::ForceState::stopped || moment.force == core::ForceState::fault ? tr("force stopped") : tr("paused");
-}
-
-QString PlaybackScreen::readoutText(const session::PlaybackView& view) const {
-    const QLocale locale = context().locale();
-    const session::PlaybackTool& tool = view.tools.front();
-    const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
-    const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
-    const QString still = stillWords(view.moment);
-    if (view.insertion) {
-        const QString stage = stageTitle(view.insertion->stage);
-        const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
-        return view.moment.paused ? tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, still, depth, force, speed)
-                                  : tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
-    }
-    if (m_data->palpation)
-        return palpationReadout(view);
-    const QString trial = locale.toString(view.moment.trial + 1);
-    if (m_data->grasp) {
-        const core::LaparoscopyCues cues = m_data->grasp->cuesAt(m_data->track, view);
-        const double held_N = cues.tensionShown ? cues.tension_N : cues.squeeze_N[0];
-        const QString held = report::formatValue(held_N, QStringLiteral("N"), locale);
-        const QString words = cues.squeezeShown ? tr("squeeze %1").arg(held) : tr("tension %1").arg(held);
-        return view.moment.paused ? tr("Trial %1 · %2 · %3 · force %4 · speed %5").arg(trial, still, words, force, speed)
-                                  : tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, words, force, speed);
-    }
-    return view.moment.paused ? tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, still, force, speed)
-                              : tr("Trial %1 · force %2 · speed %3").arg(trial, force, speed);
 }
 
 } // namespace chiron::desktop

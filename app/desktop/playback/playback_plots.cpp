@@ -8,7 +8,6 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
-#include <numbers>
 
 namespace chiron::desktop {
 
@@ -22,9 +21,10 @@ constexpr double kPageLead = 0.05; // of the page, before the cursor when a page
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
-                             const catalogue::ExerciseParameters& level, const GraspReplay* grasp, bool books, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_grasp(grasp), m_series(session_report::seriesOf(track, level, locale)),
-      m_limit_N(track.forceLimit_N), m_books(books), m_column(new QVBoxLayout(this)) {
+                             const catalogue::ExerciseParameters& level, const PlaybackLayer* layer, bool books, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_layer(layer),
+      m_series(session_report::seriesOf(track, level, locale)), m_limit_N(track.forceLimit_N), m_books(books),
+      m_column(new QVBoxLayout(this)) {
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.px(4));
     m_to_s = end_s();
@@ -76,56 +76,80 @@ void PlaybackPlots::showWindow(double from_s, double to_s) {
     m_to_s = to_s;
     showButtons();
     for (report::PlotView* view : views())
-        if (view)
-            view->setXWindow(from_s, to_s);
+        view->setXWindow(from_s, to_s);
+}
+
+report::PlotView* PlaybackPlots::laidOut(std::unique_ptr<report::PlotView> plot, const char* name, int height_px) {
+    report::PlotView* view = plot.release(); // the layout's widget owns it
+    view->setObjectName(QLatin1String(name));
+    view->setMinimumHeight(m_theme.px(height_px));
+    view->setLeftMargin(kLeftMargin);
+    view->onSeek([this](double t_s) { emit seekAsked(t_s); });
+    m_column->addWidget(view);
+    view->showCursor(m_cursor_s);
+    return view;
 }
 
 void PlaybackPlots::put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px) {
     delete member;
-    member = view.release(); // the layout's widget owns it
-    member->setObjectName(QLatin1String(name));
-    member->setMinimumHeight(m_theme.px(height_px));
-    member->setLeftMargin(kLeftMargin);
-    member->onSeek([this](double t_s) { emit seekAsked(t_s); });
-    m_column->addWidget(member);
-    member->showCursor(m_cursor_s);
+    member = laidOut(std::move(view), name, height_px);
+}
+
+std::unique_ptr<report::PlotView> PlaybackPlots::empty(const QString& title) const {
+    auto view = std::make_unique<report::PlotView>(plotThemeOf(m_theme, m_locale));
+    view->setTitle(title);
+    view->setAccessibleName(title);
+    return view;
+}
+
+void PlaybackPlots::add(std::unique_ptr<report::PlotView> view, const char* name, const LayerPlotLook& look) {
+    slim(*view, {});
+    view->setLegendShown(look.legend);
+    view->setYAxis({QString(), look.minimum, look.maximum});
+    view->setTitle(look.quantity);
+    m_ofLayer.push_back(laidOut(std::move(view), name, kLowHeight_px));
+}
+
+void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) const {
+    if (!m_ghost || (m_ghost->*values).empty())
+        return;
+    std::vector<double> scaled;
+    for (const double value : m_ghost->*values)
+        scaled.push_back(factor * value);
+    const bool several = m_series.tools.size() > 1; // a ghost is its first tool's
+    view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName, m_ghost->t_s, scaled,
+                 report::PlotStyle::dashDotD);
+}
+
+std::vector<report::PlotView*> PlaybackPlots::views() const {
+    std::vector<report::PlotView*> views(m_ofLayer);
+    for (report::PlotView* view : {m_force, m_felt, m_speed})
+        if (view)
+            views.push_back(view);
+    return views;
 }
 
 void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name) {
     const report::PlotTheme look = plotThemeOf(m_theme, m_locale);
-    const bool canal = !m_series.offset_mm.empty();
-    const auto second = [&](report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) {
-        if (!ghost || (*ghost.*values).empty())
-            return;
-        std::vector<double> scaled;
-        for (const double value : *ghost.*values)
-            scaled.push_back(factor * value);
-        const bool several = m_series.tools.size() > 1; // a ghost is its first tool's
-        view.addLine(several ? tr("%1: %2").arg(name, m_series.tools.front().name) : name, ghost->t_s, scaled, report::PlotStyle::dashDotD);
-    };
+    m_ghost = ghost ? &*ghost : nullptr;
+    m_ghostName = name;
     auto force = report::forcePlot(m_series, m_limit_N, look);
-    second(*force, &session::GhostSeries::tissue_N, 1.0);
+    addSecond(*force, &session::GhostSeries::tissue_N, 1.0);
     slim(*force, {});
     if (m_series.tools.size() > 1)
         force->setYAxis({tr("Tissue force (N)"), 0.0, {}}); // what is felt has a plot of its own
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
     if (auto felt = report::feltForcePlot(m_series, m_limit_N, look))
         putLow(std::move(felt), m_felt, "playback.felt_plot", tr("Force felt (N)"), false);
-    if (canal) {
-        auto offset = report::offsetPlot(m_series, look);
-        second(*offset, &session::GhostSeries::offset_m, 1e3);
-        putLow(std::move(offset), m_offset, "playback.offset_plot", tr("Off-centre (mm)"), false);
-        auto alignment = report::alignmentPlot(m_series, look);
-        second(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
-        putLow(std::move(alignment), m_alignment, "playback.alignment_plot", tr("Alignment (°)"), false);
-    }
-    putGrasp();
-    putRetraction();
-    putEnergy();
-    putPalpation();
+    for (report::PlotView* view : m_ofLayer)
+        delete view;
+    m_ofLayer.clear();
+    if (m_layer)
+        m_layer->addPlots(*this);
     auto speed = report::speedPlot(m_series, look);
-    second(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
+    addSecond(*speed, &session::GhostSeries::speed_m_per_s, 1e3);
     putLow(std::move(speed), m_speed, "playback.speed_plot", tr("Speed (mm/s)"), true);
+    m_ghost = nullptr;
 }
 
 // Axis labels name what is drawn, and the lowest plot has the time of all: room for the lines instead.
@@ -154,8 +178,7 @@ void PlaybackPlots::showCursor(double t_s) {
         showWindow(from_s, from_s + wide_s);
     }
     for (report::PlotView* view : views())
-        if (view)
-            view->showCursor(t_s);
+        view->showCursor(t_s);
 }
 
 } // namespace chiron::desktop

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
-#include "desktop/playback/grasp_replay.h"
+#include "desktop/playback/playback_layer.h"
 #include "desktop/theme/theme.h"
 #include "report/plot_view.h"
 #include "session/playback_ghost.h"
@@ -10,23 +10,33 @@
 
 #include <QLocale>
 #include <QWidget>
-#include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 class QPushButton;
 class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Force and speed of every tool over the whole recording with critical errors as crosses, off-centre and alignment where there is a canal, tension with its band or squeeze with
-/// its limit and the books of energy where something is grasped, lean and depth where something is palpated, one above the other, under one
-/// cursor; a click seeks, and all of them zoom together. Pauses are hatched, the limit is a line, a second session is a dash-dotted line. GUI thread.
+/// A low plot of a layer: its quantity stands across the top.
+struct LayerPlotLook {
+    QString quantity;                   ///< with its unit
+    std::optional<double> minimum{0.0}; ///< of its axis
+    std::optional<double> maximum{};
+    bool legend = false;
+};
+
+/// Force and speed of every tool over the whole recording with critical errors as crosses, and between them what the exercise's layer adds,
+/// one above the other, under one cursor; a click seeks, and all of them zoom together. Pauses are hatched, the limit is a line, a second
+/// session is a dash-dotted line. GUI thread.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
 public:
-    /// `track` and `grasp` outlive it. `books`: with those of energy, which tell an expert whether the simulation made any.
+    /// `track` and `layer` outlive it; without a layer nothing of one exercise is drawn. `books`: with those of energy, which tell an expert
+    /// whether the simulation made any.
     PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level,
-                  const GraspReplay* grasp = nullptr, bool books = true, QWidget* parent = nullptr);
+                  const PlaybackLayer* layer = nullptr, bool books = true, QWidget* parent = nullptr);
 
     /// Draws all again, with the second session's lines or without; `name` is in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
@@ -39,6 +49,19 @@ public:
     const report::PlotView& force() const { return *m_force; }
     const report::PlotView& speed() const { return *m_speed; }
 
+    // What layers draw with, in addPlots().
+    const session::PlaybackTrack& track() const { return m_track; }
+    const report::SampleSeries& series() const { return m_series; }
+    const Theme& theme() const { return m_theme; }
+    const QLocale& plotLocale() const { return m_locale; }
+    bool books() const { return m_books; }
+    /// A plot without lines, which is read out as `title`.
+    std::unique_ptr<report::PlotView> empty(const QString& title) const;
+    /// Puts a plot below the others.
+    void add(std::unique_ptr<report::PlotView> view, const char* name, const LayerPlotLook& look);
+    /// Adds the line of the second session, where there is one and it has these values.
+    void addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) const;
+
 signals:
     void seekAsked(double t_s);
 
@@ -46,24 +69,18 @@ private:
     QWidget* zoomRow();
     void showButtons();
     void showWindow(double from_s, double to_s);
-    std::array<report::PlotView*, 10> views() const { return {m_force, m_felt, m_offset, m_alignment, m_held, m_retraction, m_energy, m_lean, m_depth, m_speed}; }
+    std::vector<report::PlotView*> views() const; ///< all that there are
     double end_s() const;
+    report::PlotView* laidOut(std::unique_ptr<report::PlotView> view, const char* name, int height_px);
     void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
     /// A low plot: its quantity across the top, because no language's word for it fits up its side.
     void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
-    void putGrasp();
-    void putRetraction();
-    void putEnergy();
-    void putPalpation();
-    /// A line a finger of its recorded quantity "<before><finger><after>"; false where none was recorded.
-    bool addFingers(report::PlotView& view, const char* before, const char* after, double factor) const;
-    std::unique_ptr<report::PlotView> empty(const QString& title) const;
 
     const Theme& m_theme;
     QLocale m_locale;
     const session::PlaybackTrack& m_track;
-    const GraspReplay* m_grasp;
+    const PlaybackLayer* m_layer;
     report::SampleSeries m_series;
     double m_limit_N;
     QPushButton* m_zoomIn = nullptr;
@@ -77,13 +94,9 @@ private:
     report::PlotView* m_force = nullptr;
     report::PlotView* m_felt = nullptr;     ///< what each of several tools was given; null where there is one alone, or nothing was felt
     report::PlotView* m_speed = nullptr;
-    report::PlotView* m_offset = nullptr;    ///< null without a canal
-    report::PlotView* m_alignment = nullptr; ///< the same
-    report::PlotView* m_held = nullptr;      ///< tension or squeeze; null where nothing is grasped
-    report::PlotView* m_retraction = nullptr; ///< null where no fold is held back
-    report::PlotView* m_energy = nullptr;    ///< the same
-    report::PlotView* m_lean = nullptr;      ///< null where nothing is palpated
-    report::PlotView* m_depth = nullptr;     ///< the same
+    std::vector<report::PlotView*> m_ofLayer; ///< in the order of drawing
+    const session::GhostSeries* m_ghost = nullptr; ///< while all are drawn
+    QString m_ghostName;
 };
 
 } // namespace chiron::desktop

@@ -22,22 +22,9 @@ scene3d::ToolView viewOf(const session::PlaybackTool& tool, bool felt) {
     return view;
 }
 
-/// The procedure at a moment, as far as a recording tells it.
-core::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
-    core::EndoscopeCues cues;
-    cues.present = true;
-    cues.pictureShown = true;
-    cues.guided = true;
-    cues.stage = view.insertion->stage;
-    cues.depth_m = std::isfinite(view.insertion->depth_m) ? view.insertion->depth_m : 0.0;
-    cues.landmarks = static_cast<int>(track.insertion->landmarkSeen_s.size());
-    cues.landmarksSeen = track.insertion->landmarksSeenAt(t_s);
-    return cues;
-}
-
 } // namespace
 
-scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme, bool depthOfField) {
+scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme) {
     scene3d::SceneSetup scene;
     scene.exercise = setup.level.exercise;
     scene.parameters = setup.level.parameters;
@@ -46,7 +33,6 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
     scene.cues.arrow = true;
     scene.cues.overview = true;
     scene.cues.guidance = true;
-    scene.depthOfField = depthOfField;
     scene.colours.background = theme.color(Colour::sceneBackground);
     scene.colours.field = theme.color(Colour::sceneField);
     scene.colours.ink = theme.color(Colour::text);
@@ -62,7 +48,7 @@ scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forc
 }
 
 scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
-                                 const GraspReplay* grasp) {
+                                 PlaybackLayer* layer) {
     scene3d::SceneState state;
     const session::PlaybackView view = track.at(t_s);
     state.time_s = t_s;
@@ -80,16 +66,8 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
         state.marked = true;
         state.p_WMark = trial->p_WEnd;
     }
-    if (view.insertion) {
-        state.objectShown = true; // the endoscope's picture
-        state.endoscope = endoscopeOf(track, view, t_s);
-    }
-    if (grasp) {
-        state.laparoscopy = grasp->cuesAt(track, view);
-        state.objectShown = state.laparoscopy.objectShown;
-        for (scene3d::ToolView& tool : state.tool)
-            tool.drawnAtSurface = false; // a jaw that holds something is where the hand is
-    }
+    if (layer)
+        layer->showIn(state, track, view, t_s);
     if (ghost) {
         if (const auto found = session::ghostAt(track, *ghost, t_s))
             state.ghost = viewOf(found->tool, ghost->felt);

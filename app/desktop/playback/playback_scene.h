@@ -4,17 +4,17 @@
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/theme/theme.h"
-#include "desktop/playback/grasp_replay.h"
+#include "desktop/playback/playback_layer.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
 
 namespace chiron::desktop {
 
 /// The scene of a playback: everything is shown, also what the level hid while it was trained.
-scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme, bool depthOfField = false);
+scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme);
 
-/// What the scene shows at a moment of the recording; `ghost` may be null. Pure.
+/// What the scene shows at a moment of the recording; `ghost` and `layer` (of the track's exercise) may be null.
 scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
-                                 const GraspReplay* grasp = nullptr);
+                                 PlaybackLayer* layer = nullptr);
 
 } // namespace chiron::desktop

@@ -14,7 +14,6 @@
 #include "desktop/sessions/void_dialog.h"
 #include "desktop/widgets/state_panel.h"
 
-#include <QCheckBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QTabWidget>
@@ -129,10 +128,14 @@ void PlaybackScreen::readMoment() {
                                                             : asked.value(QStringLiteral("caption_s"), -1.0).toDouble();
 }
 
+scene3d::SceneSetup PlaybackScreen::sceneSetup() const {
+    scene3d::SceneSetup setup = sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme());
+    m_data->layer->setUp(setup);
+    return setup;
+}
+
 void PlaybackScreen::makeScene() {
-    const bool depthOfField = m_depthOfField && m_depthOfField->isChecked();
-    scene3d::LoadedScene loaded =
-        scene3d::makeSceneView(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme(), depthOfField), this);
+    scene3d::LoadedScene loaded = scene3d::makeSceneView(sceneSetup(), this);
     m_scene = std::move(loaded.view);
     m_sceneHolder->addWidget(m_scene->widget());
     m_scene->widget()->setObjectName(QStringLiteral("playback.scene"));
@@ -153,14 +156,11 @@ void PlaybackScreen::showMoment(double t_s) {
     m_plots->showCursor(t_s);
     m_comments->setMoment(t_s);
     if (m_scene) {
-        auto state = sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s, m_data->grasp ? &*m_data->grasp : nullptr);
-        if (m_data->palpation)
-            m_data->palpation->showIn(state, m_data->track, t_s, m_palpationLook);
+        auto state = sceneStateAt(m_data->track, m_ghost ? &*m_ghost : nullptr, t_s, m_data->layer.get());
         state.note = captionAt(t_s);
         m_scene->show(state);
     }
-    const session::PlaybackView view = m_data->track.at(t_s);
-    m_readout->setText(readoutText(view));
+    m_readout->setText(m_data->layer->readout(m_data->track, m_data->track.at(t_s), t_s, context().locale()));
     if (m_stopAt_s && t_s >= *m_stopAt_s) {
         m_stopAt_s.reset();
         m_clock.pause(); // at the moment that was to be seen
@@ -179,14 +179,6 @@ scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
     if (caption.isEmpty() || t_s < from_s - 0.5 * PlaybackClock::kStep_s || t_s > from_s + kSaid_s)
         return {};
     return {scene3d::SceneNote::Kind::said, caption, {}};
-}
-
-void PlaybackScreen::setDepthOfField(bool on) {
-    if (m_scene)
-        m_scene->change(sceneSetupOf(m_data->setup, m_data->track.forceLimit_N, context().theme(), on));
-    QVariantMap parameters = context().navigator().current().parameters;
-    parameters.insert(QStringLiteral("depth_of_field"), on);
-    context().navigator().note(parameters);
 }
 
 void PlaybackScreen::notePlace() {

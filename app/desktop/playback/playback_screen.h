@@ -67,11 +67,9 @@ private:
     QWidget* sideColumn();
     QWidget* ghostBox();
     QWidget* readoutRow();
-    QWidget* palpationRow();
-    QString palpationReadout(const session::PlaybackView& view) const;
-    static QString stillWords(const session::PlaybackMoment& moment);
-    QString readoutText(const session::PlaybackView& view) const;
-    void setDepthOfField(bool on);
+    QWidget* switchRow(); ///< null where the layer has no such switches
+    QCheckBox* switchBox(const PlaybackSwitch& of);
+    scene3d::SceneSetup sceneSetup() const;
     void makeScene();
     void fitScene();
     void showMoment(double t_s);
@@ -99,7 +97,6 @@ private:
     std::optional<PlaybackData> m_data;
     double m_moment_s = -1.0;         ///< to which somebody was led; negative: to none
     std::optional<double> m_stopAt_s; ///< playing pauses here, once
-    PalpationLook m_palpationLook;
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_ghostWork;
@@ -107,7 +104,6 @@ private:
     QVBoxLayout* m_sceneHolder = nullptr;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     QLabel* m_readout = nullptr;
-    QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
     Scrubber* m_scrubber = nullptr;
     PlaybackPlots* m_plots = nullptr;
     QTabWidget* m_tabs = nullptr; ///< events, comments

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/results/results_screen.h"
 
+#include "desktop/exercise_face.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/plot_theme_of.h"
@@ -8,7 +9,7 @@
 #include "desktop/plots/session_words.h"
 #include "desktop/results/attempts_table.h"
 #include "desktop/results/learning_curve.h"
-#include "desktop/results/roc_box.h"
+#include "desktop/results/results_part.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
@@ -31,7 +32,7 @@ ResultsScreen::ResultsScreen(AppContext& context, const Place& place) : Screen(c
 }
 
 ResultsScreen::~ResultsScreen() {
-    for (const auto& work : {m_work, m_export, m_detection})
+    for (const auto& work : {m_work, m_export})
         if (work)
             work->cancel();
 }
@@ -113,10 +114,9 @@ void ResultsScreen::build() {
     const kit::Box box = kit::box(theme);
     m_curveHolder = box.layout;
     page->column()->addWidget(box.frame);
-    m_roc = new RocBox(theme, context().locale());
-    m_roc->setObjectName(QStringLiteral("results.detection"));
-    m_roc->hide();
-    page->column()->addWidget(m_roc);
+    m_column = page->column();
+    m_partPlace = m_column->count();
+    m_parts.clear(); // they went with the page before
     page->column()->addWidget(kit::label(theme, tr("Attempts"), TextStyle::title));
     m_table = new AttemptsTable(theme, context().locale());
     connect(m_table, &AttemptsTable::openAsked, this, &ResultsScreen::openSession);
@@ -282,7 +282,7 @@ void ResultsScreen::showSelection() {
     m_curve->setMinimumHeight(context().theme().px(300));
     m_curveHolder->addWidget(m_curve);
     m_table->show(attempts, row.id);
-    showDetection(attempts);
+    showPart(attempts);
     if (context().navigator().current().screen != place().screen)
         return; // already on the way elsewhere
     QVariantMap shown = place().parameters; // whose they are stays
@@ -290,6 +290,32 @@ void ResultsScreen::showSelection() {
     shown.insert(QStringLiteral("level"), m_level->currentData());
     shown.insert(QStringLiteral("metric"), row.id);
     context().navigator().note(shown);
+}
+
+void ResultsScreen::showPart(const std::vector<Attempt>& attempts) {
+    const std::string exercise = m_exercise->currentData().toString().toStdString();
+    const int level = m_level->currentData().toInt();
+    const auto face = exerciseFace(exercise);
+    const bool known = face && context().site().catalogue().find(exercise, level);
+    for (const auto& [other, part] : m_parts)
+        if (part && (other != exercise || !known))
+            part->hide();
+    if (!known)
+        return;
+    const auto [found, added] = m_parts.try_emplace(exercise, nullptr);
+    if (added)
+        if (ResultsPart* part = (*face)->resultsPart(context().theme(), context().locale())) {
+            m_column->insertWidget(m_partPlace, part);
+            found->second = part;
+        }
+    if (!found->second)
+        return;
+    found->second->show();
+    ResultsQuestion question{person(), level, true};
+    for (const Attempt& attempt : attempts)
+        if (attempt.onCurve())
+            question.felt = attempt.summary.felt; // of the newest: felt and shown are never pooled
+    found->second->ask(context().background(), context().site().database(), context().actor(), question);
 }
 
 void ResultsScreen::openSession(database::SessionId session) {

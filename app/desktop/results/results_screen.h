@@ -5,7 +5,9 @@
 #include "desktop/results/results_data.h"
 #include "report/report_data.h"
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -19,7 +21,7 @@ namespace chiron::desktop {
 
 class AttemptsTable;
 class ResponsiveRow;
-class RocBox;
+class ResultsPart;
 class StatePanel;
 class WorkToken;
 
@@ -52,7 +54,7 @@ private:
     void fillLevels();
     void fillMetrics();
     void showSelection();
-    void showDetection(const std::vector<Attempt>& attempts); ///< palpations: how right at which confidence
+    void showPart(const std::vector<Attempt>& attempts); ///< of the exercise that is chosen
     std::vector<Attempt> selected() const;
     const Attempt* lastScored(const std::string& exercise) const; ///< at any exercise where that is empty; null: none was scored
     bool asksFor(const QString& exercise) const;                  ///< the place names this exercise, and so its level
@@ -67,12 +69,12 @@ private:
     QComboBox* m_metric = nullptr;
     QVBoxLayout* m_curveHolder = nullptr;
     report::PlotView* m_curve = nullptr;
-    RocBox* m_roc = nullptr;
+    QVBoxLayout* m_column = nullptr; ///< of the page
+    int m_partPlace = 0;             ///< in it, of what one exercise alone has
+    std::map<std::string, ResultsPart*> m_parts; ///< by exercise, of those that were chosen; null: it has none
     AttemptsTable* m_table = nullptr;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_export;
-    std::shared_ptr<WorkToken> m_detection;
-    QString m_detectionOf; ///< exercise and level that m_roc shows: another metric reads nothing anew
 };
 
 } // namespace chiron::desktop

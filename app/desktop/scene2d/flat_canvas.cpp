@@ -4,7 +4,6 @@
 #include "desktop/scene2d/flat_tools.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "app/exercises/palpation/scene/palpation_dial.h"
 #include "desktop/scene3d/scene_note_painter.h"
 
 #include <QPainter>
@@ -96,7 +95,7 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
         room.setRight(room.right() - (GaugePainter::kWidth * unit + kGap * m_setup.scale));
     };
     if (m_setup.cues.arrow)
-        paint(forceDial(m_setup, m_state.palpation), largestForce_N(m_state));
+        paint(m_content ? m_content->forceBar(m_setup, m_state) : forceDial(m_setup), largestForce_N(m_state));
     const auto second = laparoscopyDial(m_setup, m_state.laparoscopy);
     if (second && dialShown(m_state.laparoscopy))
         paint(*second, dialValue_N(m_state.laparoscopy));

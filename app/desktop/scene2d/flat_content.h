@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_panel.h"
+#include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/scene_state.h"
 
 #include <memory>
@@ -27,6 +28,8 @@ public:
     virtual QRectF rangeSide_mm() const = 0;  ///< x and z
     virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                        const SceneState& state) const = 0;
+    /// The bar of the force on the tools.
+    virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
     /// z of what lies under a place, as shown. Metres, W.
     virtual double groundHeight_m(const SceneState& state, double x_m, double y_m) const = 0;
 };

@@ -4,19 +4,17 @@
 #include "catalogue/exercise.h"
 #include "desktop/scene3d/scene_note.h"
 #include "desktop/scene3d/scene_state.h"
+#include "desktop/training/found_answer.h"
 #include "haptics/display_state.h"
-#include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "session/live_sample.h"
 #include "session/trial_surfaces.h"
 
 #include <QLocale>
 #include <QString>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace chiron::desktop {
 
@@ -41,28 +39,24 @@ public:
     bool holdsNext(std::int64_t now_ns) const { return m_shown && now_ns - m_since_ns < kHeld_ns; }
 
 private:
-    using Findings = std::array<core::Finding, core::kMaxFindings>;
     /// Of the trial that has just ended.
     struct Shown {
         session::TrialObject object;
-        Findings findings;                 ///< at its end
         std::optional<core::Vec3> p_WMark; ///< nothing where time ran out
     };
 
     bool says(std::int64_t now_ns) const { return !m_said.isEmpty() && now_ns - m_since_ns <= kSaid_ns; }
     std::optional<session::TrialObject> truth() const { return m_truth ? m_truth->object(m_trial) : std::nullopt; }
     void keepTruth(const session::LiveSample& at);
-    void showLumps(scene3d::SceneState& drawn) const;
-    static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object, const Findings& findings);
     QString markedWords(const session::LiveSample& at) const;
-    QString foundWords() const; ///< of the findings as they were at the end; empty where nothing was to be found
+    QString foundWords() const; ///< of what was reported by the end; empty where nothing was to be
+    bool isFound() const { return m_found && m_found->answers(); }
 
     bool m_feedback;
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
     int m_trial = 0; ///< that runs, or ran last
-    bool m_palpates = false;
-    Findings m_findings{}; ///< in the newest state of the trial
+    std::unique_ptr<FoundAnswer> m_found; ///< null where a mark is the answer
     QString m_said;
     std::optional<Shown> m_shown;
     std::int64_t m_since_ns = 0;

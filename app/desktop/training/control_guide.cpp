@@ -11,7 +11,7 @@ struct Words {
 };
 } // namespace
 
-std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates) {
+std::vector<ControlHint> controlGuide(session::PointerTool tool) {
     if (tool == session::PointerTool::endoscope)
         return {{Pictogram::wheelAway, Words::tr("Advance"), Words::tr("Roll the wheel away from you, or hold W. To withdraw, roll it towards you, or hold S.")},
                 {Pictogram::moveMouse, Words::tr("Turn"), Words::tr("Move the mouse, or use the arrow keys.")},
@@ -22,10 +22,6 @@ std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates) 
         return {move,
                 {Pictogram::wheelTowards, Words::tr("Lower"), towards},
                 {Pictogram::leftHeld, Words::tr("Close the jaw"), Words::tr("Hold the left button, or G. To open it, hold Shift and the left button, or H.")}};
-    if (palpates)
-        return {move,
-                {Pictogram::wheelTowards, Words::tr("Press"), towards},
-                {Pictogram::leftClick, Words::tr("Mark a finding"), Words::tr("Click, or press Enter. When nothing is left to report, press D.")}};
     return {move,
             {Pictogram::wheelTowards, Words::tr("Lower"), towards},
             {Pictogram::leftClick, Words::tr("Mark"), Words::tr("Click, or press Enter, while you touch the place.")}};

@@ -18,9 +18,9 @@ struct ControlHint {
     QString how;  ///< "Mouse, or arrow keys"
 };
 
-/// The three movements without which nobody can begin, in the order in which they are needed, for mouse and keyboard. Everything else
-/// is in keysInWords(). GUI thread.
-std::vector<ControlHint> controlGuide(session::PointerTool tool, bool palpates);
+/// The three movements without which nobody can begin, in the order in which they are needed, for mouse and keyboard, where the exercise
+/// has no guide of its own (LivePart::controls). Everything else is in keysInWords(). GUI thread.
+std::vector<ControlHint> controlGuide(session::PointerTool tool);
 /// The keys (Qt::Key) that move this tool.
 std::vector<int> movementKeys(session::PointerTool tool);
 

@@ -5,7 +5,9 @@
 
 #include <array>
 
+class QGridLayout;
 class QLabel;
+class QVBoxLayout;
 
 namespace chiron::desktop {
 
@@ -34,14 +36,14 @@ private:
     void addBars();
     void addNumbers();
     void addPlots();
-    QLabel* addNumber(const QString& name, const QString& objectName, class QGridLayout& grid, int column);
+    QLabel* addNumber(const QString& name, const QString& objectName, QGridLayout& grid, int column);
     void showNumbers(const haptics::ToolDisplay& tool);
 
     const Theme& m_theme;
     QLocale m_locale;
     session::LevelCues m_cues;
     Limits m_limits;
-    class QVBoxLayout* m_column;
+    QVBoxLayout* m_column;
     QLabel* m_elapsed = nullptr;
     ForceBar* m_force = nullptr;
     ForceBar* m_torque = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/scene_feed.h"
 
-#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
+#include "desktop/exercise_face.h"
 #include "session/level_limits.h"
 
 namespace chiron::desktop {
@@ -31,8 +31,9 @@ scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const se
     setup.parameters = level.parameters;
     setup.forceLimit_N = session::levelLimits(level).force_N;
     setup.cues = {.tool = cues.tool, .arrow = cues.arrow, .object = cues.object, .overview = cues.overview, .guidance = cues.guidance};
-    if (const auto* endoscopy = endoscopyOf(level))
-        setup.depthOfField = endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : depthOfField.value_or(endoscopy->depthOfField);
+    const auto face = exerciseFace(level.exercise);
+    if (const auto optics = face ? (*face)->depthOfField(level) : std::nullopt)
+        setup.depthOfField = optics->shown(depthOfField);
     setup.colours = {.background = theme.color(Colour::sceneBackground),
                      .field = theme.color(Colour::sceneField),
                      .ink = theme.color(Colour::text),

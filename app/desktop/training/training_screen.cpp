@@ -4,13 +4,10 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/scene3d/scene_loader.h"
-#include "desktop/training/endoscope_control.h"
 #include "desktop/training/force_notice.h"
-#include "desktop/training/grasper_control.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_view.h"
 #include "desktop/training/key_filter.h"
-#include "desktop/training/pointer_control.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
 #include "desktop/training/sound_sign.h"
@@ -69,8 +66,6 @@ void TrainingScreen::take(core::Result<session::TrainingRequest> request) {
     m_request = std::move(*request);
     const auto kind = session::exerciseKind(m_level->exercise);
     m_answer.emplace(*m_level, context().locale(), kind ? (*kind)->makeSurfaces(*m_level, m_request->seed) : nullptr);
-    if (graspingOf(*m_level))
-        m_grasp.emplace(*m_level, context().locale(), m_plan.practises());
     if (m_wentAhead)
         loadScene();
 }
@@ -124,16 +119,12 @@ void TrainingScreen::begin() {
 }
 
 void TrainingScreen::connectPointer() {
-    session::LiveTraining& training = m_feed->training();
-    const double scale = context().theme().scale();
-    if (m_palpated)
-        takeFingers(scale);
-    else if (isGrasper())
-        takeGraspers(scale);
-    else if (training.pointer())
-        m_hand = std::make_unique<PointerControl>(*training.pointer(), scale, m_plan.workspace.leftHanded);
-    else if (training.endoscope())
-        m_hand = std::make_unique<EndoscopeControl>(*training.endoscope(), scale, m_plan.workspace.leftHanded);
+    if (!m_live)
+        return;
+    m_hand = m_live->takeHand(m_feed->training(), [this](int tool) {
+        if (m_activeText)
+            m_activeText->setText(m_live->activeText(tool));
+    });
     if (!m_hand)
         return; // somebody else's hand
     m_keys->setToolKeys(handKeys());
@@ -145,16 +136,11 @@ void TrainingScreen::connectPointer() {
     });
 }
 
-void TrainingScreen::takeGraspers(double scale) {
-    const std::vector<devices::PointerMailbox*> mailboxes = m_feed->training().pointers();
-    if (mailboxes.empty())
-        return; // somebody else's hand
-    auto graspers = std::make_unique<GrasperControl>(mailboxes, scale, m_plan.workspace.leftHanded);
-    graspers->onChosen([this](int tool) {
-        if (m_activeText)
-            m_activeText->setText(activeToolInWords(tool, m_tools));
-    });
-    m_hand = std::move(graspers);
+std::vector<int> TrainingScreen::handKeys() const {
+    std::vector<int> keys(m_hand->keys().begin(), m_hand->keys().end());
+    const std::vector<int> others = m_live->keys();
+    keys.insert(keys.end(), others.begin(), others.end());
+    return keys;
 }
 
 void TrainingScreen::onFrame() {
@@ -176,7 +162,8 @@ void TrainingScreen::onFrame() {
     scene3d::SceneState drawn = sceneStateOf(shown, m_cues, m_start_ns);
     if (m_hand && m_tools > 1)
         drawn.activeTool = m_hand->activeTool();
-    showMap(drawn);
+    if (m_live)
+        m_live->show(state, m_feed->samples(), drawn);
     takeAnswer(drawn);
     drawn.note = noteNow();
     m_drawn = drawn;
@@ -202,8 +189,6 @@ void TrainingScreen::takeAnswer(scene3d::SceneState& drawn) {
     const haptics::DisplayState& state = m_feed->state();
     m_answer->take(state, m_feed->samples());
     m_answer->show(state.now_ns, drawn);
-    if (m_grasp)
-        m_grasp->take(state);
     if (m_plan.ownHand())
         m_control->keepNext(m_answer->holdsNext(state.now_ns) && state.phase == core::TrialPhase::between);
 }
@@ -217,7 +202,7 @@ scene3d::SceneNote TrainingScreen::noteNow() const {
         return {Kind::paused, tr("Paused"), tr("The clock is stopped. Press Resume or Space to go on.")};
     if (const scene3d::SceneNote said = m_answer->note(state.now_ns); said.kind != Kind::none)
         return said;
-    if (const scene3d::SceneNote said = m_grasp ? m_grasp->note(state.now_ns) : scene3d::SceneNote(); said.kind != Kind::none)
+    if (const scene3d::SceneNote said = m_live ? m_live->note(state.now_ns) : scene3d::SceneNote(); said.kind != Kind::none)
         return said;
     return practiceNote();
 }

@@ -7,10 +7,9 @@
 #include "desktop/training/answer_note.h"
 #include "desktop/training/control_bar.h"
 #include "desktop/training/force_words.h"
-#include "desktop/training/grasp_note.h"
 #include "desktop/training/live_feed.h"
+#include "desktop/training/live_part.h"
 #include "desktop/training/hand_control.h"
-#include "app/exercises/palpation/desktop/palpation_map.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_pointer.h"
 #include "desktop/training/session_control.h"
@@ -28,11 +27,11 @@ class QStackedWidget;
 
 namespace chiron::desktop {
 
+class ExerciseFace;
 class ForceNotice;
 class HeaderBar;
 class InfoView;
 class KeyFilter;
-class PalpationPanel;
 class SoundSign;
 class StatePanel;
 
@@ -68,7 +67,10 @@ private:
     QWidget* buildSide();
     QWidget* buildDetailsSwitch();
     QWidget* buildFoot();
+    LiveSurroundings surroundings();
     InfoView* makeInfo();
+    QString keysText() const;
+    void addPartCommands(std::vector<ScreenCommand>& list);
     void buildKeys();
     /// What is asked before a running session is ended: question, what will be, and the button that does it.
     struct Ask {
@@ -96,26 +98,16 @@ private:
     void loadScene();
     void begin();
     void connectPointer();
-    void takeGraspers(double scale);
+    std::vector<int> handKeys() const; ///< of the hand, and of what is said beside it
     void onFrame();
     void takeAnswer(scene3d::SceneState& drawn);
+    scene3d::SceneNote noteNow() const; ///< over the scene
     void showControls();
     void onFinished();
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
     bool isGrasper() const { return m_tool == session::PointerTool::grasper; }
-
-    // training_screen_palpation.cpp
-    InfoView* makePalpationInfo();
-    void takeFingers(double scale);
-    std::vector<int> handKeys() const; ///< of the hand, and of what is said beside it
-    bool panelKey(int key);
-    void freePointer(); ///< while the trial runs; a click in the scene takes it again
-    void showMap(scene3d::SceneState& drawn);
-    scene3d::SceneNote noteNow() const; ///< over the scene
-    void addPalpationCommands(std::vector<ScreenCommand>& list);
-    QString keysText() const;
 
     // training_screen_actions.cpp
     void stopForce();
@@ -133,6 +125,8 @@ private:
     TrainingPlan m_plan;
     std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
     const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's, or m_tried; null: no such level
+    const ExerciseFace* m_face = nullptr;              ///< of the level's exercise
+    std::unique_ptr<LivePart> m_live;                  ///< of the level; null without one
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
@@ -145,11 +139,7 @@ private:
     bool m_practised = false;          ///< the card comes after a practice
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
-    const simulation::PalpationParameters* m_palpated = nullptr; ///< the level's; null where nothing is palpated
-    PalpationPanel* m_palpation = nullptr; ///< m_info, where something is palpated
-    std::optional<PalpationMap> m_map;     ///< of the trial that runs, where the level shows it
     std::optional<AnswerNote> m_answer;    ///< once the session is prepared
-    std::optional<GraspNote> m_grasp;      ///< as m_answer, where something is grasped
     ForceNotice* m_notice = nullptr;
     SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
     ControlBar* m_controls = nullptr;

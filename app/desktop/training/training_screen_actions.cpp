@@ -38,7 +38,7 @@ void TrainingScreen::rearm() {
 
 void TrainingScreen::mark() {
     if (running() && m_plan.ownHand() && m_tool == session::PointerTool::point && !m_control->held())
-        m_palpated ? m_hand->click() : m_control->mark(); // of several fingers it is the moved hand's
+        m_live && m_live->handMarks() ? m_hand->click() : m_control->mark();
 }
 
 void TrainingScreen::end() {

@@ -2,15 +2,12 @@
 // What the training screen is made of, and its words.
 #include "desktop/training/training_screen.h"
 
+#include "desktop/exercise_face.h"
 #include "desktop/frame/app_context.h"
-#include "app/exercises/urethra_insertion/desktop/endoscopy.h"
 #include "desktop/training/force_notice.h"
-#include "desktop/training/grasp_panel.h"
 #include "desktop/training/header_bar.h"
 #include "desktop/training/info_panel.h"
-#include "app/exercises/urethra_insertion/desktop/insertion_panel.h"
 #include "desktop/training/key_filter.h"
-#include "app/exercises/palpation/desktop/palpating.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/training_words.h"
@@ -27,8 +24,6 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kSideWidth_px = 290;
-constexpr double kEndoscopeSideWidth_px = 372; // more is measured, and the round picture is as large beside it
 constexpr char kDetails[] = "all_measurements"; // a person's setting
 constexpr double kCompactBelow_px = 420; // of the height
 constexpr double kLargestSideShare = 0.44; // of a small window: the scene stays the larger part
@@ -54,7 +49,10 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
         }
     }
     if (m_level)
-        m_palpated = palpationOf(*m_level);
+        if (const auto face = exerciseFace(m_level->exercise)) {
+            m_face = *face;
+            m_live = m_face->livePart(*m_level, surroundings());
+        }
     m_sound = SoundCuePlayer(m_limits.force_N);
     m_sound.setMuted(!context.settings().sound());
     const auto on = [&](const char* cue) { return context.settings().soundCue(QLatin1String(cue)); };
@@ -128,40 +126,54 @@ QWidget* TrainingScreen::buildFoot() {
     m_keysText = kit::label(theme, keysText(), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
-    if (m_tools > 1 && m_plan.ownHand() && m_tool == session::PointerTool::grasper) {
-        m_activeText = kit::label(theme, activeToolInWords(0, m_tools), TextStyle::strong);
+    if (const QString active = m_live && m_plan.ownHand() ? m_live->activeText(0) : QString(); !active.isEmpty()) {
+        m_activeText = kit::label(theme, active, TextStyle::strong);
         m_activeText->setObjectName(QStringLiteral("training.active_tool"));
         row->addWidget(m_activeText, 0, Qt::AlignTop);
     }
-    if (m_palpated && m_palpated->hands > 1 && m_plan.ownHand()) {
-        m_activeText = kit::label(theme, activeHandInWords(0), TextStyle::strong);
-        m_activeText->setObjectName(QStringLiteral("training.active_tool"));
-        row->addWidget(m_activeText, 0, Qt::AlignTop);
-    }
-    const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr;
-    if (!endoscopy)
+    const auto optics = m_face ? m_face->depthOfField(*m_level) : std::nullopt;
+    if (!optics)
         return foot;
-    const QString text = !endoscopy->depthOfFieldFixed ? tr("Depth of field (F)")
-                         : endoscopy->depthOfField     ? tr("Depth of field: this level keeps it on")
-                                                       : tr("Depth of field: this level keeps it off");
+    const QString text = !optics->fixed ? tr("Depth of field (F)")
+                         : optics->on   ? tr("Depth of field: this level keeps it on")
+                                        : tr("Depth of field: this level keeps it off");
     m_depthOfField = new QCheckBox(text);
     m_depthOfField->setObjectName(QStringLiteral("training.depth_of_field"));
     m_depthOfField->setToolTip(tr("The picture is sharp at one distance only, as through a real endoscope"));
-    m_depthOfField->setEnabled(!endoscopy->depthOfFieldFixed);
-    m_depthOfField->setChecked(endoscopy->depthOfFieldFixed ? endoscopy->depthOfField : m_plan.depthOfField.value_or(endoscopy->depthOfField));
+    m_depthOfField->setEnabled(!optics->fixed);
+    m_depthOfField->setChecked(optics->shown(m_plan.depthOfField));
     connect(m_depthOfField, &QCheckBox::toggled, this, &TrainingScreen::setDepthOfField);
     row->addWidget(m_depthOfField, 0, Qt::AlignTop);
     return foot;
 }
 
+LiveSurroundings TrainingScreen::surroundings() {
+    return {.theme = context().theme(),
+            .locale = context().locale(),
+            .cues = m_cues,
+            .ownHand = m_plan.ownHand(),
+            .leftHanded = m_plan.workspace.leftHanded,
+            .practises = m_plan.practises(),
+            .report =
+                [this](core::ReportField field, unsigned value) {
+                    if (running() && !m_storing)
+                        m_control->report(field, value);
+                },
+            .freePointer = [this] { hold(); }};
+}
+
 InfoView* TrainingScreen::makeInfo() {
-    if (const auto* endoscopy = m_level ? endoscopyOf(*m_level) : nullptr)
-        return new InsertionPanel(context().theme(), context().locale(), m_cues, *endoscopy);
-    if (const Grasping grasping = m_level ? graspingOf(*m_level) : Grasping{})
-        return new GraspPanel(context().theme(), context().locale(), m_cues, grasping);
-    if (m_palpated)
-        return makePalpationInfo();
-    return new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
+    return m_live ? m_live->makePanel() : new InfoPanel(context().theme(), context().locale(), m_cues, {.force_N = m_limits.force_N});
+}
+
+QString TrainingScreen::keysText() const {
+    const QString own = m_live ? m_live->keysText() : QString();
+    return own.isEmpty() ? keysInWords(m_plan.ownHand(), m_tool, m_tools) : own;
+}
+
+void TrainingScreen::addPartCommands(std::vector<ScreenCommand>& list) {
+    for (const LiveCommand& each : m_live->commands())
+        list.push_back({each.text, QKeySequence(each.key), [this, key = each.key] { (void)m_live->key(key); }, false});
 }
 
 QWidget* TrainingScreen::buildSide() {
@@ -231,7 +243,7 @@ void TrainingScreen::buildKeys() {
             (void)m_card->scroll(key); // nothing moves while it is read
             return;
         }
-        if (!m_hand || (down && panelKey(key)) || (down && m_control->held()))
+        if (!m_hand || (down && m_live->key(key)) || (down && m_control->held()))
             return;
         down ? m_hand->keyDown(key) : m_hand->keyUp(key);
     });
@@ -239,7 +251,7 @@ void TrainingScreen::buildKeys() {
 
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
-    const double wanted_px = isEndoscope() || m_palpated ? kEndoscopeSideWidth_px : kSideWidth_px;
+    const double wanted_px = m_live ? m_live->panelWidth_px() : kPanelWidth_px;
     // Large letters in a small window: the scene keeps its room. The ready card and Help have the keys too.
     constexpr double kLargestKeysShare = 0.13;
     m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
@@ -297,8 +309,8 @@ std::vector<ScreenCommand> TrainingScreen::commands() {
         list.push_back({tr("Depth of field on or off"), QKeySequence(Qt::Key_F), [this] { m_depthOfField->toggle(); }, false});
     if (m_plan.ownHand() && m_tool == session::PointerTool::point)
         list.push_back({tr("Mark this place"), QKeySequence(Qt::Key_Return), [this] { mark(); }, false});
-    if (m_palpation && m_plan.ownHand())
-        addPalpationCommands(list);
+    if (m_live && m_plan.ownHand())
+        addPartCommands(list);
     if (m_cues.sound)
         list.push_back({tr("Sound on or off"), {}, [this] { toggleMute(); }, true});
     return list;

@@ -42,7 +42,9 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.exercise = title();
     facts.level = text(m_level->title);
     facts.goal = text(m_level->goal.empty() ? m_level->objective : m_level->goal);
-    facts.controls = controlGuide(m_tool, m_palpated != nullptr);
+    facts.controls = m_live ? m_live->controls() : std::vector<ControlHint>();
+    if (facts.controls.empty())
+        facts.controls = controlGuide(m_tool);
     facts.keys = keysText();
     facts.limit = tr("%1. %2.").arg(limitsInWords(*m_level, context().locale()).join(QStringLiteral(". ")), deviceTitle(m_plan));
     facts.gates = gatesInWords(*m_level, context().locale());

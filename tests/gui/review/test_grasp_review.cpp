@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recorded grasping exercise played back: the scene as it was, the plots, the marks in words.
+#include "app/exercises/elastic_tube/desktop/tube_layer.h"
+#include "app/exercises/palpation/desktop/palpation_layer.h"
+#include "desktop/exercise_face.h"
 #include "desktop/playback/mark_words.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -25,6 +28,11 @@ session::SessionSetup tubeSetup(TubeTask task) {
     tube.trials = 2;
     setup.level.parameters = tube;
     return setup;
+}
+
+/// What a playback adds for the exercise of this setup.
+std::unique_ptr<PlaybackLayer> layerOf(const session::SessionSetup& setup) {
+    return exerciseFace(setup.level.exercise).value()->playbackLayer(setup, {});
 }
 
 /// Two seconds of trial 0 at 250 samples a second, the instruments still.
@@ -65,9 +73,9 @@ private slots:
         const session::PlaybackTrack track =
             madeTrack(2, {{"tension_N", 1.2}, {"stretch_m", 0.015}, {"grip_0", 2.0}, {"grip_1", 1.0}, {"grip_2", 0.0}, {"free_end_x_m", 0.031},
                           {"free_end_y_m", 0.001}, {"free_end_z_m", 0.041}, {"step", 3.0}, {"dwell", 0.5}});
-        const auto replay = GraspReplay::of(setup);
-        QVERIFY(replay.has_value());
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        const auto replay = layerOf(setup);
+        QVERIFY(replay != nullptr);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).laparoscopy;
         QVERIFY(cues.present && cues.objectShown && cues.tube && cues.tensionShown);
         QCOMPARE(cues.grips, 2);
         QVERIFY(!cues.gripAnchored[0]);
@@ -77,7 +85,8 @@ private slots:
         QCOMPARE(int(cues.step), int(core::LaparoscopyStep::hold));
         const auto trials = simulation::planElasticTubeTrials(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
         QVERIFY(std::abs(0.5 * (cues.bandLow_N + cues.bandHigh_N) - trials[0].target_N) < 1e-12);
-        QVERIFY(replay->bandOf(7).high_N == 0.0 && replay->bandOf(-1).high_N == 0.0);
+        const TubeLayer tube(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
+        QVERIFY(tube.bandOf(7).high_N == 0.0 && tube.bandOf(-1).high_N == 0.0);
     }
 
     void aFoldIsDrawnBackByTheThirdInstrument() {
@@ -88,24 +97,24 @@ private slots:
         tube.retractionHigh_N = 1.0;
         const session::PlaybackTrack track = madeTrack(3, {{"tension_N", 1.2}, {"retraction_N", 0.8}, {"fold_open", 1.0}, {"fold_edge_x_m", 0.002},
                                                            {"fold_edge_y_m", 0.03}, {"fold_edge_z_m", 0.025}, {"step", 9.0}});
-        const auto replay = GraspReplay::of(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        const auto replay = layerOf(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).laparoscopy;
         QVERIFY(cues.fold && cues.foldOpen && cues.retractionShown);
         QCOMPARE(cues.p_WFoldEdge[1], 0.03);
         QCOMPARE(cues.retraction_N, 0.8);
         QCOMPARE(int(cues.foldHeldBy), 4);
         QCOMPARE(int(cues.step), int(core::LaparoscopyStep::retract));
-        QCOMPARE(replay->retractionBand().high_N, 1.0);
+        QCOMPARE(TubeLayer(tube, setup.seed).retractionBand().high_N, 1.0);
         const session::SessionSetup plain = tubeSetup(TubeTask::twoHanded);
-        const auto withoutFold = GraspReplay::of(plain);
-        QVERIFY(!sceneStateAt(track, nullptr, 1.0, &*withoutFold).laparoscopy.fold);
+        const auto withoutFold = layerOf(plain);
+        QVERIFY(!sceneStateAt(track, nullptr, 1.0, withoutFold.get()).laparoscopy.fold);
     }
 
     void aTransferKnowsBaseAndTarget() {
         const session::SessionSetup setup = tubeSetup(TubeTask::transfer);
         const session::PlaybackTrack track = madeTrack(2, {{"grip_2", 1.0}, {"free_end_x_m", 0.03}, {"free_end_z_m", 0.04}});
-        const auto replay = GraspReplay::of(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        const auto replay = layerOf(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).laparoscopy;
         QCOMPARE(cues.grips, 3);
         QVERIFY(cues.gripAnchored[0] && cues.targetShown && cues.bandHigh_N == 0.0);
         const auto trials = simulation::planElasticTubeTrials(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
@@ -118,8 +127,8 @@ private slots:
         setup.level.parameters = simulation::ObjectHandlingParameters{};
         const session::PlaybackTrack track =
             madeTrack(1, {{"squeeze_N", 0.9}, {"held", 1.0}, {"body_0_x_m", 0.01}, {"body_0_y_m", 0.02}, {"body_0_z_m", 0.03}});
-        const auto replay = GraspReplay::of(setup);
-        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, &*replay).laparoscopy;
+        const auto replay = layerOf(setup);
+        const core::LaparoscopyCues cues = sceneStateAt(track, nullptr, 1.0, replay.get()).laparoscopy;
         QCOMPARE(cues.bodies, 1);
         QCOMPARE(int(cues.body[0].heldBy), 1);
         QCOMPARE(cues.body[0].p_W[2], 0.03);
@@ -133,20 +142,20 @@ private slots:
         session::PlaybackTrack track = madeTrack(1, {{"grip_1", 1.0}, {"free_end_z_m", 0.08}});
         for (std::size_t i = 250; i < 500; ++i)
             track.moments[i].phase = core::TrialPhase::between;
-        const auto replay = GraspReplay::of(setup);
-        QVERIFY(!sceneStateAt(track, nullptr, 1.5, &*replay).laparoscopy.present);
+        const auto replay = layerOf(setup);
+        QVERIFY(!sceneStateAt(track, nullptr, 1.5, replay.get()).laparoscopy.present);
         track.trials[0].failed = true;
-        QVERIFY(sceneStateAt(track, nullptr, 1.5, &*replay).laparoscopy.torn);
-        QVERIFY(!sceneStateAt(track, nullptr, 0.5, &*replay).laparoscopy.torn);
+        QVERIFY(sceneStateAt(track, nullptr, 1.5, replay.get()).laparoscopy.torn);
+        QVERIFY(!sceneStateAt(track, nullptr, 0.5, replay.get()).laparoscopy.torn);
     }
 
     void plotsOfTensionAndOfBothEnergies() {
         const session::SessionSetup setup = tubeSetup(TubeTask::hold);
         session::PlaybackTrack track = madeTrack(1, {{"tension_N", 1.0}, {"energy_supplied_J", 0.010}, {"energy_stored_J", 0.008}});
-        const auto replay = GraspReplay::of(setup);
+        const auto replay = layerOf(setup);
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
         const auto legend = [&] {
-            PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters, &*replay);
+            PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters, replay.get());
             const auto* energy = plots.findChild<report::PlotView*>(QStringLiteral("playback.energy_plot"));
             if (!energy || !plots.findChild<report::PlotView*>(QStringLiteral("playback.grasp_plot")))
                 return QStringList();
@@ -162,10 +171,10 @@ private slots:
     }
 
     void leansAreDrawnInDegreesAndDepthsInMillimetres() {
-        const session::SessionSetup setup = tubeSetup(TubeTask::hold);
         const session::PlaybackTrack track = madeTrack(1, {{"lean_0_rad", 0.5}, {"depth_0_m", 0.003}});
         const Theme theme = Theme::load(ThemeName::light, 1.0).value();
-        PlaybackPlots plots(theme, QLocale::c(), track, setup.level.parameters);
+        const PalpationLayer layer(core::Error{}); // what was found is not asked for
+        PlaybackPlots plots(theme, QLocale::c(), track, simulation::PalpationParameters{}, &layer);
         plots.resize(900, 620);
         plots.grab(); // lines are made for a width
         std::vector<double> drawn;
@@ -219,8 +228,10 @@ private slots:
 
     void nothingWhereNothingIsGrasped() {
         session::SessionSetup setup;
+        setup.level.exercise = "sphere_apex";
         setup.level.parameters = simulation::SphereApexParameters{};
-        QVERIFY(!GraspReplay::of(setup).has_value());
+        const auto layer = layerOf(setup);
+        QVERIFY(!sceneStateAt(madeTrack(1, {{"tension_N", 1.0}}), nullptr, 1.0, layer.get()).laparoscopy.present);
     }
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "gui/review/made_insertion.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
 #include "report/session_plots.h"
 #include "report/report_writer.h"
 #include "session/playback_ghost.h"
@@ -33,8 +35,9 @@ private slots:
 };
 
 void TestInsertionReview::theSceneIsToldTheProcedure() {
+    desktop::InsertionLayer layer(true);
     const session::PlaybackTrack track = madeTrack();
-    const scene3d::SceneState state = desktop::sceneStateAt(track, nullptr, 6.0);
+    const scene3d::SceneState state = desktop::sceneStateAt(track, nullptr, 6.0, &layer);
     QVERIFY(state.objectShown && state.endoscope.present && state.endoscope.pictureShown && state.endoscope.guided);
     QVERIFY(state.endoscope.stage == ProcedureStage::withdrawal);
     QCOMPARE(state.endoscope.landmarks, 2);
@@ -43,9 +46,10 @@ void TestInsertionReview::theSceneIsToldTheProcedure() {
 }
 
 void TestInsertionReview::plotsOfACanal() {
+    desktop::InsertionLayer layer(true);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
     const session::PlaybackTrack track = madeTrack();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{});
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer);
     for (const char* name : {"playback.force", "playback.offset_plot", "playback.alignment_plot", "playback.speed_plot"})
         QVERIFY2(plots.findChild<report::PlotView*>(QLatin1String(name)), name);
     plots.showCursor(3.0);
@@ -70,11 +74,12 @@ void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
 }
 
 void TestInsertionReview::theGhostHasItsOwnLines() {
+    desktop::InsertionLayer layer(true);
     const session::PlaybackTrack track = madeTrack();
     const session::GhostSeries series = session::ghostSeries(track, track);
     QCOMPARE(series.offset_m.size(), series.t_s.size());
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::dark, 1.0).value();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{});
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer);
     plots.setGhost(series, QStringLiteral("other"));
     QVERIFY(plots.force().legendTexts().contains(QStringLiteral("other")));
     QCOMPARE(plots.findChildren<report::PlotView*>(QStringLiteral("playback.offset_plot")).size(), 1); // drawn anew, not twice
@@ -83,13 +88,14 @@ void TestInsertionReview::theGhostHasItsOwnLines() {
 }
 
 void TestInsertionReview::withoutASeriesNothingIsAdded() {
+    desktop::InsertionLayer layer(true);
     session::PlaybackTrack track = madeTrack();
     track.insertion.reset();
     QVERIFY(!track.at(4.0).insertion);
     QVERIFY(session_report::seriesOf(track, simulation::UrethraInsertionParameters{}, QLocale::c()).offset_mm.empty());
-    QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0).endoscope.present);
+    QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0, &layer).endoscope.present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
-    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
+    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
 }
 
 /// Stored, scored and read again: what was done at a moment is told in words, and the scene takes the other picture.
@@ -127,8 +133,9 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     QVERIFY(stored.has_value());
     QVERIFY((*stored)->record().summary.state == database::SessionState::completed);
     const auto report = session_report::reportDataOf(**stored, **connection, desktop.actor("tina"), "en");
-    QVERIFY(report.has_value() && report->insertion);
-    QVERIFY(report->insertion->depth_mm.back() > 34.0);
+    QVERIFY(report.has_value() && report->sections.size() == 1);
+    const auto* section = dynamic_cast<const report::InsertionSection*>(report->sections.front().get());
+    QVERIFY(section && section->profile().depth_mm.back() > 34.0);
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("report.pdf"));
     QVERIFY(report::writeSessionPdf(file, *report, report::lightTheme(QLocale::c())).has_value());

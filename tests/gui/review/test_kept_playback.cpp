@@ -2,6 +2,7 @@
 // Recordings of every exercise played back, moment after moment, against what was read and kept: what the scene is told to show, the words
 // and numbers beside it, where keys and marks lead, what a second session adds. A change that is meant is kept anew, and the difference is
 // read in review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_playback
+#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -141,8 +142,8 @@ private slots:
         keys();
         timeBar(data);
         ghosts(session);
-        if (data.palpation)
-            looks(data);
+        if (auto* palpation = dynamic_cast<desktop::PalpationLayer*>(data.layer.get()))
+            looks(data, *palpation->replay());
         const QString differs = m_kept.differs(QLatin1String(QTest::currentDataTag()), m_lines);
         QVERIFY2(differs.isEmpty(), qPrintable(differs));
         ++m_held;
@@ -158,7 +159,7 @@ private slots:
         moment(third, 0.4 * third.track.duration_s, &third.track, false);
         const auto theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
         for (const auto& [of, beside] : {std::pair{&first, &second}, {&third, &third}}) {
-            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level.parameters);
+            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level.parameters, of->layer.get());
             plots.setGhost(session::ghostSeries(of->track, beside->track), QStringLiteral("second session"));
             plots.showCursor(1.5);
             m_lines << tests::ScreenOutline::of(plots, true, true);
@@ -192,9 +193,7 @@ private:
 
     void moment(desktop::PlaybackData& data, double t_s, const session::PlaybackTrack* ghost, bool shown = true) {
         say(QStringLiteral("-- at %1 s").arg(number(t_s)));
-        scene3d::SceneState state = desktop::sceneStateAt(data.track, ghost, t_s, data.grasp ? &*data.grasp : nullptr);
-        if (data.palpation)
-            data.palpation->showIn(state, data.track, t_s, {});
+        scene3d::SceneState state = desktop::sceneStateAt(data.track, ghost, t_s, data.layer.get());
         m_lines << sceneLines(state);
         if (!shown)
             return;
@@ -269,12 +268,12 @@ private:
         say(choice->isEnabled() ? QStringLiteral("may be chosen") : QStringLiteral("none to choose"));
     }
     /// A palpation with and without the truth, and by each map.
-    void looks(desktop::PlaybackData& data) {
+    void looks(const desktop::PlaybackData& data, desktop::PalpationReplay& replay) {
         for (const auto& [name, look] : {std::pair{"without the truth", desktop::PalpationLook{.truth = false}}, {"the whole trial's map of force", desktop::PalpationLook{true, true, core::SurfaceMapKind::force}}})
             for (const session::PlaybackTrial& trial : data.track.trials) {
                 say(QStringLiteral("-- %1, trial %2").arg(QLatin1String(name)).arg(trial.index));
                 scene3d::SceneState state = desktop::sceneStateAt(data.track, nullptr, trial.end_s - 1.0, nullptr);
-                data.palpation->showIn(state, data.track, trial.end_s - 1.0, look);
+                replay.showIn(state, data.track, trial.end_s - 1.0, look);
                 m_lines << sceneLines(state);
             }
     }

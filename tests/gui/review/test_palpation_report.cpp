@@ -39,7 +39,8 @@ report::ReportData dataOf(const std::vector<scoring::TrialTrace>& trials) {
     data.exerciseTitle = QStringLiteral("Palpation");
     data.exerciseId = QStringLiteral("palpation");
     data.state = QStringLiteral("completed");
-    data.palpation = session_report::palpationReportOf(tests::palpationSession(trials), level());
+    if (auto section = session_report::palpationSectionOf(tests::palpationSession(trials), level()))
+        data.sections.push_back(std::move(section));
     return data;
 }
 
@@ -118,7 +119,8 @@ private slots:
         QTemporaryDir folder;
         std::vector<scoring::TrialTrace> many(20, searched());
         const auto data = dataOf(many);
-        QVERIFY(core::isUsable(data.palpation->regions));
+        const auto found = session_report::palpationReportOf(tests::palpationSession(many), level());
+        QVERIFY(found && core::isUsable(found->regions));
         QVERIFY(!pdfOf(data, folder.filePath(QStringLiteral("many.pdf"))).isEmpty());
     }
 };

@@ -4,11 +4,12 @@
 #include "database/repositories/session_reader.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
 #include "desktop/playback/playback_plots.h"
+#include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/playback/playback_scene.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/plots/metric_words.h"
 #include "app/exercises/palpation/desktop/palpation_map_view.h"
-#include "desktop/results/roc_box.h"
+#include "app/exercises/palpation/desktop/roc_box.h"
 #include "desktop/widgets/state_panel.h"
 #include "report/plot_view.h"
 #include "support/every_place.h"
@@ -24,6 +25,14 @@ using namespace chiron;
 using namespace chiron::tests;
 using desktop::PalpationReplay;
 
+namespace {
+
+PalpationReplay& replayOf(desktop::PlaybackData& data) {
+    return *dynamic_cast<desktop::PalpationLayer&>(*data.layer).replay();
+}
+
+} // namespace
+
 class TestPalpationReview : public QObject {
     Q_OBJECT
 private slots:
@@ -37,7 +46,7 @@ private slots:
 
     void everyMomentIsAsItWas() {
         auto data = load();
-        PalpationReplay& replay = *data.palpation;
+        PalpationReplay& replay = replayOf(data);
         const PalpatingHand hand(replay.level(), kPalpationSeed);
         const auto& trials = data.track.trials;
         QCOMPARE(trials.size(), hand.trials().size());
@@ -56,7 +65,7 @@ private slots:
 
     void theMapGrowsAndIsTheSameWherever() {
         auto data = load();
-        PalpationReplay& replay = *data.palpation;
+        PalpationReplay& replay = replayOf(data);
         const session::PlaybackTrial& trial = data.track.trials[0];
         const auto coverageAt = [&](double t_s, bool whole) {
             scene3d::SceneState state;
@@ -77,17 +86,17 @@ private slots:
     void whatBecameOfFindingsIsDrawn() {
         auto data = load();
         scene3d::SceneState state;
-        data.palpation->showIn(state, data.track, data.track.trials[1].end_s - 0.05, {});
-        const PalpatingHand hand(data.palpation->level(), kPalpationSeed);
+        replayOf(data).showIn(state, data.track, data.track.trials[1].end_s - 0.05, {});
+        const PalpatingHand hand(replayOf(data).level(), kPalpationSeed);
         const bool lump = hand.trials()[1].lumps > 0;
         const std::size_t wrong = lump ? 1 : 0;
         QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::falseAlarm));
         if (lump)
             QCOMPARE(int(state.outcome[0]), int(core::FindingOutcome::hit));
-        data.palpation->showIn(state = {}, data.track, data.track.trials[1].end_s - 0.05, {.truth = false});
+        replayOf(data).showIn(state = {}, data.track, data.track.trials[1].end_s - 0.05, {.truth = false});
         QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::open));
         if (hand.trials()[2].lumps > 0) { // taken back: missed
-            data.palpation->showIn(state = {}, data.track, data.track.trials[2].end_s - 0.05, {});
+            replayOf(data).showIn(state = {}, data.track, data.track.trials[2].end_s - 0.05, {});
             QCOMPARE(int(state.lumpsMissed), 1);
         }
     }
@@ -201,7 +210,7 @@ private slots:
         QVERIFY2(titles[0].contains(QStringLiteral("Findings and maps could not be read")), qPrintable(titles[0]));
         m_desktop->go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(lost)}});
         QVERIFY(waitUntilLoaded(*m_desktop));
-        auto* said = m_desktop->find<QLabel>(QStringLiteral("playback.palpation_lost"));
+        auto* said = m_desktop->find<QLabel>(QStringLiteral("playback.layer_lost"));
         QVERIFY(said && said->isVisible());
         QVERIFY2(said->text().contains(QStringLiteral("trial 1: the trace has no reports")), qPrintable(said->text()));
         QVERIFY(!m_desktop->find<QCheckBox>(QStringLiteral("playback.truth")));

@@ -4,7 +4,7 @@
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
 #include "app/exercises/elastic_tube/scene/fold_sheet.h"
 #include "app/exercises/elastic_tube/scene/mark_ring.h"
-#include "desktop/scene3d/parts/tube_mesh.h"
+#include "app/exercises/elastic_tube/scene/tube_mesh.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
 #include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"

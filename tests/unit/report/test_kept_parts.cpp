@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a report tells of each exercise beside its metrics, of trials in which much happens and of the same with something lacking, against
 // what was kept. A change that is meant is kept anew: CHIRON_STORE_OUTLINES=1 build/release/tests/unit/report/test_kept_parts
-#include "session_report/exercise_parts.h"
-#include "app/exercises/palpation/session_report/palpation_report.h"
+#include "app/exercises/elastic_tube/report/tube_report.h"
+#include "app/exercises/object_handling/report/handling_report.h"
+#include "app/exercises/palpation/report/palpation_section.h"
+#include "app/exercises/sphere_apex/report/apex_report.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
+#include "session_report/exercise_section.h"
 #include "support/kept_figures.h"
 #include "unit/scoring/drawn_traces.h"
 
@@ -80,17 +84,18 @@ void tell(Figures& out, const report::PalpationReport& palpation) {
 
 QStringList partsOf(const SessionTrace& trace, const catalogue::ExerciseLevel& level) {
     Figures out;
-    const report::ExerciseParts parts = session_report::exercisePartsOf(trace, level);
-    for (const report::ApexError& error : parts.apexErrors)
-        tell(out, error);
-    if (parts.insertion)
-        tell(out, *parts.insertion);
-    if (parts.palpation)
-        tell(out, *parts.palpation);
-    if (parts.tube)
-        tell(out, *parts.tube);
-    if (parts.handling)
-        tell(out, *parts.handling);
+    const auto section = session_report::exerciseSectionOf(trace, level);
+    if (const auto* apex = dynamic_cast<const report::ApexSection*>(section.get()))
+        for (const report::ApexError& error : apex->errors())
+            tell(out, error);
+    if (const auto* insertion = dynamic_cast<const report::InsertionSection*>(section.get()))
+        tell(out, insertion->profile());
+    if (const auto* palpation = dynamic_cast<const report::PalpationSection*>(section.get()))
+        tell(out, palpation->report());
+    if (const auto* tube = dynamic_cast<const report::TubeSection*>(section.get()))
+        tell(out, tube->tube());
+    if (const auto* handling = dynamic_cast<const report::HandlingSection*>(section.get()))
+        tell(out, handling->handling());
     if (out.lines.isEmpty())
         out.say(QStringLiteral("parts"), "none");
     return out.lines;

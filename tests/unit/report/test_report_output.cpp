@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/sphere_apex/report/apex_report.h"
 #include "report/plot_canvas.h"
 #include "report/report_writer.h"
 #include "report/session_plots.h"
@@ -82,8 +83,10 @@ ReportData sample(std::size_t samples) {
                     {"sparc", "Smoothness (SPARC)", "", -2.417, {}, {}, {}, {}, false, {}, {}, {}, {}}};
     const double misfit[10][2] = {{12, -8}, {-22, 5},   {7, 14},  {31, -19}, {-4, -11},
                                   {15, 3},  {-140, 60}, {9, -27}, {2, 6},    {-13, 18}};
+    std::vector<ApexError> errors;
     for (int i = 0; i < 10; ++i)
-        data.apexErrors.push_back({i, misfit[i][0], misfit[i][1], i == 6, false});
+        errors.push_back({i, misfit[i][0], misfit[i][1], i == 6, false});
+    data.sections.push_back(std::make_shared<ApexSection>(std::move(errors)));
     SampleSeries& s = data.series;
     ToolSamples& tool = s.tools.emplace_back();
     for (std::size_t i = 0; i < samples; ++i) {
@@ -178,7 +181,7 @@ void TestReportOutput::sessionReport_data() {
     simulated.simulated = true;
     simulated.state = QStringLiteral("interrupted");
     simulated.person = QStringLiteral("expert, seed 7");
-    simulated.apexErrors.clear();
+    simulated.sections = {std::make_shared<ApexSection>(std::vector<ApexError>())};
     QTest::newRow("no_trials") << simulated << QLocale(QLocale::Greek, QLocale::Greece) << 1;
     QTest::newRow("nothing") << ReportData() << english << 1;
 }

@@ -2,7 +2,7 @@
 // Friction sets in as the session's device can render it, and a replay, which has the device's stored data alone, has the same friction.
 #include "catalogue/catalogue.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
-#include "session/device_friction.h"
+#include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "session/device_json.h"
 #include "session/exercise_kind.h"
 #include "session/session_setup.h"

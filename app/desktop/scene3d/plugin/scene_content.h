@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene3d/camera_fit.h"
+#include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/plugin/shared_light.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
@@ -31,6 +32,8 @@ public:
     virtual double elevation_rad() const { return kCameraElevation_rad; }
     /// Whether the tools (and the ghost) are its own; otherwise the stage draws laparoscopic instruments.
     virtual bool drawsTools() const { return false; }
+    /// The bar of the force on the tools.
+    virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
     /// The picture's size in device pixels, and device pixels a logical one: for what lies in the picture itself.
     virtual void setPicture(const QSize& size_px, double ratio) { (void)size_px, (void)ratio; }
     /// Translucent parts go on this layer, which is drawn after the field.

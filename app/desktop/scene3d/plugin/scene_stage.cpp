@@ -3,7 +3,7 @@
 
 #include "desktop/scene3d/camera_fit.h"
 #include "desktop/scene3d/laparoscopy_dial.h"
-#include "app/exercises/palpation/scene/palpation_dial.h"
+#include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
 #include <QMatrix4x4>
@@ -134,7 +134,7 @@ void SceneStage::show(const SceneState& state) {
 }
 
 void SceneStage::showForce(const SceneState& state) {
-    const GaugeDial dial = forceDial(m_setup, state.palpation);
+    const GaugeDial dial = m_content->forceBar(m_setup, state);
     if (!(dial == m_forceDial)) { // once a trial: the face is painted again
         m_forceDial = dial;
         m_gauge->change(m_setup, dial, m_setup.cues.arrow);

@@ -3,7 +3,7 @@
 
 #include "app/exercises/elastic_tube/scene/fold_sheet.h"
 #include "app/exercises/elastic_tube/scene/mark_ring.h"
-#include "desktop/scene3d/parts/tube_mesh.h"
+#include "app/exercises/elastic_tube/scene/tube_mesh.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "app/exercises/object_handling/scene/handling_content.h"
 
 #include "desktop/scene3d/drawn_tool.h"
-#include "desktop/scene3d/parts/tube_mesh.h"
+#include "desktop/scene3d/parts/floor_shade.h"
 #include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/loft.h"
 #include "desktop/scene3d/parts/sweep.h"

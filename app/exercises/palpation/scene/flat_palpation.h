@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_content.h"
+#include "app/exercises/palpation/scene/palpation_dial.h"
 #include "app/exercises/palpation/scene/tissue_look.h"
 #include "desktop/scene3d/parts/dent.h"
 #include "simulation/palpation/tissue_surface.h"
@@ -25,6 +26,7 @@ public:
     QRectF rangeSide_mm() const override;
     bool drawsTools() const override { return true; }
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.palpation); }
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
     /// Where the side's cut goes: through the finger that presses deepest, else the first one, else the middle. m.

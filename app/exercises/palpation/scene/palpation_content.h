@@ -4,6 +4,7 @@
 #include "app/exercises/palpation/scene/finding_pins.h"
 #include "app/exercises/palpation/scene/finger.h"
 #include "app/exercises/palpation/scene/map_card.h"
+#include "app/exercises/palpation/scene/palpation_dial.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 #include "simulation/palpation/tissue_surface.h"
 
@@ -25,6 +26,7 @@ public:
     double roomAbove_m() const override;
     double elevation_rad() const override;
     bool drawsTools() const override { return true; }
+    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.palpation); }
     void putTranslucent(Qt3DRender::QLayer* layer) override;
     void putOver(Qt3DRender::QLayer* layer) override;
     void setPicture(const QSize& size_px, double ratio) override { m_card->setPicture(size_px, ratio); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/session_report/palpation_report.h"
 
+#include "app/exercises/palpation/report/palpation_section.h"
+
 #include <variant>
 
 namespace chiron::session_report {
@@ -82,6 +84,11 @@ std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionT
             out.regions += scoring::countsOf(record.answer.regions);
     }
     return out;
+}
+
+std::shared_ptr<const report::ReportSection> palpationSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+    auto found = palpationReportOf(trace, level);
+    return found ? std::make_shared<report::PalpationSection>(std::move(*found)) : nullptr;
 }
 
 } // namespace chiron::session_report

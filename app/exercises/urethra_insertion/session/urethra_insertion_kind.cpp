@@ -5,7 +5,7 @@
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_rows.h"
-#include "session/device_friction.h"
+#include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "session/session_setup.h"

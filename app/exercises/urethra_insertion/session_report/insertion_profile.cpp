@@ -90,4 +90,9 @@ std::optional<report::InsertionProfile> insertionProfileOf(const session::Playba
     return std::move(maker.profile());
 }
 
+std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel&) {
+    auto profile = insertionProfileOf(trace);
+    return profile ? std::make_shared<report::InsertionSection>(std::move(*profile)) : nullptr;
+}
+
 } // namespace chiron::session_report

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/report_data.h"
+#include "app/exercises/urethra_insertion/report/insertion_report.h"
+#include "report/report_section.h"
+#include "catalogue/exercise.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
 
+#include <memory>
 #include <optional>
 
 namespace chiron::session_report {
@@ -13,5 +16,8 @@ namespace chiron::session_report {
 /// entrance on, in the stages before the goal and in the withdrawal. Pauses do not count. Nothing for exercises without a canal. Pure.
 std::optional<report::InsertionProfile> insertionProfileOf(const scoring::SessionTrace& trace);
 std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track);
+
+/// The section of a report; null without a canal. Pure.
+std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
 } // namespace chiron::session_report

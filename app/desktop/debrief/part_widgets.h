@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/plots/plot_theme_of.h"
+#include "desktop/theme/theme.h"
+#include "report/plot_view.h"
+#include "report/word_table.h"
+
+#include <QWidget>
+#include <memory>
+
+class QVBoxLayout;
+
+namespace chiron::desktop {
+
+// What the exercises' parts of a debrief are made of. GUI thread.
+
+/// One below the other, without a margin.
+struct PartColumn {
+    explicit PartColumn(const Theme& theme);
+    std::unique_ptr<QWidget> holder;
+    QVBoxLayout* layout;
+};
+
+/// At least so high; whoever lays it out owns it.
+QWidget* partPlot(const Theme& theme, std::unique_ptr<report::PlotView> view, const char* name, int height_px);
+/// The result of each trial: all rows are seen. Whoever lays it out owns it.
+QWidget* trialTable(const Theme& theme, const report::WordTable& words, const char* name);
+
+} // namespace chiron::desktop

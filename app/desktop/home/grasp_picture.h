@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/home/level_picture.h"
+
+#include <QPointF>
+
+namespace chiron::desktop {
+
+/// Of exercises with graspers, from the side: tube, objects and dish in their true proportions.
+class GraspPicture : public LevelPicture {
+public:
+    using LevelPicture::LevelPicture;
+
+protected:
+    static constexpr double kPictureWidth_m = 0.150;
+    static constexpr double kFloorAt = 0.80; ///< of the picture's height, from the top
+
+    void paintFloor(QPainter& painter, double y) const;
+    /// Shaft from outside, two blades to the tip; `opening` between their ends, pixels.
+    void paintGrasper(QPainter& painter, QPointF tip, QPointF from, double opening) const;
+};
+
+} // namespace chiron::desktop

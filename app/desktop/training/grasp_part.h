@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/training/grasp_note.h"
+#include "desktop/training/live_part.h"
+
+namespace chiron::desktop {
+
+/// Of a level that is done with graspers: their panel, hands, and what is said when they close on nothing.
+class GraspPart final : public LivePart {
+public:
+    /// `level` outlives it.
+    GraspPart(const catalogue::ExerciseLevel& level, LiveSurroundings around);
+
+    InfoView* makePanel() override;
+    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;
+    QString activeText(int tool) const override;
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) override;
+    scene3d::SceneNote note(std::int64_t now_ns) const override { return m_note.note(now_ns); }
+
+private:
+    Grasping m_grasping;
+    GraspNote m_note;
+};
+
+} // namespace chiron::desktop

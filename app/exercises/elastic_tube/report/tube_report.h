@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/plot_theme.h"
+#include "report/report_section.h"
+#include "report/trial_outcome.h"
+#include "report/word_table.h"
+
+#include <QLocale>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace chiron::report {
+
+class PlotView;
+
+/// One trial on an elastic tube. Absent: the task has no such target, or it was never held.
+struct TubeTrialRow {
+    int trial = 0; ///< from 0; people see it from 1
+    TrialOutcome outcome = TrialOutcome::unfinished;
+    std::optional<double> target_N;
+    std::optional<double> error_N; ///< root mean square over its holds
+    std::optional<double> inBand_s;
+    double stretchMax_mm = 0.0;
+    std::optional<double> overStretches;
+    std::optional<double> drops;
+    std::optional<double> retractionInBand_percent; ///< of a fold that had to be held back
+};
+
+/// What an elastic tube came to, at 100 Hz (of each 10 ms the value farthest from zero). Between trials, and where a trial asks for
+/// no band or no mark, values are not numbers.
+struct TubeReport {
+    struct Span {
+        double begin_s = 0.0;
+        double end_s = 0.0;
+    };
+    std::vector<double> t_s;
+    std::vector<double> tension_N;
+    std::vector<double> bandLow_N, bandHigh_N;
+    std::vector<double> stretch_mm;
+    std::vector<double> markLow_mm, markHigh_mm;
+    std::vector<double> retraction_N; ///< pull on the fold over the tube; none where there is none
+    double retractionLow_N = 0.0, retractionHigh_N = 0.0;
+    double overStretch_mm = 0.0; ///< 0: not known
+    std::vector<Span> paused;
+    std::vector<double> trialStart_s;
+    std::vector<TubeTrialRow> rows;
+};
+
+/// The plots of an elastic tube over time. Each makes a new view (GUI thread); empty data give an empty plot with a note.
+/// Tension with the band that was asked for ...
+std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& theme);
+/// The pull on the fold over the tube with its band; null where there was no fold.
+std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme& theme);
+/// ... and stretch with the mark, where the task has one, and the length that counts as over-stretched.
+std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme);
+/// What each trial came to.
+WordTable tubeTable(const TubeReport& tube, const QLocale& locale);
+
+/// Tension and stretch over time, and what each trial came to.
+class TubeSection final : public ReportSection {
+public:
+    explicit TubeSection(TubeReport tube) : m_tube(std::move(tube)) {}
+
+    const TubeReport& tube() const { return m_tube; }
+    void addTo(BlockMaker& blocks) const override;
+
+private:
+    TubeReport m_tube;
+};
+
+} // namespace chiron::report

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/elastic_tube/report/tube_report.h"
+#include "catalogue/exercise.h"
+#include "report/report_section.h"
+#include "scoring/trace.h"
+
+#include <memory>
+
+namespace chiron::session_report {
+
+/// What a session on an elastic tube came to: tension and stretch with what was asked for, and each trial's own metrics, as the
+/// scores compute them. A trial that was stopped is there, as not finished. Pure.
+report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+
+/// The section of a report. Pure.
+std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+
+} // namespace chiron::session_report

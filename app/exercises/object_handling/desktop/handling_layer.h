@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/laparoscopy_cues.h"
+#include "desktop/playback/playback_layer.h"
+#include "simulation/exercises/object_handling/object_handling_plan.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// Object handling played back: where the objects lay and how one was held at any moment, from the recorded quantities, the jaw and the
+/// truth of each trial (planned again from content and seed); the squeeze with its limit, and the books of energy. Everything is shown,
+/// whatever the level hid.
+class HandlingLayer final : public PlaybackLayer {
+public:
+    HandlingLayer(const simulation::ObjectHandlingParameters& level, std::uint64_t seed);
+
+    /// What was there at a moment of the track; not present between trials.
+    core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
+
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
+    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
+                    const QLocale& locale) const override;
+    void addPlots(PlaybackPlots& plots) const override;
+
+private:
+    void fillObjects(const session::PlaybackTrack& track, const session::PlaybackView& view, core::LaparoscopyCues& cues) const;
+
+    simulation::ObjectHandlingParameters m_level;
+    std::vector<simulation::ObjectHandlingTrial> m_trials;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/object_handling/desktop/object_handling_face.h"
+
+#include "app/exercises/object_handling/desktop/handling_picture.h"
+#include "app/exercises/object_handling/desktop/handling_layer.h"
+#include "app/exercises/object_handling/session_report/handling_report_of.h"
+#include "desktop/debrief/part_widgets.h"
+#include "desktop/plots/responsive_row.h"
+#include "desktop/exercise_setup/level_facts.h"
+#include "desktop/training/grasp_part.h"
+
+#include <QVBoxLayout>
+
+namespace chiron::desktop {
+
+namespace {
+
+class HandlingDebrief final : public DebriefPart {
+public:
+    explicit HandlingDebrief(report::HandlingReport handling) : m_handling(std::move(handling)) {}
+
+    std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
+        if (m_handling.rows.empty())
+            return nullptr;
+        const report::PlotTheme look = plotThemeOf(theme, locale);
+        PartColumn column(theme);
+        auto* row = new ResponsiveRow(theme.px(640), theme.px(12));
+        row->add(partPlot(theme, report::squeezePlot(m_handling, look), "debrief.squeeze", 280), 3);
+        row->add(partPlot(theme, report::placePlot(m_handling, look), "debrief.place", 280), 2);
+        column.layout->addWidget(row);
+        column.layout->addWidget(trialTable(theme, report::handlingTable(m_handling, locale), "debrief.handling_trials"));
+        return std::move(column.holder);
+    }
+
+private:
+    report::HandlingReport m_handling;
+};
+
+QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const QLocale& locale) {
+    QStringList facts;
+    if (p.task == simulation::HandlingTask::weigh)
+        facts
+            << LevelFactTexts::tr("Goal: put the heaviest of %1 identical-looking objects inside the ring").arg(locale.toString(p.objects));
+    else
+        facts << LevelFactTexts::tr("Goal: lift the object by %1 mm and put it inside the ring")
+                     .arg(locale.toString(qRound(p.liftHeight_m * 1e3)));
+    if (p.organBed)
+        facts << LevelFactTexts::tr("Surface: a soft organ that gives way");
+    return facts << trialsFact(p.trials, p.trialLimit_s, locale);
+}
+
+} // namespace
+
+std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<HandlingPicture>(std::get<simulation::ObjectHandlingParameters>(level.parameters), frame);
+}
+
+QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
+    return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale);
+}
+
+std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<GraspPart>(level, std::move(around));
+}
+
+QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
+
+QString ObjectHandlingFace::debriefEmpty() const {
+    return DebriefPartTexts::tr("There is no object to show. The session is kept and listed.");
+}
+
+DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const {
+    return std::make_unique<HandlingDebrief>(session_report::handlingReportOf(trace, level));
+}
+
+std::unique_ptr<PlaybackLayer> ObjectHandlingFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
+    return std::make_unique<HandlingLayer>(std::get<simulation::ObjectHandlingParameters>(setup.level.parameters), setup.seed);
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/object_handling/session_report/handling_report_of.h"
+
+#include "curriculum/exercises/object_handling/scoring/handling_samples.h"
+#include "session_report/trial_values.h"
+
+#include <string>
+
+namespace chiron::session_report {
+
+namespace {
+
+/// Where the trial's object lay at its end.
+void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
+    scoring::PreparedTrial prepared; // of which the answer reads quantities and truth alone
+    prepared.trial = &trial;
+    prepared.tool = &trial.tools.front();
+    const auto answer = scoring::answerOf(prepared);
+    const auto x_m = truthIn(trial, "target_x_m");
+    const auto y_m = truthIn(trial, "target_y_m");
+    if (!answer || !x_m || !y_m)
+        return;
+    const std::string body = "body_" + std::to_string(answer->number);
+    const std::vector<double>* bodyX = quantityIn(trial, (body + "_x_m").c_str());
+    const std::vector<double>* bodyY = quantityIn(trial, (body + "_y_m").c_str());
+    if (bodyX == nullptr || bodyY == nullptr || bodyX->empty())
+        return;
+    row.taken = answer->taken;
+    row.x_mm = 1e3 * (bodyX->back() - *x_m);
+    row.y_mm = 1e3 * (bodyY->back() - *y_m);
+    row.fromTarget_mm = 1e3 * answer->fromTarget_m;
+    const auto task = truthIn(trial, "task");
+    const auto heaviest = truthIn(trial, "heaviest");
+    if (task && heaviest && static_cast<simulation::HandlingTask>(static_cast<int>(*task)) == simulation::HandlingTask::weigh &&
+        trial.completed)
+        row.heaviest = answer->number == static_cast<int>(*heaviest);
+}
+
+} // namespace
+
+report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+    report::HandlingReport handling;
+    const TrialScores scores(trace, level, {"squeeze_max", "squeeze_time_over_limit"});
+    for (std::size_t i = 0; i < trace.trials.size(); ++i) {
+        const scoring::TrialTrace& trial = trace.trials[i];
+        if (trial.tools.empty() || trial.tools.front().t_s.empty())
+            continue;
+        report::HandlingTrialRow row;
+        row.trial = trial.trial;
+        row.outcome = outcomeOf(trial);
+        row.squeezeMax_N = scores.of(i, "squeeze_max");
+        row.overLimit_s = scores.of(i, "squeeze_time_over_limit");
+        addPlace(trial, row);
+        handling.squeezeLimit_N = truthIn(trial, "squeeze_limit_N").value_or(0.0);
+        handling.targetRadius_mm = 1e3 * truthIn(trial, "target_radius_m").value_or(0.0);
+        handling.rows.push_back(row);
+    }
+    return handling;
+}
+
+std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
+    return std::make_shared<report::HandlingSection>(handlingReportOf(trace, level));
+}
+
+} // namespace chiron::session_report

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/palpation/desktop/found_lumps.h"
+
+#include <algorithm>
+
+namespace chiron::desktop {
+
+void FoundLumps::follow(const haptics::DisplayState& state) {
+    m_palpates = state.palpation.present;
+    m_findings = state.palpation.finding;
+}
+
+// Matched as scoring matches them.
+std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObject& object, const Findings& findings) {
+    scoring::PalpationTruth truth;
+    truth.hitRadius_m = 0.0; // each lump's own reach is its radius here
+    for (const session::TrialLump& lump : object.lumps)
+        truth.lumps.push_back({.place_W = lump.p_WAbove, .radius_m = lump.reach_m});
+    core::FindingsBook book;
+    for (std::size_t i = 0; i < findings.size(); ++i)
+        if (findings[i].present)
+            book.place(static_cast<int>(i), findings[i].p_W);
+    return scoring::matchesOf(book, truth);
+}
+
+QString FoundLumps::words(const session::TrialObject& truth, const QLocale& locale) const {
+    const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_findings);
+    const auto hits =
+        static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const scoring::FindingMatch& match) { return match.hit(); }));
+    const int wrong = static_cast<int>(matches.size()) - hits;
+    const auto lumps = static_cast<int>(truth.lumps.size());
+    QString words;
+    if (lumps == 0)
+        words = wrong == 0 ? AnswerTexts::tr("Right: there was no lump") : AnswerTexts::tr("There was no lump");
+    else if (lumps > 1)
+        words = AnswerTexts::tr("%1 of %2 lumps found").arg(locale.toString(hits), locale.toString(lumps));
+    else if (hits == 0)
+        words = AnswerTexts::tr("The lump was missed");
+    else
+        words =
+            AnswerTexts::tr("Lump found, %1 mm off")
+                .arg(locale.toString(
+                    1e3 * std::find_if(matches.begin(), matches.end(), [](const auto& match) { return match.hit(); })->distance_m, 'f', 1));
+    return wrong == 0 ? words : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
+}
+
+/// As playback shows them: each lump, whether it was found, and what became of each finding.
+void FoundLumps::show(const session::TrialObject& truth, scene3d::SceneState& drawn) const {
+    const std::vector<session::TrialLump>& lumps = truth.lumps;
+    const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_kept);
+    core::PalpationCues& cues = drawn.palpation;
+    cues.present = true;
+    cues.finding = m_kept;
+    cues.selected = -1;
+    cues.lumps = static_cast<int>(std::min(lumps.size(), cues.lump.size()));
+    drawn.lumpsMissed = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cues.lumps); ++i) {
+        const core::Vec3& p_W = lumps[i].p_WCentre;
+        cues.lump[i] = {{p_W.x(), p_W.y(), p_W.z()}, lumps[i].radius_m};
+        if (!scoring::foundBy(matches, static_cast<int>(i)))
+            drawn.lumpsMissed = static_cast<std::uint8_t>(drawn.lumpsMissed | 1U << i);
+    }
+    for (const scoring::FindingMatch& match : matches)
+        drawn.outcome[static_cast<std::size_t>(match.finding)] = match.hit() ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/palpation/desktop/palpation_part.h"
+
+#include "app/exercises/palpation/desktop/palpation_panel.h"
+#include "desktop/training/finger_control.h"
+#include "desktop/training/training_words.h"
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr int kMapKey = Qt::Key_M;
+constexpr int kFreeKey = Qt::Key_T; // "tell": the pointer is needed beside the scene
+
+struct GuideTexts {
+    Q_DECLARE_TR_FUNCTIONS(ControlGuide)
+};
+
+} // namespace
+
+PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveSurroundings around)
+    : LivePart(std::move(around)), m_level(level) {
+    if (this->around().cues.coverage)
+        m_map.emplace(m_level);
+}
+
+InfoView* PalpationPart::makePanel() {
+    m_panel = new PalpationPanel(around().theme, around().locale, around().cues, m_level);
+    m_panel->findings().setEnabled(around().ownHand); // who watches says nothing
+    QObject::connect(&m_panel->findings(), &FindingsBox::reported, m_panel,
+                     [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
+    return m_panel;
+}
+
+std::unique_ptr<HandControl> PalpationPart::takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const {
+    const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
+    if (mailboxes.empty())
+        return nullptr; // somebody else's hand
+    auto fingers =
+        std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(), around().leftHanded, m_level.pinch.has_value());
+    fingers->onChosen(std::move(chosen));
+    return fingers;
+}
+
+QString PalpationPart::activeText(int tool) const { return m_level.hands > 1 ? activeHandInWords(tool / m_level.fingers) : QString(); }
+
+std::vector<ControlHint> PalpationPart::controls() const {
+    return {{Pictogram::moveMouse, GuideTexts::tr("Move"), GuideTexts::tr("Move the mouse, or use the arrow keys.")},
+            {Pictogram::wheelTowards, GuideTexts::tr("Press"),
+             GuideTexts::tr("Roll the wheel towards you, or hold Page Down. To raise, roll it away from you, or hold Page Up.")},
+            {Pictogram::leftClick, GuideTexts::tr("Mark a finding"),
+             GuideTexts::tr("Click, or press Enter. When nothing is left to report, press D.")}};
+}
+
+QString PalpationPart::keysText() const {
+    const bool rates = m_level.asksSize || m_level.asksHardness || m_level.asksConfidence;
+    return palpationKeysInWords(around().ownHand, m_level.hands, rates, m_level.pinch.has_value());
+}
+
+std::vector<int> PalpationPart::keys() const {
+    std::vector<int> keys(FindingsBox::keys().begin(), FindingsBox::keys().end());
+    keys.push_back(kMapKey);
+    keys.push_back(kFreeKey);
+    return keys;
+}
+
+bool PalpationPart::key(int key) {
+    if (key == kMapKey)
+        m_panel->switchMap();
+    else if (key == kFreeKey) // the clock runs on and the finger stays where it is: while paused nothing is taken
+        around().freePointer();
+    else
+        return m_panel->findings().key(key);
+    return true;
+}
+
+std::vector<LiveCommand> PalpationPart::commands() const {
+    std::vector<LiveCommand> list{{TrainingTexts::tr("Select the next finding"), Qt::Key_N},
+                                  {TrainingTexts::tr("Take back the selected finding"), Qt::Key_Delete},
+                                  {TrainingTexts::tr("Nothing more to report"), Qt::Key_D},
+                                  {TrainingTexts::tr("Free the pointer to rate with the mouse"), kFreeKey}};
+    if (m_map)
+        list.push_back({TrainingTexts::tr("Map: searched area or force"), kMapKey});
+    return list;
+}
+
+void PalpationPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) {
+    if (!m_map)
+        return;
+    m_map->take(state.trial, samples);
+    drawn.surfaceMap = &m_map->map();
+    drawn.surfaceMapStep = m_map->map().step();
+    drawn.mapKind = m_panel->showsForceMap() ? core::SurfaceMapKind::force : core::SurfaceMapKind::coverage;
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/exercises/palpation/desktop/palpation_map.h"
+#include "desktop/training/live_part.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
+
+#include <optional>
+
+namespace chiron::desktop {
+
+class PalpationPanel;
+
+/// Of a level that is palpated: findings with their ratings, the fingers, the live map.
+class PalpationPart final : public LivePart {
+public:
+    /// `level` outlives it, and its panel.
+    PalpationPart(const simulation::PalpationParameters& level, LiveSurroundings around);
+
+    InfoView* makePanel() override;
+    double panelWidth_px() const override { return kWidePanel_px; }
+    std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;
+    QString activeText(int tool) const override;
+    bool handMarks() const override { return true; } // of several fingers it is the moved hand's
+    std::vector<ControlHint> controls() const override;
+    QString keysText() const override;
+    std::vector<int> keys() const override;
+    bool key(int key) override;
+    std::vector<LiveCommand> commands() const override;
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) override;
+
+private:
+    const simulation::PalpationParameters& m_level;
+    PalpationPanel* m_panel = nullptr;
+    std::optional<PalpationMap> m_map; ///< of the trial that runs, where the level shows it
+};
+
+} // namespace chiron::desktop

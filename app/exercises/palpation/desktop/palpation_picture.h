@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/home/level_picture.h"
+#include "simulation/exercises/palpation/palpation_parameters.h"
+
+#include <QPointF>
+
+namespace chiron::desktop {
+
+/// The cut through the middle of the tissue, in its true proportions, the fingers on it, and its lump where it is shown.
+class PalpationPicture final : public LevelPicture {
+public:
+    PalpationPicture(const simulation::PalpationParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_level(level) {}
+    void paint(QPainter& painter) const override;
+
+private:
+    void paintFinger(QPainter& painter, QPointF tip, bool fromLeft, double perMetre) const;
+
+    simulation::PalpationParameters m_level;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/home/level_picture.h"
+#include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+
+#include <QPointF>
+
+namespace chiron::desktop {
+
+/// The ball in its true proportions, dashed where it is not shown, its dimple where it has one, and the instrument on its apex.
+class ApexPicture final : public LevelPicture {
+public:
+    ApexPicture(const simulation::SphereApexParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_ball(level) {}
+    void paint(QPainter& painter) const override;
+
+private:
+    void paintBall(QPainter& painter, QPointF centre, double radius) const;
+    void paintTool(QPainter& painter, QPointF tip, double length) const;
+
+    simulation::SphereApexParameters m_ball;
+};
+
+} // namespace chiron::desktop

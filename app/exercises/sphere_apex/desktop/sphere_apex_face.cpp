@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/sphere_apex/desktop/sphere_apex_face.h"
+
+#include "app/exercises/sphere_apex/desktop/apex_picture.h"
+#include "app/exercises/sphere_apex/session_report/apex_errors.h"
+#include "desktop/debrief/part_widgets.h"
+#include "desktop/plots/responsive_row.h"
+
+namespace chiron::desktop {
+
+namespace {
+
+class ApexDebrief final : public DebriefPart {
+public:
+    explicit ApexDebrief(std::vector<report::ApexError> errors) : m_errors(std::move(errors)) {}
+
+    std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const override {
+        if (m_errors.empty())
+            return nullptr;
+        const report::PlotTheme look = plotThemeOf(theme, locale);
+        auto row = std::make_unique<ResponsiveRow>(theme.px(640), theme.px(12));
+        row->add(partPlot(theme, report::apexScatterPlot(m_errors, look), "debrief.scatter", 280), 2);
+        row->add(partPlot(theme, report::apexTrialPlot(m_errors, look), "debrief.trials", 280), 3);
+        return row;
+    }
+
+private:
+    std::vector<report::ApexError> m_errors;
+};
+
+class ApexLayer final : public PlaybackLayer {
+public:
+    QString readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const override {
+        return trialReadout(view, locale);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<LevelPicture> SphereApexFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
+    return std::make_unique<ApexPicture>(std::get<simulation::SphereApexParameters>(level.parameters), frame);
+}
+
+QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
+
+std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
+    return std::make_unique<PointPart>(level, std::move(around));
+}
+
+QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
+
+QString SphereApexFace::debriefEmpty() const { return DebriefPartTexts::tr("There is no answer to show. The session is kept and listed."); }
+
+DebriefReading SphereApexFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace& trace) const {
+    return std::make_unique<ApexDebrief>(session_report::apexErrorsOf(trace));
+}
+
+std::unique_ptr<PlaybackLayer> SphereApexFace::playbackLayer(const session::SessionSetup&, const scoring::SessionTrace&) const {
+    return std::make_unique<ApexLayer>();
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
+
+#include "app/exercises/urethra_insertion/desktop/stage_words.h"
+#include "desktop/playback/playback_plots.h"
+#include "desktop/plots/plot_theme_of.h"
+#include "report/report_text.h"
+#include "report/session_plots.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace chiron::desktop {
+
+namespace {
+
+constexpr char kDepthOfField[] = "depth_of_field";
+
+/// The procedure at a moment, as far as a recording tells it.
+core::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
+    core::EndoscopeCues cues;
+    cues.present = true;
+    cues.pictureShown = true;
+    cues.guided = true;
+    cues.stage = view.insertion->stage;
+    cues.depth_m = std::isfinite(view.insertion->depth_m) ? view.insertion->depth_m : 0.0;
+    cues.landmarks = static_cast<int>(track.insertion->landmarkSeen_s.size());
+    cues.landmarksSeen = track.insertion->landmarksSeenAt(t_s);
+    return cues;
+}
+
+} // namespace
+
+std::vector<PlaybackSwitch> InsertionLayer::switches() const {
+    return {{kDepthOfField, PlaybackTexts::tr("Depth of field"),
+             PlaybackTexts::tr("The picture is sharp at one distance only, as through a real endoscope"), m_depthOfField, true}};
+}
+
+void InsertionLayer::turn(std::string_view key, bool on) {
+    if (key == kDepthOfField)
+        m_depthOfField = on;
+}
+
+void InsertionLayer::setUp(scene3d::SceneSetup& setup) const { setup.depthOfField = m_depthOfField; }
+
+void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view,
+                            double t_s) {
+    if (!view.insertion)
+        return;
+    state.objectShown = true; // the endoscope's picture
+    state.endoscope = endoscopeOf(track, view, t_s);
+}
+
+QString InsertionLayer::readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const {
+    if (!view.insertion)
+        return trialReadout(view, locale);
+    const session::PlaybackTool& tool = view.tools.front();
+    const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
+    const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
+    const QString stage = stageTitle(view.insertion->stage);
+    const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
+    return view.moment.paused
+               ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, stillWords(view.moment), depth, force, speed)
+               : PlaybackTexts::tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);
+}
+
+void InsertionLayer::addPlots(PlaybackPlots& plots) const {
+    if (plots.series().offset_mm.empty())
+        return;
+    const report::PlotTheme look = plotThemeOf(plots.theme(), plots.plotLocale());
+    auto offset = report::offsetPlot(plots.series(), look);
+    plots.addSecond(*offset, &session::GhostSeries::offset_m, 1e3);
+    plots.add(std::move(offset), "playback.offset_plot", {PlaybackPlots::tr("Off-centre (mm)")});
+    auto alignment = report::alignmentPlot(plots.series(), look);
+    plots.addSecond(*alignment, &session::GhostSeries::alignment_rad, 180.0 / std::numbers::pi);
+    plots.add(std::move(alignment), "playback.alignment_plot", {PlaybackPlots::tr("Alignment (°)")});
+}
+
+} // namespace chiron::desktop

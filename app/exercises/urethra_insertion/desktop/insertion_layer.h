@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/playback/playback_layer.h"
+
+namespace chiron::desktop {
+
+/// An endoscope played back: its picture, the stage of the procedure, and how it kept to the canal.
+class InsertionLayer final : public PlaybackLayer {
+public:
+    /// `depthOfField`: as the level has it.
+    explicit InsertionLayer(bool depthOfField) : m_depthOfField(depthOfField) {}
+
+    std::vector<PlaybackSwitch> switches() const override;
+    void turn(std::string_view key, bool on) override;
+    void setUp(scene3d::SceneSetup& setup) const override;
+    void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;
+    QString readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s,
+                    const QLocale& locale) const override;
+    void addPlots(PlaybackPlots& plots) const override;
+
+private:
+    bool m_depthOfField;
+};
+
+} // namespace chiron::desktop

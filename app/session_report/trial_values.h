@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/exercise.h"
+#include "report/trial_outcome.h"
+#include "scoring/score_calculator.h"
+#include "scoring/trace.h"
+
+#include <initializer_list>
+#include <optional>
+#include <vector>
+
+namespace chiron::session_report {
+
+// What a report tells of one trial of a trace. Pure.
+
+report::TrialOutcome outcomeOf(const scoring::TrialTrace& trial);
+/// Empty where it is not known.
+std::optional<double> truthIn(const scoring::TrialTrace& trial, const char* id);
+/// A value per sample of the first tool; null where it was not recorded so.
+const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const char* id);
+
+/// Each trial's own values of some metrics, in the version that the level scores them by.
+class TrialScores {
+public:
+    TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level, std::initializer_list<const char*> ids);
+    /// Empty where the trial has no such value.
+    std::optional<double> of(std::size_t trial, const char* id) const;
+
+private:
+    std::vector<std::vector<scoring::MetricValue>> m_trials;
+};
+
+} // namespace chiron::session_report
