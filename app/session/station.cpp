@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "haptics/friction_compensation.h"
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 
 #include <algorithm>
 #include <cmath>

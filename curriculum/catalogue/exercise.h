@@ -3,12 +3,12 @@
 
 #include "core/base_mounting.h"
 #include "scoring/score_card.h"
-#include "simulation/exercises/comparison/comparison_parameters.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
-#include "simulation/exercises/object_handling/object_handling_parameters.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <map>
 #include <optional>

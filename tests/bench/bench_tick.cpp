@@ -7,7 +7,7 @@
 #include "core/clock.h"
 #include "core/fp_environment.h"
 #include "session/tool_positions.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 #include <cstdio>
 

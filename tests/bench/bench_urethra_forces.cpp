@@ -7,7 +7,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "realtime/tick_guard.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 #include "support/urethra_reference_forces.h"
 
 #include <cmath>

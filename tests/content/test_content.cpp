@@ -3,7 +3,7 @@
 #include "catalogue/schema.h"
 #include "core/languages.h"
 #include "scoring/metric_catalogue.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <QDirIterator>
 #include <QJsonDocument>

@@ -5,7 +5,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "realtime/haptic_tick.h"
-#include "simulation/exercises/palpation/palpation_scene.h"
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
 
 #include <QRandomGenerator>
 #include <QtTest>

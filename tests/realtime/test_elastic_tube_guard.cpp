@@ -2,7 +2,7 @@
 #include "core/units.h"
 #include "realtime/haptic_tick.h"
 #include "realtime/tick_guard.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 
 #include <QtTest>
 #include <cmath>

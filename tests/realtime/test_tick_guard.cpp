@@ -8,7 +8,7 @@
 #include "haptics/delay_probe.h"
 #include "haptics/recorded_inputs.h"
 #include "mechanisms/scripted_motion.h"
-#include "operators/sphere_apex/sphere_apex_operator.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 #include "realtime/guarded_run.h"
 
 #include <QtTest>

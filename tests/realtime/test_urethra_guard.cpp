@@ -3,7 +3,7 @@
 #include "devices/drivers/replay/recorded_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/recorded_inputs.h"
-#include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "realtime/guarded_run.h"
 #include "support/urethra_bench.h"
 

@@ -6,7 +6,7 @@
 #include "scoring/trace_csv.h"
 #include "session/replayer.h"
 #include "session/session_export.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>

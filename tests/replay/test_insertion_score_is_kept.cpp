@@ -9,7 +9,7 @@
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
 #include "session/session_export.h"
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>

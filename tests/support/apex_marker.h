@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "session/study/live_sitting.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 
 #include <vector>
 

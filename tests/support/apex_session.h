@@ -5,8 +5,8 @@
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
-#include "operators/sphere_apex/sphere_apex_operator.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 #include <algorithm>
 #include <cmath>

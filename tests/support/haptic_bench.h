@@ -8,7 +8,7 @@
 #include "haptics/live_inputs.h"
 #include "realtime/periodic_runner.h"
 #include "realtime/virtual_clock.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 #include <algorithm>
 #include <cmath>

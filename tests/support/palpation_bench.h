@@ -3,8 +3,8 @@
 
 #include "core/findings_book.h"
 #include "mechanisms/hand.h"
-#include "operators/palpation/palpation_operator.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/surface_map.h"
 #include "simulation/palpation/tissue_contact.h"
 

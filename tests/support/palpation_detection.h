@@ -4,7 +4,7 @@
 #include "core/geometry.h"
 #include "core/palpation_cues.h"
 #include "core/random.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <algorithm>
 #include <array>

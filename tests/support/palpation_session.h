@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/palpation_cues.h"
-#include "simulation/exercises/palpation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/desktop_fixture.h"
 

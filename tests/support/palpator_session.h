@@ -9,10 +9,10 @@
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
-#include "operators/palpation/palpation_operator.h"
-#include "simulation/exercises/palpation/palpation_plan.h"
-#include "simulation/exercises/palpation/palpation_quantities.h"
-#include "simulation/exercises/palpation/palpation_scene.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_quantities.h"
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
 #include "support/palpation_detection.h"
 
 #include <QtGlobal>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/random.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
-#include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/touched_dome.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 
 #include <algorithm>
 #include <vector>

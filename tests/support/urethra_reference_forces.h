@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <array>
 #include <vector>

@@ -7,11 +7,11 @@
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
 #include "haptics/safety_supervisor.h"
-#include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace.h"
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include "session/study/fidelity_sample.h"
 #include "session/study/sliding_trail.h"
 #include "session/study/trial_fidelity.h"
-#include "simulation/exercises/comparison/comparison_parameters.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <array>
 #include <vector>

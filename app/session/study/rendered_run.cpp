@@ -10,7 +10,7 @@
 #include "session/study/study_director.h"
 #include "session/study/study_setup.h"
 #include "session/training_run.h"
-#include "simulation/exercises/comparison/comparison_scene.h"
+#include "modules/exercises/comparison/simulation/comparison_scene.h"
 
 #include <atomic>
 #include <cmath>

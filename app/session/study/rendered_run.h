@@ -4,7 +4,7 @@
 #include "psychophysics/observers/observer_spec.h"
 #include "psychophysics/study/run_estimate.h"
 #include "session/study/study_progress.h"
-#include "simulation/exercises/comparison/comparison_parameters.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <limits>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/scripted_motion.h"
-#include "operators/comparison/comparison_explorer.h"
+#include "modules/exercises/comparison/operators/comparison_explorer.h"
 #include "session/delay_measurement.h"
 
 namespace chiron::session {

@@ -5,7 +5,7 @@
 #include "psychophysics/observers/observer_spec.h"
 #include "session/study/study_limits.h"
 #include "session/study/study_progress.h"
-#include "simulation/exercises/comparison/comparison_parameters.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <atomic>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "core/random.h"
 #include "devices/drivers/simulated/simulated_device.h"
-#include "operators/comparison/comparison_explorer.h"
+#include "modules/exercises/comparison/operators/comparison_explorer.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "catalogue/exercise.h"
 #include "core/result.h"
-#include "operators/comparison/participant_mind.h"
+#include "modules/exercises/comparison/operators/participant_mind.h"
 #include "psychophysics/study/study_design.h"
 #include "session/station.h"
 

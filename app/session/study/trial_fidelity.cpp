@@ -2,7 +2,7 @@
 #include "session/study/trial_fidelity.h"
 
 #include "session/study/fidelity_sample.h"
-#include "simulation/exercises/comparison/comparison_scene.h"
+#include "modules/exercises/comparison/simulation/comparison_scene.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

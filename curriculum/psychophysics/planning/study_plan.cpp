@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSecondsAnObject = 4.0;
 constexpr double kSecondsAnAnswer = 2.0;
-constexpr double kSecondsAnApex = 25.0; ///< scripted trainees of the exercise take 20 to 33 s (modules/operators/sphere_apex)
+constexpr double kSecondsAnApex = 25.0; ///< scripted trainees of the exercise take 20 to 33 s (modules/exercises/sphere_apex/operators)
 
 void summarise(ConditionPlan& plan, const std::vector<double>& offs, std::vector<double> webers, const std::vector<double>& trials, int covered) {
     const SampleMoments ofTrials = momentsOf(trials), ofOffs = momentsOf(offs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "operators/sphere_apex/perception_settings.h"
+#include "operators/hand/perception_settings.h"
 
 namespace chiron::operators {
 

@@ -6,7 +6,7 @@
 #include "mechanisms/hand_strategy.h"
 #include "mechanisms/markov_noise.h"
 #include "operators/laparoscopy/grasp_perception_settings.h"
-#include "operators/sphere_apex/senses.h"
+#include "operators/hand/senses.h"
 
 #include <cstdint>
 

@@ -7,7 +7,7 @@
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "gui/scene3d/scene_samples.h"
-#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 
 #include <QTest>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalogue/catalogue.h"
 #include "core/languages.h"
-#include "simulation/exercises/palpation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_contact.h"
 #include "support/content_copy.h"
 

@@ -2,7 +2,7 @@
 // P1's mechanism, hand, supervisor and the urethra's forces as one loop: a hand that knows the way goes in and out.
 #include "core/units.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 #include "support/haptic_bench.h"
 
 #include <QtTest>

@@ -5,7 +5,7 @@
 #include "haptics/live_inputs.h"
 #include "core/units.h"
 #include "haptics/passivity_controller.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 #include "support/sanitized.h"
 
 #include <QtTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/sphere_apex/apex_fit.h"
-#include "operators/sphere_apex/reach.h"
-#include "operators/sphere_apex/scan_path.h"
-#include "operators/sphere_apex/senses.h"
+#include "modules/exercises/sphere_apex/operators/apex_fit.h"
+#include "modules/exercises/sphere_apex/operators/reach.h"
+#include "modules/exercises/sphere_apex/operators/scan_path.h"
+#include "operators/hand/senses.h"
 
 #include <QtTest>
 #include <cmath>

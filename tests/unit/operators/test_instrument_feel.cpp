@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/comparison/instrument_feel.h"
+#include "operators/hand/instrument_feel.h"
 
 #include "mechanisms/hand_parameters.h"
 

@@ -7,11 +7,11 @@
 #include "core/random.h"
 #include "core/tool_state.h"
 #include "core/units.h"
-#include "operators/elastic_tube/elastic_tube_operator.h"
-#include "operators/object_handling/object_handling_operator.h"
-#include "operators/palpation/palpation_operator.h"
-#include "operators/sphere_apex/sphere_apex_operator.h"
-#include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
+#include "modules/exercises/object_handling/operators/object_handling_operator.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "simulation/palpation/tissue_surface.h"
 
 #include <QtTest>

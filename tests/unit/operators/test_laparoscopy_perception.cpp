@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "operators/elastic_tube/elastic_tube_operator.h"
-#include "operators/elastic_tube/tension_control.h"
+#include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
+#include "modules/exercises/elastic_tube/operators/tension_control.h"
 #include "operators/laparoscopy/scripted_hand.h"
-#include "operators/object_handling/object_handling_operator.h"
-#include "operators/object_handling/weight_memory.h"
+#include "modules/exercises/object_handling/operators/object_handling_operator.h"
+#include "modules/exercises/object_handling/operators/weight_memory.h"
 
 #include <QtTest>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
-#include "operators/palpation/evidence_map.h"
-#include "operators/palpation/finger_senses.h"
-#include "operators/palpation/palpation_operator.h"
-#include "operators/palpation/search_path.h"
+#include "modules/exercises/palpation/operators/evidence_map.h"
+#include "modules/exercises/palpation/operators/finger_senses.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
+#include "modules/exercises/palpation/operators/search_path.h"
 
 #include <QtTest>
 #include <cmath>

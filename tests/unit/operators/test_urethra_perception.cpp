@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanisms/spherical_joint.h"
-#include "operators/urethra_insertion/endoscope_reach.h"
-#include "operators/urethra_insertion/endoscope_senses.h"
-#include "operators/urethra_insertion/way_memory.h"
+#include "modules/exercises/urethra_insertion/operators/endoscope_reach.h"
+#include "modules/exercises/urethra_insertion/operators/endoscope_senses.h"
+#include "modules/exercises/urethra_insertion/operators/way_memory.h"
 
 #include <QtTest>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session_setup.h"
-#include "simulation/exercises/palpation/palpation_quantities.h"
+#include "modules/exercises/palpation/simulation/palpation_quantities.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/session_fixture.h"
 

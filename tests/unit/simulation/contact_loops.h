@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 
 #include <cmath>
 #include <functional>

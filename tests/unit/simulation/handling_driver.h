@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/object_handling/object_handling_scene.h"
+#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/palpation/palpation_scene.h"
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
 
 #include <cmath>
 #include <vector>

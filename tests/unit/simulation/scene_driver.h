@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 namespace chiron::simulation::testing {
 

@@ -2,7 +2,7 @@
 // Where the tip is drawn: follows small steps everywhere, and is the tip itself wherever it may be.
 #include "core/fp_environment.h"
 #include "core/random.h"
-#include "simulation/exercises/urethra_insertion/drawn_tip.h"
+#include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "support/urethra_bench.h"
 
 #include <QtTest>

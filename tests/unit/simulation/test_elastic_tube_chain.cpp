@@ -2,8 +2,8 @@
 // The tube's law and its segments against closed forms; passivity of what is elastic over all hands.
 #include "core/random.h"
 #include "core/units.h"
-#include "simulation/exercises/elastic_tube/tube_chain.h"
-#include "simulation/exercises/elastic_tube/tube_segment.h"
+#include "modules/exercises/elastic_tube/simulation/tube_chain.h"
+#include "simulation/tube/tube_segment.h"
 
 #include <QtTest>
 #include <cmath>

@@ -3,9 +3,9 @@
 // and at least what it damps. With a budget that is large enough nothing changes, to the bit.
 #include "core/random.h"
 #include "core/units.h"
-#include "simulation/exercises/comparison/compared_object.h"
-#include "simulation/exercises/elastic_tube/tube_chain.h"
-#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
+#include "modules/exercises/comparison/simulation/compared_object.h"
+#include "modules/exercises/elastic_tube/simulation/tube_chain.h"
+#include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "simulation/objects/object_contact.h"
 #include "tissue_laws.h"
 #include "urethra_states.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is touched lets go: a tool that has come out on another side, or presses harder than the tissue bears, is soon free.
 #include "core/units.h"
-#include "simulation/exercises/object_handling/object_handling_scene.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
+#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 #include "simulation/objects/contact_yield.h"
 #include "simulation/objects/felt_place.h"
 

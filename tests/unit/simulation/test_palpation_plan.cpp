@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulation/exercises/palpation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
 
 #include <QtTest>
 #include <algorithm>

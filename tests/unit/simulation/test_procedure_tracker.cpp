@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units.h"
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 
 #include <QtTest>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 
 #include <QtTest>
 #include <array>

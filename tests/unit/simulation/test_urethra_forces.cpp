@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values, symmetries and the agreement with the plain reference.
 #include "core/fp_environment.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces_sections.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces_sections.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "support/urethra_reference_forces.h"
 #include "urethra_states.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/evaluate_laws.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces_law.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces_law.h"
 #include "urethra_states.h"
 
 #include <QtTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn fits together: the wall is round the endoscope's tip wherever the tip is drawn, in the canal's free part too.
 #include "core/units.h"
-#include "simulation/exercises/urethra_insertion/drawn_tip.h"
+#include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "simulation/geometry/urethra/urethra_curve_net.h"
 
 #include <QtTest>

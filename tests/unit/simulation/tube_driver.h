@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/units.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <array>
 #include <cmath>

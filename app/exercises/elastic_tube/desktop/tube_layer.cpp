@@ -4,7 +4,7 @@
 #include "desktop/playback/grasp_moment.h"
 #include "desktop/playback/playback_plots.h"
 #include "report/report_text.h"
-#include "simulation/exercises/elastic_tube/tube_segment.h"
+#include "simulation/tube/tube_segment.h"
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include "core/laparoscopy_cues.h"
 #include "desktop/playback/playback_layer.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/home/grasp_picture.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_parameters.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 namespace chiron::desktop {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 
-#include "operators/elastic_tube/elastic_tube_operator.h"
+#include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "session/session_setup.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_scene.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
 
 #include <cmath>
 

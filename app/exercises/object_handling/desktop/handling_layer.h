@@ -3,7 +3,7 @@
 
 #include "core/laparoscopy_cues.h"
 #include "desktop/playback/playback_layer.h"
-#include "simulation/exercises/object_handling/object_handling_plan.h"
+#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
 
 #include <cstdint>
 #include <vector>

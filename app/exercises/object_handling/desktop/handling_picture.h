@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/home/grasp_picture.h"
-#include "simulation/exercises/object_handling/object_handling_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 namespace chiron::desktop {
 

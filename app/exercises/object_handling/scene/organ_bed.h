@@ -4,7 +4,7 @@
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/scene3d/parts/dent.h"
 #include "desktop/scene3d/triangle_mesh.h"
-#include "simulation/exercises/object_handling/object_handling_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/object_handling/session/object_handling_kind.h"
 
-#include "operators/object_handling/object_handling_operator.h"
+#include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "session/level_cues.h"
 #include "session/session_setup.h"
-#include "simulation/exercises/object_handling/object_handling_plan.h"
-#include "simulation/exercises/object_handling/object_handling_scene.h"
+#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "modules/exercises/object_handling/simulation/object_handling_scene.h"
 
 #include <algorithm>
 #include <cmath>

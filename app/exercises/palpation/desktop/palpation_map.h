@@ -2,7 +2,7 @@
 #pragma once
 
 #include "session/live_sample.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/surface_map.h"
 
 #include <span>

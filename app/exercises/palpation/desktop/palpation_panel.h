@@ -3,7 +3,7 @@
 
 #include "app/exercises/palpation/desktop/findings_box.h"
 #include "desktop/training/info_view.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <array>
 #include <vector>

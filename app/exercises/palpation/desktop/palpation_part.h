@@ -3,7 +3,7 @@
 
 #include "app/exercises/palpation/desktop/palpation_map.h"
 #include "desktop/training/live_part.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/home/level_picture.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QPointF>
 

@@ -6,7 +6,7 @@
 #include "app/exercises/palpation/session/palpation_presses.h"
 #include "app/exercises/palpation/session/palpation_record.h"
 #include "session/playback_track.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <memory>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 namespace chiron::scene3d {
 

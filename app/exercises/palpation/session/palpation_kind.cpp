@@ -2,7 +2,7 @@
 #include "app/exercises/palpation/session/palpation_kind.h"
 
 #include "database/repositories/session_types.h"
-#include "operators/palpation/palpation_operator.h"
+#include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "session/answer_events.h"
@@ -10,8 +10,8 @@
 #include "app/exercises/palpation/session/palpation_marks.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
-#include "simulation/exercises/palpation/palpation_plan.h"
-#include "simulation/exercises/palpation/palpation_scene.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/tool_state.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/surface_map.h"
 #include "simulation/palpation/tissue_surface.h"
 

@@ -5,7 +5,7 @@
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
-#include "simulation/exercises/palpation/palpation_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 #include "simulation/palpation/map_bands.h"
 #include "simulation/palpation/surface_map.h"
 

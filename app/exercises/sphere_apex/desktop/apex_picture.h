@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/home/level_picture.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_parameters.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QPointF>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
 
-#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
-#include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
+#include "modules/exercises/sphere_apex/simulation/touched_dome.h"
 
 #include <algorithm>
 #include <cmath>

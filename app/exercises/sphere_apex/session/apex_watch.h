@@ -6,8 +6,8 @@
 #include "session/study/trial_clock.h"
 #include "session/study/study_progress.h"
 #include "session/tool_positions.h"
-#include "simulation/exercises/sphere_apex/hemisphere_contact.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 
 #include <array>
 #include <memory>

@@ -2,15 +2,15 @@
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 
 #include "database/repositories/session_types.h"
-#include "operators/sphere_apex/sphere_apex_operator.h"
+#include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "scoring/trace_rows.h"
 #include "session/answer_events.h"
 #include "session/playback_track.h"
 #include "session/session_setup.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_scene.h"
-#include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
+#include "modules/exercises/sphere_apex/simulation/touched_dome.h"
 
 #include <QJsonObject>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 namespace chiron::desktop {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "desktop/scene3d/scene_state.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 #include "simulation/geometry/urethra/urethra_centreline.h"
 
 namespace chiron::scene3d {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "devices/api/device_descriptor.h"
-#include "simulation/exercises/urethra_insertion/urethra_forces.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 namespace chiron::session {
 

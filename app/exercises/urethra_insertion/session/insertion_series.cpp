@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scoring/trace.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <optional>
 

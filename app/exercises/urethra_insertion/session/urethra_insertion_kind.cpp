@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/urethra_insertion_kind.h"
 
-#include "operators/urethra_insertion/urethra_insertion_operator.h"
+#include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_rows.h"
@@ -9,8 +9,8 @@
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "session/session_setup.h"
-#include "simulation/exercises/urethra_insertion/drawn_tip.h"
-#include "simulation/exercises/urethra_insertion/urethra_insertion_scene.h"
+#include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

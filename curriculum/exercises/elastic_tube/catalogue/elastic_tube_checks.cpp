@@ -4,7 +4,7 @@
 #include "catalogue/object_content.h"
 #include "catalogue/yield_content.h"
 #include "core/units.h"
-#include "simulation/exercises/elastic_tube/elastic_tube_plan.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 
 #include <algorithm>
 #include <cmath>

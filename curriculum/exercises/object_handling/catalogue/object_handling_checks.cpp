@@ -4,9 +4,9 @@
 #include "catalogue/yield_content.h"
 
 #include "core/units.h"
-#include "simulation/exercises/object_handling/handling_world.h"
-#include "simulation/exercises/object_handling/object_handling_plan.h"
-#include "simulation/exercises/object_handling/soft_bed.h"
+#include "modules/exercises/object_handling/simulation/handling_world.h"
+#include "modules/exercises/object_handling/simulation/object_handling_plan.h"
+#include "modules/exercises/object_handling/simulation/soft_bed.h"
 #include "simulation/objects/grasp.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "core/tool_state.h"
 #include "core/units.h"
-#include "simulation/exercises/palpation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_contact.h"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ struct ReportsOfTrial {
     int lost = 0;                     ///< made, but the trace does not tell what they said
 };
 
-/// What was reported in a trial, from its recorded quantities (simulation/exercises/palpation/palpation_quantities.h): a report each
+/// What was reported in a trial, from its recorded quantities (modules/exercises/palpation/simulation/palpation_quantities.h): a report each
 /// time `report_count` rises, in pauses too. Nothing where the trace has no such quantities. A report that makes no sense (a field
 /// or finding that there is not) counts as lost.
 std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial);

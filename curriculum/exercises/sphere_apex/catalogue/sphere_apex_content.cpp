@@ -3,7 +3,7 @@
 
 #include "catalogue/yield_content.h"
 #include "core/units.h"
-#include "simulation/exercises/sphere_apex/touched_dome.h"
+#include "modules/exercises/sphere_apex/simulation/touched_dome.h"
 #include "simulation/geometry/mesh/make_mesh.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "catalogue/yield_content.h"
 #include "core/units.h"
 #include "mechanisms/five_bar_plant_parameters.h"
-#include "simulation/exercises/urethra_insertion/procedure_plan.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "simulation/geometry/urethra/urethra_validity_setup.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/study_runner.h"
 #include "session/study/study_store.h"
-#include "simulation/exercises/sphere_apex/sphere_apex_plan.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "support/session_fixture.h"
 
 #include <QtTest>

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/tube/tube_law.h"
+#include "simulation/objects/object_contact.h"
+
+#include <cstdint>
+
+namespace chiron::simulation {
+
+/// What the object at a place answers, on the tool, W.
+struct ComparedResponse {
+    core::Vec3 force = core::Vec3::Zero(); ///< N
+    core::Vec3 surfacePoint = core::Vec3::Zero(); ///< where to draw the tool
+    double energy_J = 0.0;
+    double stiffness_N_per_m = 0.0;
+    double damping_Ns_per_m = 0.0; ///< what it uses of the tool's budget
+    double displacement_m = 0.0; ///< stretch of the tube, lift of the object (negative: pressed into its bed), depth in the pad
+    double depth_m = 0.0;        ///< below the pad's smooth surface, roughness left out; signed
+    bool touching = false;       ///< force may flow
+    bool held = false;           ///< taken hold of
+};
+
+/// The object at one place, made of the exercises' laws:
+///   stiffness     a tube fixed at its foot, taken hold of at its free end: T(x) along it, zero when slack (tube_segment.h)
+///   mass          f = (0, 0, k_b d − m g), d = max(0, m g/k_b − lift): an object on a soft bed, lifted; its weight alone in the air
+///   the others    a pad, ObjectContact on z = −max(0, ρ − R)²/(2e): a height field, so that f = −∇U in its conservative part, flat
+///                 where ρ < R and continuous everywhere
+/// A tube is taken hold of where it is slack within `hookReach_m` of its end, and let go slack beyond `hookLeave_m`. An object is
+/// taken hold of at its ring as it lies (weight and bed cancel), keeps its offset from the tip, and is let go once it was
+/// lifted (kLifted_m), then pressed onto its bed (kPress_N), and that press has gone: both without a step in force. Out of contact the object can be
+/// changed. State: held, bristle, dent. Thread: haptic; allocates nothing. Source: P2; models.md §2.2, §2.4.
+class ComparedObject {
+public:
+    static constexpr double kPress_N = 0.25;    ///< pressed by so much over its weight, an object will be let go ...
+    static constexpr double kLifted_m = 0.005;  ///< ... once it was lifted by so much
+
+    /// New and untouched. `value`: of the attribute, SI; `seed`: of its roughness.
+    void set(const ComparisonParameters& parameters, int place, double value, std::uint64_t seed) noexcept;
+    void clear() noexcept { m_present = false; }
+    bool present() const noexcept { return m_present; }
+    bool free() const noexcept { return !m_touching && !m_held; } ///< out of contact: can be changed unfelt
+
+    /// One tick with the tool at `p`, moving with `v` (W, finite); `mostDamping_Ns_per_m`: of its budget.
+    ComparedResponse respond(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m = kUnboundedDamping) noexcept;
+    /// One tick without a tool.
+    void release() noexcept;
+
+private:
+    ComparedResponse pull(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    ComparedResponse lift(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    ComparedResponse press(const core::Vec3& p, const core::Vec3& v, double mostDamping_Ns_per_m) noexcept;
+    core::Vec3 ring() const noexcept { return m_foot + core::Vec3(0.0, 0.0, m_height_m); }
+
+    ComparedAttribute m_attribute = ComparedAttribute::stiffness;
+    core::Vec3 m_foot = core::Vec3::Zero();
+    double m_height_m = 0.0, m_reach_m = 0.0, m_leave_m = 0.0;
+    double m_radius_m = 0.0, m_edge_m = 1.0;
+    TubeLaw m_tube;
+    double m_mass_kg = 0.0, m_bed_N_per_m = 1.0, m_bedDamping_Ns_per_m = 0.0;
+    ObjectContact m_pad;
+    ObjectContactState m_state;
+    core::Vec3 m_offset = core::Vec3::Zero();
+    bool m_present = false;
+    bool m_held = false;
+    bool m_touching = false;
+    bool m_lifted = false;
+    bool m_pressed = false;
+    bool m_awayFirst = false; ///< let go: the tip has to leave before it takes hold again
+};
+
+} // namespace chiron::simulation

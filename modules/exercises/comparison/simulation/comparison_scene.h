@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/presentation_word.h"
+#include "modules/exercises/comparison/simulation/compared_object.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace chiron::simulation {
+
+/// Where each of `SceneOutput::quantities` stands (comparison).
+namespace comparison_quantity {
+inline constexpr std::size_t kPlace = 0;       ///< touched or held place, from 1; 0: none
+inline constexpr std::size_t kCandidate = 1;   ///< presented, from 1; 0: nothing yet
+inline constexpr std::size_t kArrangement = 2; ///< from 1
+inline constexpr std::size_t kAnswer = 3;      ///< of this trial, from 1; 0: none yet
+inline constexpr std::size_t kTouched = 4;     ///< places touched in this trial (with ComparisonParameters::probeAtLeast_N), one bit each
+inline constexpr std::size_t kDisplacement = 5; ///< of that place: ComparedResponse::displacement_m
+inline constexpr std::size_t kDepth = 6;       ///< ComparedResponse::depth_m, 0 out of contact
+inline constexpr std::size_t kVelocity = 7;    ///< x, y, z of the tool, m/s, as the laws use it
+inline constexpr std::size_t kCount = 10;
+} // namespace comparison_quantity
+
+/// Objects side by side, presented and answered one trial after the other (P2's studies). Task state:
+///
+///   idle --present--> ready --forceReady--> running --answer or limits--> between --present, betweenTrials_s--> ready ... finished
+///
+/// as in the other scenes: kSceneChanged with the first tick of `ready`, so that force is armed again; kTrialStarted with the first
+/// running tick; kCompleted (answered), kTimedOut or kFailed (spoiled) with the last one, which still has the objects; kFinished
+/// with the first tick of `finished` (an `answer` of kAnswerFinish). In idle, between and finished there is nothing and force is
+/// zero; so it is between the two limits of a trial, where an answer is waited for. A `present` that comes early waits for its
+/// time. With `adjusts`, a `present` in a running trial changes the objects; each place changes as soon as it is not touched, so
+/// that nobody feels a step. Tool 0 explores. While paused the clocks stand still; contact still answers.
+///
+/// Deterministic: values come from the parameters by the presented word, micro-heights from session seed, trial and place. Thread:
+/// respond() haptic; construction anywhere.
+class ComparisonScene final : public IScene {
+public:
+    ComparisonScene(const ComparisonParameters& parameters, std::uint64_t seed);
+    ~ComparisonScene() override;
+    ComparisonScene(const ComparisonScene&) = delete;
+    ComparisonScene& operator=(const ComparisonScene&) = delete;
+
+    void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+
+    /// What lies at a place for a presented word, SI; the control's fault included. Nothing where word or place do not exist.
+    std::optional<double> valueAt(const core::PresentationWord& word, int place) const noexcept;
+
+private:
+    void hear(const SceneInput& in) noexcept;
+    void advance(const SceneInput& in, SceneOutput& out) noexcept;
+    void enterReady(SceneOutput& out) noexcept;
+    void run(const SceneInput& in, SceneOutput& out) noexcept;
+    void leaveTrial(SceneOutput& out) noexcept;
+    void setPlaces(bool onlyChanged) noexcept;
+    bool known(const core::PresentationWord& word) const noexcept;
+    bool exploring() const noexcept;
+    int buttonAnswer(const SceneInput& in) noexcept;
+    bool countsAsTouched(const ComparedResponse& response) const noexcept;
+    void touch(const SceneInput& in, SceneOutput& out) noexcept;
+    ComparedResponse respondAll(const core::ToolState& tool, double mostDamping_Ns_per_m, SceneOutput& out) noexcept;
+    void fillQuantities(const ComparedResponse& felt, const core::ToolState& tool, SceneOutput& out) const noexcept;
+    void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
+
+    ComparisonParameters m_parameters;
+    std::uint64_t m_seed;
+    std::uint64_t m_exploreTicks; ///< 0: no limit
+    std::uint64_t m_answerTicks;
+    std::uint64_t m_betweenTicks;
+    bool m_showsObjects;
+
+    core::TrialPhase m_phase = core::TrialPhase::idle;
+    std::size_t m_trial = 0;
+    std::uint64_t m_clock = 0;
+    bool m_begun = false;    ///< a trial was presented before
+    bool m_trialOver = false;
+    bool m_finish = false;
+    bool m_pending = false;  ///< a word waits
+    core::PresentationWord m_next;
+    core::PresentationWord m_word; ///< presented
+    bool m_answering = false; ///< an answer came
+    std::uint16_t m_answerWord = 0;
+    int m_answered = -1;     ///< of this trial
+    bool m_buttonWasDown = true;
+    std::uint32_t m_touched = 0;
+    int m_place = -1;
+    bool m_touching = false;
+    bool m_paused = false;
+    std::array<ComparedObject, ComparisonParameters::kMaxPlaces> m_objects;
+    std::array<core::PresentationWord, ComparisonParameters::kMaxPlaces> m_set{}; ///< what each place is now
+};
+
+} // namespace chiron::simulation

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
+
+#include "core/contact_bits.h"
+#include "core/units.h"
+
+#include <algorithm>
+
+namespace chiron::simulation {
+
+using core::TrialPhase;
+namespace bits = core::event_bits;
+
+namespace {
+
+constexpr std::uint64_t kFadeTicks = 300; ///< a pull of 2 N then changes by 7 mN a tick: not felt as a step. Ours.
+constexpr double kClosesShare = 0.8;      ///< of the pull that opens a fold: below it the fold lies over the tube again. Ours.
+constexpr std::uint64_t kSlipTicks = 100; ///< a tube of 6 N that is let go of changes by 90 mN a tick. Ours.
+
+double fallen(double x) noexcept {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return 1.0 - t * t * (3.0 - 2.0 * t);
+}
+
+} // namespace
+
+void ElasticTubeScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+    out = SceneOutput{};
+    advance(in, out);
+    pull(in, out);
+    if (m_phase == TrialPhase::running && !in.paused)
+        runTask(out);
+    feel(in.tools, out);
+    out.trial = static_cast<std::uint16_t>(m_trial);
+    out.phase = m_phase;
+    fillQuantities(out);
+    fillCues(in, out.cues);
+}
+
+void ElasticTubeScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
+    if (in.paused)
+        return;
+    switch (m_phase) {
+    case TrialPhase::idle:
+        if (in.started)
+            enterReady(out);
+        break;
+    case TrialPhase::ready:
+        if (in.forceReady) {
+            m_phase = TrialPhase::running;
+            m_clock = 0;
+            out.events |= bits::kTrialStarted;
+        }
+        break;
+    case TrialPhase::running:
+        if (m_trialOver)
+            leaveTrial(out);
+        break;
+    case TrialPhase::between:
+        if (m_clock >= m_betweenTicks) {
+            ++m_trial;
+            enterReady(out);
+        } else {
+            ++m_clock;
+        }
+        break;
+    case TrialPhase::finished:
+        m_clock = std::min(m_clock + 1, kFadeTicks);
+        break;
+    }
+}
+
+void ElasticTubeScene::enterReady(SceneOutput& out) noexcept {
+    m_phase = TrialPhase::ready;
+    m_clock = 0;
+    m_trialOver = false;
+    const ElasticTubeParameters& p = m_parameters;
+    const ElasticTubeTrial& trial = m_trials[m_trial];
+    m_tube = TubeChain(elasticTubeShape(p, trial));
+    m_grips.reset({p.graspReach_m, p.graspAngle_rad, p.releaseAngle_rad});
+    m_fold = p.hasFold() ? TubeChain(tissueFoldShape(p, trial)) : TubeChain();
+    m_foldGrips.reset({p.graspReach_m, p.graspAngle_rad, p.releaseAngle_rad});
+    m_foldOpen = false;
+    TubeGoal goal;
+    goal.task = p.task;
+    goal.target_N = trial.target_N;
+    goal.band_N = p.band_N;
+    goal.mark_m = (p.markRatio - 1.0) * p.restLength_m;
+    goal.markTolerance_m = p.markTolerance * p.restLength_m;
+    goal.target_W = {p.targetX_m, p.targetY_m, p.targetZ_m};
+    goal.targetRadius_m = p.targetRadius_m;
+    goal.overStretch_m = (p.overStretchRatio - 1.0) * p.restLength_m;
+    goal.tear_m = (p.tearRatio - 1.0) * p.restLength_m;
+    goal.tear_N = p.yield.force_N;
+    goal.hold_ticks = m_holdTicks;
+    goal.fold = p.hasFold();
+    m_task.begin(goal);
+    m_tornTicks = 0;
+    out.events |= bits::kSceneChanged;
+}
+
+void ElasticTubeScene::leaveTrial(SceneOutput& out) noexcept {
+    m_clock = 1; // this tick is the first of the interval
+    if (m_trial + 1 < m_trials.size()) {
+        m_phase = TrialPhase::between;
+        return;
+    }
+    m_phase = TrialPhase::finished;
+    out.events |= bits::kFinished;
+}
+
+double ElasticTubeScene::fade() const noexcept {
+    return m_task.torn() ? tornShare() : ending();
+}
+
+double ElasticTubeScene::ending() const noexcept {
+    if (m_phase == TrialPhase::ready || m_phase == TrialPhase::running)
+        return 1.0;
+    if (m_phase == TrialPhase::idle || m_clock >= kFadeTicks)
+        return 0.0;
+    return 1.0 - static_cast<double>(m_clock) / static_cast<double>(kFadeTicks);
+}
+
+double ElasticTubeScene::tornShare() const noexcept {
+    return fallen(static_cast<double>(m_tornTicks) * core::kTickSeconds / m_parameters.yield.fall_s);
+}
+
+/// The pull on a tool, which goes on a little when it lets go: the tube slides out of its jaws.
+core::Vec3 ElasticTubeScene::slipping(std::size_t tool, const core::Vec3& pull, bool holds) noexcept {
+    Slip& slip = m_slips[tool];
+    if (holds) {
+        slip = {pull, 0, true, 1.0};
+        return pull;
+    }
+    slip.share = slip.held ? fallen(static_cast<double>(++slip.ticks) / static_cast<double>(kSlipTicks)) : 0.0;
+    slip.held = slip.share > 0.0;
+    return slip.share * slip.from;
+}
+
+bool ElasticTubeScene::tubePresent() const noexcept {
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running || fade() > 0.0 || (m_parameters.hasFold() && ending() > 0.0);
+}
+
+void ElasticTubeScene::pull(const SceneInput& in, SceneOutput& out) noexcept {
+    m_answer = m_foldAnswer = TubeAnswer{};
+    if (!tubePresent())
+        return;
+    const auto told = [&out](const TubeGrips::Change& change) {
+        out.events |= change.grasped ? bits::kGrasped : 0;
+        out.events |= change.released ? bits::kReleased : 0;
+    };
+    const auto answerOf = [&in](TubeChain& chain, const TubeGrips& grips) {
+        TubeChain::Holds holds = grips.holds();
+        for (std::size_t i = 0; i < in.dampingBudget_Ns_per_m.size(); ++i)
+            if (const int node = grips.nodeOf(i); node != TubeGrips::kNobody)
+                holds[static_cast<std::size_t>(node)].mostDamping_Ns_per_m = in.dampingBudget_Ns_per_m[i];
+        return chain.step(holds);
+    };
+    if (m_parameters.hasFold()) {
+        told(m_foldGrips.update(in.tools, m_fold, {m_parameters.retractor(), m_parameters.retractor() + 1, true}));
+        m_foldAnswer = answerOf(m_fold, m_foldGrips);
+        openFold();
+    }
+    told(m_grips.update(in.tools, m_tube, {0, m_parameters.hasFold() ? m_parameters.hands() : core::kMaxTools, !m_parameters.hasFold() || m_foldOpen}));
+    m_answer = answerOf(m_tube, m_grips);
+}
+
+/// By what it is stretched, not by what a quick hand feels.
+void ElasticTubeScene::openFold() noexcept {
+    const double pull_N = m_fold.shape().law.tension_N(m_foldAnswer.stretch_m);
+    m_foldOpen = pull_N >= (m_foldOpen ? kClosesShare : 1.0) * m_parameters.retractionLow_N;
+}
+
+TubeTaskSample ElasticTubeScene::sample() const noexcept {
+    TubeTaskSample now;
+    now.tension_N = m_answer.tension_N;
+    now.stretch_m = m_answer.stretch_m;
+    now.freeEnd_W = m_tube.place(m_tube.shape().nodes - 1);
+    now.held = m_grips.count();
+    now.rightHolds = m_grips.nodeOf(0) != TubeGrips::kNobody;
+    now.leftHolds = m_grips.nodeOf(1) != TubeGrips::kNobody;
+    now.open = !m_parameters.hasFold() || m_foldOpen;
+    return now;
+}
+
+void ElasticTubeScene::runTask(SceneOutput& out) noexcept {
+    if (m_trialOver)
+        return;
+    ++m_clock;
+    const TubeTaskTracker::Change change = m_task.advance(sample());
+    out.events |= change.moved ? bits::kStageChanged : 0;
+    out.events |= change.dropped ? bits::kSlipped : 0;
+    out.events |= change.damaged ? bits::kDamaged : 0;
+    if (change.completed)
+        out.events |= bits::kCompleted;
+    else if (change.torn)
+        out.events |= bits::kFailed;
+    else if (m_clock >= m_limitTicks)
+        out.events |= bits::kTimedOut;
+    else
+        return;
+    m_trialOver = true;
+}
+
+void ElasticTubeScene::feel(const core::ToolStates& tools, SceneOutput& out) noexcept {
+    namespace contact = core::contact_bits;
+    if (m_task.torn())
+        ++m_tornTicks;
+    const int count = std::clamp(tools.count, 0, core::kMaxTools);
+    out.tissue.count = count;
+    out.energyByBody = true;
+    out.bodyEnergy_J[0] = fade() * m_answer.energy_J;
+    out.bodyEnergy_J[1] = ending() * m_foldAnswer.energy_J;
+    out.storedEnergy_J = out.bodyEnergy_J[0] + out.bodyEnergy_J[1];
+    std::array<double, 2> stiffest_N_per_m{}; // of the tube, of the fold
+    for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
+        const bool used = i < static_cast<std::size_t>(count);
+        if (used)
+            out.p_WProxy[i] = tools.tools[i].p_WT;
+        const bool fold = retracts(i);
+        out.body[i] = fold ? 1 : 0;
+        const TubeAnswer& answer = fold ? m_foldAnswer : m_answer;
+        const double share = fold ? ending() : fade();
+        const double first_N_per_m = (fold ? m_fold : m_tube).shape().law.elastic.slope(0.0);
+        double& stiffest = stiffest_N_per_m[fold ? 1 : 0];
+        const int node = used ? (fold ? m_foldGrips : m_grips).nodeOf(i) : TubeGrips::kNobody;
+        const bool holds = node != TubeGrips::kNobody;
+        core::Vec3 pull = holds ? core::Vec3(share * answer.force[static_cast<std::size_t>(node)]) : core::Vec3::Zero().eval();
+        if (pull.norm() > m_parameters.yield.force_N) // no more than it bears, also where nothing is asked for that could tear it
+            pull *= m_parameters.yield.force_N / pull.norm();
+        out.tissue.tools[i].force = used ? slipping(i, pull, holds) : core::Vec3::Zero().eval();
+        if (!holds && out.tissue.tools[i].force != core::Vec3::Zero()) // what slides is still held, by friction
+            stiffest = std::max(stiffest, m_slips[i].share * first_N_per_m);
+        if (holds && !fold && m_task.torn())
+            out.contact[i] = static_cast<std::uint8_t>(contact::kThrough | (m_tornTicks == 1 ? contact::kYielded : 0));
+        if (holds) {
+            stiffest = std::max(stiffest, share * answer.stiffness_N_per_m[static_cast<std::size_t>(node)]);
+            out.damping_Ns_per_m[i] = share * answer.damping_Ns_per_m[static_cast<std::size_t>(node)];
+        }
+        const bool touching = out.tissue.tools[i].force != core::Vec3::Zero();
+        if (touching != m_touching[i])
+            out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
+        m_touching[i] = touching;
+    }
+    // Every held place may move: with two of them a tick can stretch the tube by both ways, ½k(v₁+v₂)² ≤ ½·2k(v₁²+v₂²).
+    // A tube that is held says so while it hangs slack too, by its first slope: its book of energy stays open until it is let go of.
+    const double slack = m_grips.count() > 0 ? fade() * m_tube.shape().law.elastic.slope(0.0) : 0.0;
+    out.bodyStiffness_N_per_m[0] = std::max(stiffest_N_per_m[0], slack) * std::max(1, m_grips.count());
+    const double slackFold = m_foldGrips.count() > 0 ? ending() * m_fold.shape().law.elastic.slope(0.0) : 0.0;
+    out.bodyStiffness_N_per_m[1] = std::max(stiffest_N_per_m[1], slackFold);
+    out.contactStiffness_N_per_m = std::max(stiffest_N_per_m[0], stiffest_N_per_m[1]);
+}
+
+} // namespace chiron::simulation

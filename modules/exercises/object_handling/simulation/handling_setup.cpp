@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Set-up of the world and its task, apart from what the tick runs: copying the parameters allocates.
+#include "core/units.h"
+#include "modules/exercises/object_handling/simulation/handling_progress.h"
+#include "modules/exercises/object_handling/simulation/handling_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+namespace {
+
+/// The ball of a body (11 mm) spans many peaks of a rough bed and has lain on it for long: it rests on their mean.
+ObjectContact underBody(ObjectAttributes bed) noexcept {
+    bed.roughness_m = 0.0;
+    bed.recoveryShare = 0.0;
+    return ObjectContact(bed);
+}
+
+} // namespace
+
+HandlingWorld::HandlingWorld(const ObjectHandlingParameters& parameters, SoftBed* soft) noexcept
+    : m_parameters(parameters), m_object(parameters.object), m_bed(parameters.bed), m_bodyBed(underBody(parameters.bed)), m_soft(soft) {}
+
+HandlingProgress::HandlingProgress(const ObjectHandlingParameters& parameters) noexcept
+    : m_parameters(parameters),
+      m_holdTicks(static_cast<std::uint64_t>(std::max(1LL, std::llround(parameters.hold_s / core::kTickSeconds)))) {}
+
+} // namespace chiron::simulation

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/random.h"
+#include "devices/api/workspace_map.h"
+#include "mechanisms/hand_strategy.h"
+#include "operators/hand/instrument_feel.h"
+#include "modules/exercises/palpation/operators/finger_order.h"
+#include "modules/exercises/palpation/operators/operator_settings.h"
+#include "modules/exercises/palpation/operators/press.h"
+#include "simulation/palpation/tissue_surface.h"
+
+#include <cstdint>
+
+namespace chiron::operators {
+
+/// Turns what really happens to one finger while it attends to a press into what is felt: force along the seen surface's normal,
+/// how far the finger went into the surface, as drawn, since it touched, lean. On a fingertip platform (HandPerception::fingertip) from what it does to the pad,
+/// whose every force is the tissue's. Of an instrument that `hand` holds, from the force on the hand: its tip is where the grip yields to (InstrumentFeel), and it
+/// touches where it is seen to, since its own friction and mass are felt before. Seeded. Haptic thread, no allocation.
+class FingerSenses {
+public:
+    FingerSenses(const PalpationPerceptionSettings& settings, const mechanisms::HandParameters& hand, const devices::WorkspaceMapping& place,
+                 std::uint64_t seed, const simulation::SurfaceShape& drawn = {});
+    /// Every tick. True when a press is over and what was felt is ready in press().
+    bool feel(const mechanisms::HandPerception& real, const FingerOrder& order) noexcept;
+    const Press& press() const noexcept { return m_press; }
+    bool touching() const noexcept { return m_touching; }
+
+private:
+    struct Touch {
+        double force_N = 0.0;
+        core::Vec3 lean_rad = core::Vec3::Zero(); ///< W, in the surface
+    };
+    struct Seen {
+        double height_m = 0.0; ///< over the surface; < 0 in the tissue
+        core::Vec3 foot_W = core::Vec3::Zero();
+    };
+    Seen seenAt(const core::Vec3& place_W, const FingerOrder& order) const noexcept;
+    Touch padTouch(const mechanisms::HandPerception& real, const core::Vec3& normal_W) const noexcept;
+    Touch heldTouch(const core::Vec3& force_W, const core::Vec3& normal_W) const noexcept;
+    void judge(bool platform, int pressure) noexcept;
+
+    PalpationPerceptionSettings m_settings;
+    devices::WorkspaceMap m_map;
+    simulation::TissueSurface m_surface; ///< as drawn
+    core::Random m_random;
+    InstrumentFeel m_instrument;
+    bool m_touching = false;
+    double m_touchedAt_m = 0.0; ///< height over the surface
+    int m_attended = 0;         ///< presses that it has told of
+    int m_ticks = 0;            ///< that it attended to a press
+    int m_touchedTicks = 0;
+    double m_force_N = 0.0, m_depth_m = 0.0; ///< sums over the ticks attended to
+    core::Vec3 m_lean_rad = core::Vec3::Zero();
+    core::Vec3 m_place_W = core::Vec3::Zero();
+    Press m_press;
+};
+
+} // namespace chiron::operators

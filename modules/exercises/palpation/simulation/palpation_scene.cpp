@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/exercises/palpation/simulation/palpation_scene.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+
+namespace chiron::simulation {
+
+using core::TrialPhase;
+namespace bits = core::event_bits;
+
+namespace {
+std::uint8_t contactOf(const TissueYield& yield, const TissueYield& pinchYield, const TissueResponse& response) noexcept {
+    using namespace core::contact_bits;
+    return static_cast<std::uint8_t>((response.beyondChecked ? kBeyondChecked : 0) | (yield.yielded() || pinchYield.yielded() ? kYielded : 0) |
+                                     (yield.through() || pinchYield.through() ? kThrough : 0));
+}
+} // namespace
+
+void PalpationScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+    out = SceneOutput{};
+    const int count = std::clamp(in.tools.count, 0, core::kMaxTools);
+    m_buttons.follow(in.tools, count);
+    advance(in, out);
+    touch(in, count, out);
+    if (m_phase == TrialPhase::running && !in.paused && !m_trialOver) {
+        follow(in);
+        endTrial(out);
+    }
+    out.trial = static_cast<std::uint16_t>(m_trial);
+    out.phase = m_phase;
+    if (tissuePresent())
+        fillQuantities(out);
+    fillCues(in, out);
+}
+
+void PalpationScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
+    if (in.paused)
+        return;
+    switch (m_phase) {
+    case TrialPhase::idle:
+        if (in.started)
+            enterReady(out);
+        break;
+    case TrialPhase::ready:
+        if (in.forceReady) {
+            m_phase = TrialPhase::running;
+            out.events |= bits::kTrialStarted;
+            ++m_clock;
+        }
+        break;
+    case TrialPhase::running:
+        if (m_trialOver)
+            leaveTrial(out);
+        else
+            ++m_clock;
+        break;
+    case TrialPhase::between:
+        if (m_clock >= m_betweenTicks) {
+            ++m_trial;
+            enterReady(out);
+        } else {
+            ++m_clock;
+        }
+        break;
+    case TrialPhase::finished:
+        break;
+    }
+}
+
+void PalpationScene::enterReady(SceneOutput& out) noexcept {
+    m_phase = TrialPhase::ready;
+    m_clock = 0;
+    m_trialOver = false;
+    m_moved = false;
+    m_findings.clear();
+    m_waiting.clear();
+    m_nextReport = 0;
+    m_map.clear();
+    m_told.fill(0.0);
+    m_tissue.setLumps(m_trials[m_trial].list());
+    out.events |= bits::kSceneChanged;
+}
+
+void PalpationScene::leaveTrial(SceneOutput& out) noexcept {
+    m_clock = 1; // this tick is the first of the interval
+    for (Finger& finger : m_fingers)
+        finger.touch.release();
+    if (m_trial + 1 < m_trials.size()) {
+        m_phase = TrialPhase::between;
+        return;
+    }
+    m_phase = TrialPhase::finished;
+    out.events |= bits::kFinished;
+}
+
+void PalpationScene::endTrial(SceneOutput& out) noexcept {
+    if (m_findings.done())
+        out.events |= bits::kCompleted;
+    else if (m_clock >= m_limitTicks && m_waiting.empty() && m_clock >= m_nextReport)
+        out.events |= bits::kTimedOut;
+    else
+        return;
+    m_trialOver = true;
+}
+
+bool PalpationScene::tissuePresent() const noexcept {
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+}
+
+void PalpationScene::moveLumps() noexcept {
+    if (m_moveTicks == 0 || m_moved || m_clock < m_moveTicks)
+        return;
+    if (std::any_of(m_fingers.begin(), m_fingers.end(), [](const Finger& finger) { return finger.response.inContact; }))
+        return;
+    PalpationTrial moved = m_trials[m_trial];
+    for (Lump& lump : moved.lump)
+        lump.place_m = palpationMovedPlace_m(m_parameters, lump.place_m);
+    m_tissue.setLumps(moved.list());
+    m_moved = true;
+}
+
+/// Scales all that the tissue does by what is left of it. Through it the finger touches nothing, until it is out.
+void PalpationScene::giveWay(Finger& finger, double dt_s) const noexcept {
+    TissueResponse& response = finger.response;
+    const double factor = finger.yield.step(response.force.norm(), !response.inContact, dt_s);
+    if (factor == 1.0)
+        return;
+    response.force *= factor;
+    response.normalForce_N *= factor;
+    response.display.normalForce_N *= factor;
+    response.energy_J *= factor;
+    response.stiffness_N_per_m *= factor;
+    response.damping_Ns_per_m *= factor;
+    response.inContact = factor > 0.0;
+    finger.squeeze_N *= factor;
+}
+
+/// What the jaws squeeze presses the pad, and what they hold pulls at the tool. Torn tissue is whole again once nothing is between the jaws.
+void PalpationScene::pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept {
+    TissueResponse& response = finger.response;
+    const PinchResponse pinched = pinchTissue(m_tissue, *m_parameters.pinch, tool, response, finger.pinched);
+    const double factor = finger.pinchYield.step(pinched.force_N, !(pinched.compression_m > 0.0), dt_s);
+    finger.squeeze_N = factor * pinched.force_N;
+    response.force += factor * pinched.hold;
+    response.display.normalForce_N += finger.squeeze_N;
+    response.energy_J += factor * pinched.energy_J;
+    response.stiffness_N_per_m += factor * pinched.stiffness_N_per_m;
+    response.beyondChecked = response.beyondChecked || (pinched.beyondChecked && finger.squeeze_N > 0.0);
+}
+
+void PalpationScene::touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept {
+    finger.response = m_tissue.respond(tool, finger.touch, mostDamping_Ns_per_m);
+    finger.squeeze_N = 0.0;
+    if (jaw && !m_parameters.control.forceOff)
+        pinch(finger, tool, core::kTickSeconds);
+    if (!m_parameters.control.forceOff)
+        giveWay(finger, core::kTickSeconds);
+    finger.above_m = finger.response.depth_m > 0.0 ? 0.0 : (tool.p_WT - finger.response.surfacePoint).norm();
+    if (!m_parameters.control.forceOff)
+        return;
+    TissueResponse nothing;
+    nothing.surfacePoint = finger.response.surfacePoint;
+    nothing.normal = finger.response.normal;
+    nothing.depth_m = finger.response.depth_m;
+    finger.response = nothing;
+}
+
+void PalpationScene::touch(const SceneInput& in, int count, SceneOutput& out) noexcept {
+    const core::ToolStates& tools = in.tools;
+    out.tissue.count = count;
+    for (std::size_t i = 0; i < m_fingers.size(); ++i) {
+        Finger& finger = m_fingers[i];
+        const core::ToolState& tool = tools.tools[i];
+        const bool there = static_cast<int>(i) < count;
+        // A pose that is not a number touches nothing; the supervisor deals with the sample.
+        finger.used = there && tissuePresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.q_WT.coeffs().allFinite();
+        if (finger.used) {
+            touchWith(finger, hasJaw(i), tool, in.dampingBudget_Ns_per_m[i]);
+        } else {
+            finger.touch.release();
+            finger.pinched.release();
+            finger.response = TissueResponse{};
+            finger.yield.reset();
+            finger.pinchYield.reset();
+            finger.squeeze_N = 0.0;
+        }
+        const TissueResponse& response = finger.response;
+        out.contact[i] = contactOf(finger.yield, finger.pinchYield, response);
+        if (there)
+            out.p_WProxy[i] = finger.used && response.inContact ? response.surfacePoint : tool.p_WT;
+        out.tissue.tools[i].force = response.force;
+        out.display[i] = response.display;
+        out.damping_Ns_per_m[i] = response.damping_Ns_per_m;
+        out.storedEnergy_J += response.energy_J;
+        out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        if (response.inContact != finger.touching)
+            out.events |= response.inContact ? bits::kContactBegan : bits::kContactEnded;
+        finger.touching = response.inContact;
+    }
+}
+
+void PalpationScene::follow(const SceneInput& in) noexcept {
+    search();
+    moveLumps();
+    if (m_clock <= m_limitTicks)
+        takeReports(in);
+    passReport();
+}
+
+void PalpationScene::search() noexcept {
+    for (const Finger& finger : m_fingers)
+        if (finger.response.inContact)
+            m_map.press(finger.response.surfacePoint.head<2>(), finger.response.normalForce_N);
+}
+
+} // namespace chiron::simulation

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/findings_book.h"
+#include "modules/exercises/palpation/simulation/palpation_plan.h"
+#include "modules/exercises/palpation/simulation/palpation_quantities.h"
+#include "modules/exercises/palpation/simulation/report_queue.h"
+#include "simulation/palpation/surface_map.h"
+#include "simulation/palpation/tissue_contact.h"
+#include "simulation/palpation/tissue_pinch.h"
+#include "simulation/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace chiron::simulation {
+
+/// A palpation running (P3; models.md §3). Task state, one trial after the other:
+///
+///   idle --started--> ready --forceReady--> running --`done` or limit--> between --betweenTrials_s--> ready ... finished
+///
+/// kSceneChanged comes with the first tick of `ready`, kTrialStarted with the first running one, kCompleted (the report `done`) or
+/// kTimedOut with the last one, which still has the tissue, kFinished with the first tick of `finished`. In idle, between and
+/// finished there is no tissue and force is zero. There is no kMarked: it would end the trial for whoever reads the recording.
+///
+/// A mark is a finding at the surface under the finger whose button it was; the mark command's is the finger that presses hardest,
+/// else the one nearest to the surface. Report words come as commands or with kButtonReport. What was reported is taken one
+/// each kReportTicks, in order, and told by the quantities (palpation_quantities.h) if it meant anything; at the limit what waits is
+/// still taken, and the trial ends when the last one has been told so long, too.
+/// While paused clocks, map and reports stand still; contact still answers.
+///
+/// Tissue that is pressed harder than the level's yield force gives way under that finger, and stays open until it has left.
+///
+/// Where the level has a pinch, the first finger of a hand is its grasper's: jaws that were open as they went into the tissue squeeze what is between
+/// them as they close (tissue_pinch.h). The squeeze presses that finger's pad, on top of what the tissue does to it, and gives way as the tissue does under a finger.
+///
+/// Tool i is finger i: hand i / fingers, finger i % fingers of it. All fingers touch one tissue, so all energy is body 0's. The
+/// scene does not tell energy by body: an excess is answered by damping, not by a softer tissue, since how soft it is is what the
+/// person is asked to judge.
+///
+/// Deterministic; all trials are planned at construction. Thread: respond() haptic; construction anywhere. Not copied.
+class PalpationScene final : public IScene {
+public:
+    /// From one report to the next at least, ms: a device that sends a packet each 8 ms (125 Hz) has a recorded sample of each.
+    static constexpr std::uint64_t kReportTicks = 10;
+
+    PalpationScene(const PalpationParameters& parameters, std::uint64_t seed);
+    ~PalpationScene() override;
+    PalpationScene(const PalpationScene&) = delete;
+    PalpationScene& operator=(const PalpationScene&) = delete;
+
+    void respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept override;
+
+    const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
+    const SurfaceMap& map() const noexcept { return m_map; }             ///< of this trial; for tests and tables
+    const core::FindingsBook& findings() const noexcept { return m_findings; } ///< of this trial
+    const TissueContact& tissue() const noexcept { return m_tissue; }
+
+private:
+    struct Finger {
+        TissueTouch touch;
+        TissueResponse response;
+        double above_m = 0.0;  ///< the tip's distance from its nearest surface point; 0 in contact
+        bool used = false;     ///< this tick: there, and its pose is a number
+        bool touching = false; ///< of the tick before
+        TissueYield yield;     ///< whether the tissue still holds under it
+        PinchTouch pinched;    ///< of a hand's first finger
+        TissueYield pinchYield; ///< whether the tissue between its jaws still holds
+        double squeeze_N = 0.0;
+    };
+
+    void advance(const SceneInput& in, SceneOutput& out) noexcept;
+    void enterReady(SceneOutput& out) noexcept;
+    void leaveTrial(SceneOutput& out) noexcept;
+    void endTrial(SceneOutput& out) noexcept;
+    bool tissuePresent() const noexcept;
+    void moveLumps() noexcept;
+
+    void touch(const SceneInput& in, int count, SceneOutput& out) noexcept;
+    void touchWith(Finger& finger, bool jaw, const core::ToolState& tool, double mostDamping_Ns_per_m) const noexcept;
+    void giveWay(Finger& finger, double dt_s) const noexcept;
+    void pinch(Finger& finger, const core::ToolState& tool, double dt_s) const noexcept;
+    bool hasJaw(std::size_t finger) const noexcept { return m_parameters.pinch && static_cast<int>(finger) % std::max(1, m_parameters.fingers) == 0; }
+    void follow(const SceneInput& in) noexcept;
+    void search() noexcept;
+
+    void takeReports(const SceneInput& in) noexcept;
+    void mark(const Finger& finger) noexcept;
+    void report(std::uint16_t word) noexcept;
+    const Finger* markingFinger() const noexcept;
+    void passReport() noexcept;
+    int enter(const PalpationReport& report) noexcept;
+
+    double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaw
+    void fillQuantities(SceneOutput& out) const noexcept;
+    void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
+    void showLumps(core::PalpationCues& cues) const noexcept;
+    void showBars(core::PalpationCues& cues) const noexcept;
+
+    PalpationParameters m_parameters;
+    std::vector<PalpationTrial> m_trials;
+    TissueContact m_tissue;
+    SurfaceMap m_map;
+    std::uint64_t m_limitTicks;
+    std::uint64_t m_betweenTicks;
+    std::uint64_t m_moveTicks; ///< the clock at which the control moves the lumps; 0: never
+    bool m_showsLumps;
+    bool m_showsCoverage;
+    bool m_showsBars;
+
+    core::TrialPhase m_phase = core::TrialPhase::idle;
+    std::size_t m_trial = 0;
+    std::uint64_t m_clock = 0; ///< ticks spent in the present phase, pauses left out
+    bool m_trialOver = false;  ///< the tick before ended the trial
+    bool m_moved = false;      ///< the control moved this trial's lumps
+    std::array<Finger, core::kMaxTools> m_fingers{};
+
+    core::FindingsBook m_findings;
+    ReportButtons m_buttons;
+    ReportQueue m_waiting;
+    std::uint64_t m_nextReport = 0; ///< clock of the trial from which on the next one may be taken
+    std::array<double, palpation_quantity::kCoverage> m_told{}; ///< the last report as the quantities tell it, and the count
+};
+
+} // namespace chiron::simulation

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+using core::TrialPhase;
+namespace bits = core::event_bits;
+
+void SphereApexScene::respond(const realtime::HapticTick& now, const SceneInput& in, SceneOutput& out) noexcept {
+    out = SceneOutput{};
+    advance(now.index(), in, out);
+    if (m_dome && m_dome->update(now.index(), in.slow))
+        out.events |= bits::kSlowApplied;
+    touch(in, out);
+    if (m_dome && objectPresent())
+        m_dome->ask(now.index());
+    if (const DeformableOrgan* organ = m_dome ? m_dome->organ() : nullptr; organ != nullptr && objectPresent()) {
+        out.quantities[apex_quantity::kPredictionError] = organ->predictionError().predicted_m;
+        out.quantities[apex_quantity::kHeldError] = organ->predictionError().held_m;
+    }
+    out.trial = static_cast<std::uint16_t>(m_trial);
+    out.phase = m_phase;
+    fillCues(in, out);
+}
+
+void SphereApexScene::advance(std::uint64_t tick, const SceneInput& in, SceneOutput& out) noexcept {
+    const bool pressed =
+        markPressed(in); // every tick, so that an edge during a pause is seen and passed over
+    if (in.paused)
+        return;
+    switch (m_phase) {
+    case TrialPhase::idle:
+        if (in.started)
+            enterReady(tick, out);
+        break;
+    case TrialPhase::ready:
+        if (in.forceReady) {
+            m_phase = TrialPhase::running;
+            out.events |= bits::kTrialStarted;
+            runTrial(pressed, out);
+        }
+        break;
+    case TrialPhase::running:
+        if (m_trialOver)
+            leaveTrial(out);
+        else
+            runTrial(pressed, out);
+        break;
+    case TrialPhase::between:
+        if (m_clock >= m_betweenTicks) {
+            ++m_trial;
+            enterReady(tick, out);
+        } else {
+            ++m_clock;
+        }
+        break;
+    case TrialPhase::finished:
+        break;
+    }
+}
+
+bool SphereApexScene::markPressed(const SceneInput& in) noexcept {
+    const bool down = in.tools.count > 0 && (in.tools.tools[0].buttons & core::kButtonMark) != 0;
+    const bool edge = down && !m_buttonWasDown;
+    m_buttonWasDown = down;
+    return edge || in.mark;
+}
+
+void SphereApexScene::enterReady(std::uint64_t tick, SceneOutput& out) noexcept {
+    m_phase = TrialPhase::ready;
+    m_clock = 0;
+    m_trialOver = false;
+    m_contact = HemisphereContact(sphereApexContact(m_parameters, m_trials[m_trial]));
+    m_yields.fill(ContactYield(m_parameters.yield));
+    if (m_dome)
+        m_dome->begin(m_trial, tick);
+    out.events |= bits::kSceneChanged;
+}
+
+void SphereApexScene::runTrial(bool pressed, SceneOutput& out) noexcept {
+    ++m_clock;
+    if (pressed)
+        out.events |= bits::kMarked;
+    else if (m_clock >= m_limitTicks)
+        out.events |= bits::kTimedOut;
+    else
+        return;
+    m_trialOver = true;
+}
+
+void SphereApexScene::leaveTrial(SceneOutput& out) noexcept {
+    m_clock = 1; // this tick is the first of the interval
+    if (m_trial + 1 < m_trials.size()) {
+        m_phase = TrialPhase::between;
+        return;
+    }
+    m_phase = TrialPhase::finished;
+    out.events |= bits::kFinished;
+}
+
+bool SphereApexScene::objectPresent() const noexcept {
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+}
+
+/// Bounds how fast the force changes with the place, in any direction: the ball's turns with the nearest place, by d/(R − d) of the stiffness;
+/// a dimple adds 2 k ‖∇h‖ + k ‖∇h‖² + k d ‖∇∇h‖, the last of which is 8 D/w² at the most.
+double SphereApexScene::steepest(const ContactResponse& response, const core::Vec3& p_WT) const noexcept {
+    const double R = m_parameters.radius_m, d = response.depth_m;
+    double share = std::max(1.0, d / std::max(R - d, (1.0 - kDeepestShare) * R));
+    const Dimple& dimple = m_contact.parameters().dimple;
+    if (const HeightSample micro = dimple.sample(p_WT.x(), p_WT.y()); micro.height_m != 0.0) {
+        const double slope = micro.gradient.norm();
+        share += 2.0 * slope + slope * slope + d * 8.0 * dimple.depth_m / (dimple.halfWidth_m * dimple.halfWidth_m);
+    }
+    return share * response.stiffness_N_per_m;
+}
+
+ContactResponse SphereApexScene::touchExact(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
+    ContactResponse response = m_contact.respond(state.p_WT, state.v_WT, m_bristles[tool], mostDamping_Ns_per_m);
+    ContactYield& yield = m_yields[tool];
+    if (response.inContact)
+        response.stiffness_N_per_m = steepest(response, state.p_WT);
+    const bool breached = yield.everYields() && response.depth_m > kDeepestShare * m_parameters.radius_m;
+    scale(response, yield.step(response.force.norm(), !response.inContact, breached, core::kTickSeconds));
+    response.bits = yield.bits();
+    return response;
+}
+
+ContactResponse SphereApexScene::touchWith(std::size_t tool, const core::ToolState& state, double mostDamping_Ns_per_m) noexcept {
+    if (m_dome)
+        return m_dome->respond(tool, state.p_WT, state.v_WT, mostDamping_Ns_per_m);
+    if (m_parameters.surface == ApexSurface::exact)
+        return touchExact(tool, state, mostDamping_Ns_per_m);
+    ContactResponse nothing; // the dome could not be made: another surface would be another exercise, so the trials run out
+    nothing.surfacePoint = state.p_WT;
+    return nothing;
+}
+
+void SphereApexScene::touch(const SceneInput& in, SceneOutput& out) noexcept {
+    const core::ToolStates& tools = in.tools;
+    const int count = std::clamp(tools.count, 0, core::kMaxTools);
+    out.tissue.count = count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(core::kMaxTools); ++i) {
+        ContactResponse response;
+        const bool used = i < static_cast<std::size_t>(count);
+        const core::ToolState& tool = tools.tools[i];
+        // A pose that is not a number must not stay in the bristle; the supervisor deals with the sample.
+        if (used && objectPresent() && tool.p_WT.allFinite() && tool.v_WT.allFinite()) {
+            response = touchWith(i, tool, in.dampingBudget_Ns_per_m[i]);
+            out.p_WProxy[i] = response.surfacePoint;
+        } else {
+            m_bristles[i].release();
+            m_yields[i].reset();
+            if (m_dome)
+                m_dome->release(i);
+            if (used)
+                out.p_WProxy[i] = tool.p_WT;
+        }
+        out.tissue.tools[i].force = response.force;
+        out.contact[i] = response.bits;
+        out.damping_Ns_per_m[i] = response.damping_Ns_per_m;
+        out.load_N[i] = response.load_N;
+        out.storedEnergy_J += response.energy_J;
+        out.contactStiffness_N_per_m = std::max(out.contactStiffness_N_per_m, response.stiffness_N_per_m);
+        if (response.inContact != m_touching[i])
+            out.events |= response.inContact ? bits::kContactBegan : bits::kContactEnded;
+        m_touching[i] = response.inContact;
+    }
+}
+
+void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
+    core::VisibleCues& cues = out.cues;
+    cues.trial = static_cast<std::uint16_t>(m_trial);
+    cues.phase = m_phase;
+    cues.force = in.force;
+    if (!objectPresent())
+        return;
+    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    if (!m_showsObject)
+        return;
+    const core::Vec2& centre = m_trials[m_trial].centre_m;
+    cues.objectShown = true;
+    cues.p_WObject = core::Vec3(centre.x(), centre.y(), m_parameters.planeHeight_m);
+    cues.objectRadius_m = m_parameters.radius_m;
+    if (m_dome) { // its bumps lie elsewhere in each trial: turned about the vertical
+        const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
+        cues.laparoscopy.body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
+    }
+}
+
+} // namespace chiron::simulation

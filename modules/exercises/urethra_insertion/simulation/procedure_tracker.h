@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/endoscope_cues.h"
+#include "core/geometry.h"
+#include "modules/exercises/urethra_insertion/simulation/meatus_gate.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace chiron::simulation {
+
+/// What a trial of an endoscopic procedure asks for. Lengths m, A. Plain data with fixed storage: the tick copies it.
+struct ProcedurePlan {
+    static constexpr std::size_t kMaxLandmarks = 16;
+
+    double beak_m = 0.010; ///< ℓ: inside from s > −ℓ on
+    double meatus_m = 0.0; ///< nearer than this to the centre-line there (MeatusGate); 0: anywhere
+    double goal_m = 0.0;   ///< arc length of the tip that ends the insertion
+    double neck_m = 0.0;   ///< L: landmarks are seen only with the tip beyond it, where nothing stands between
+    bool withdraws = true;
+    std::array<std::array<double, 3>, kMaxLandmarks> landmark_A{}; ///< on the bladder's wall
+    std::size_t landmarks = 0;
+    double cosHalfAngle = 1.0;        ///< of the cone about the view's middle
+    double distance_m = 0.0;          ///< nearer than this
+    double speed_m_per_s = 0.0;       ///< with the tip no faster than this
+    std::uint64_t hold_us = 1000000; ///< for so long without a break
+};
+
+/// Where the endoscope is, in A. `axis_A`: unit, the way it looks.
+struct ProcedureSample {
+    double s_m = 0.0; ///< arc length of the tip's foot on the centre-line
+    core::Vec3 p_A = core::Vec3::Zero();
+    core::Vec3 axis_A = core::Vec3::UnitZ();
+    double offset_m = 0.0; ///< distance of the tip from the centre-line
+};
+
+/// What one sample brought.
+struct ProcedureStep {
+    bool stageChanged = false;
+    std::uint32_t seenNow = 0; ///< landmarks that became seen, one bit each
+};
+
+/// Follows an endoscopic procedure from poses alone (models.md §1.3): the scene steps it at every running tick, and review
+/// steps it over the stored poses, so that stage and landmarks can always be recomputed.
+///
+/// Stages only go forward: *outside* until s > −ℓ; *insertion* until s ≥ goal; *inspection* (if there are landmarks) until all
+/// are seen; *withdrawal* (if asked for) until s < −ℓ; *completed*. A tip farther than core::kCanalReach_m from the
+/// centre-line neither enters nor reaches the goal: it is beside the canal, and so is one that did not come through the meatus. Out is out, wherever: past the entrance the
+/// canal hangs free and follows the shaft, and beside it nothing is in the patient.
+/// A landmark is seen when, in inspection and with the tip beyond the neck, it stayed within the half angle of the view's
+/// middle and nearer than the distance, with the tip no faster than the limit, for the holding time without a break. Any order counts.
+/// Speed is ‖p(t) − p(t₀)‖/(t − t₀) with t₀ the newest kept sample at least 100 ms old (the first one before that): a mean over
+/// one period of a hand's tremor of 8–12 Hz, whose 0.1 mm would read 6 mm/s from tick to tick. Time without pauses.
+/// Deterministic, no allocation; haptic thread or any.
+class ProcedureTracker {
+public:
+    static constexpr std::uint64_t kSpeedWindow_us = 100000;
+
+    explicit ProcedureTracker(const ProcedurePlan& plan) noexcept : m_plan(plan), m_gate(plan.meatus_m, plan.beak_m) {}
+
+    /// `dt_us`: since the last sample, pauses left out; the first one's is ignored. A pose that is not a number is passed over.
+    ProcedureStep advance(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
+
+    core::ProcedureStage stage() const noexcept { return m_stage; }
+    std::uint32_t seen() const noexcept { return m_seen; }
+    /// The first landmark, in the plan's order, that has not been seen; −1 when none is left or it is not the time for them.
+    int nextLandmark() const noexcept;
+    /// 0..1: how much of the holding time the unseen landmark that is nearest to being seen has had.
+    double dwell() const noexcept;
+    double speed_m_per_s() const noexcept { return m_speed_m_per_s; }
+    const ProcedurePlan& plan() const noexcept { return m_plan; }
+
+private:
+    struct Place {
+        std::uint64_t t_us = 0;
+        std::array<double, 3> p{};
+    };
+    static constexpr std::size_t kPlaces = 128;       // a power of two, more than a window at one a millisecond
+    static constexpr std::uint64_t kPlaceEvery_us = 1000;
+
+    void measureSpeed(const core::Vec3& p_A) noexcept;
+    std::uint32_t look(const ProcedureSample& now, std::uint64_t dt_us) noexcept;
+    bool inView(const ProcedureSample& now, std::size_t landmark) const noexcept;
+    core::ProcedureStage after(core::ProcedureStage stage, const ProcedureSample& now) const noexcept;
+    const Place& place(std::uint64_t number) const noexcept { return m_places[number % kPlaces]; }
+
+    ProcedurePlan m_plan;
+    MeatusGate m_gate;
+    core::ProcedureStage m_stage = core::ProcedureStage::outside;
+    std::uint32_t m_seen = 0;
+    std::array<std::uint64_t, ProcedurePlan::kMaxLandmarks> m_held_us{};
+    bool m_began = false;
+    std::uint64_t m_now_us = 0;
+    double m_speed_m_per_s = 0.0;
+    std::array<Place, kPlaces> m_places{};
+    std::uint64_t m_first = 0; ///< number of the oldest place still needed
+    std::uint64_t m_count = 0; ///< places kept so far
+};
+
+} // namespace chiron::simulation

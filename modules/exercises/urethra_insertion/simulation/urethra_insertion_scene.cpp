@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
+
+#include "core/units.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chiron::simulation {
+
+using core::TrialPhase;
+namespace bits = core::event_bits;
+
+namespace {
+
+constexpr std::uint64_t kLookEvery_ticks = 8; // 125 Hz: twice as often as a screen can show it
+constexpr std::uint64_t kTick_us = 1000;
+constexpr double kCheckedOffset_m = 0.006, kCheckedTilt_rad = core::kPi / 6.0; // each way; header
+constexpr double kRounding = 1.0 + 1e-9;
+
+bool isPose(const core::ToolState& tool) noexcept {
+    return tool.p_WT.allFinite() && tool.v_WT.allFinite() && tool.w_WT.allFinite() && tool.q_WT.coeffs().allFinite() &&
+           tool.q_WT.squaredNorm() > 0.5;
+}
+
+std::array<double, 3> arrayOf(const core::Vec3& v) noexcept { return {v.x(), v.y(), v.z()}; }
+
+} // namespace
+
+void UrethraInsertionScene::respond(const realtime::HapticTick&, const SceneInput& in, SceneOutput& out) noexcept {
+    out = SceneOutput{};
+    sense(in.tools, in.dampingBudget_Ns_per_m[0]);
+    advance(in, out);
+    answer(in.tools, out);
+    out.phase = m_phase;
+    fillCues(in, out);
+}
+
+/// A pose that is not a number is not the wall's concern; the supervisor deals with the sample.
+void UrethraInsertionScene::sense(const core::ToolStates& tools, double mostDamping_Ns_per_m) noexcept {
+    m_sensed = tools.count > 0 && isPose(tools.tools[0]);
+    if (!m_sensed) {
+        m_response = UrethraResponse{};
+        return;
+    }
+    const core::ToolState& tool = tools.tools[0];
+    m_motion.p_A = m_pose.pointToA(tool.p_WT);
+    m_motion.axis_A = m_pose.vectorToA(endoscopeAxis_W(tool.q_WT.normalized()));
+    m_motion.v_A = m_pose.vectorToA(tool.v_WT);
+    m_motion.w_A = m_pose.vectorToA(tool.w_WT);
+    m_motion.mostDamping_Ns_per_m = mostDamping_Ns_per_m;
+    m_response = m_forces.respond(m_motion);
+    if (m_phase != TrialPhase::running) // nothing is felt before the force's ramp: the canal is where the tip is brought in
+        m_gate.forget();
+    m_gate.step(m_response.foot.at.s_m, std::hypot(m_response.foot.ex_m, m_response.foot.en_m));
+}
+
+bool UrethraInsertionScene::beyondChecked() const noexcept {
+    const CentrelineFoot& foot = m_response.foot;
+    if (foot.at.s_m > m_tracker.plan().neck_m)
+        return (m_motion.p_A - m_bladderCentre_A).norm() > m_bladderReach_m;
+    return std::max(std::abs(foot.ex_m), std::abs(foot.en_m)) > kCheckedOffset_m * kRounding ||
+           std::max(std::abs(m_response.phiX_rad), std::abs(m_response.phiY_rad)) > kCheckedTilt_rad * kRounding;
+}
+
+void UrethraInsertionScene::advance(const SceneInput& in, SceneOutput& out) noexcept {
+    if (in.paused)
+        return;
+    switch (m_phase) {
+    case TrialPhase::idle:
+        if (in.started) {
+            m_phase = TrialPhase::ready;
+            out.events |= bits::kSceneChanged;
+        }
+        break;
+    case TrialPhase::ready:
+        if (in.forceReady) {
+            m_phase = TrialPhase::running;
+            out.events |= bits::kTrialStarted;
+            runTrial(out);
+        }
+        break;
+    case TrialPhase::running:
+        if (m_trialOver) {
+            m_phase = TrialPhase::finished;
+            out.events |= bits::kFinished;
+        } else {
+            runTrial(out);
+        }
+        break;
+    case TrialPhase::between:
+    case TrialPhase::finished:
+        break;
+    }
+}
+
+void UrethraInsertionScene::runTrial(SceneOutput& out) noexcept {
+    ++m_clock;
+    if (m_sensed) {
+        const CentrelineFoot& foot = m_response.foot;
+        const ProcedureStep step =
+            m_tracker.advance({foot.at.s_m, m_motion.p_A, m_motion.axis_A, std::hypot(foot.ex_m, foot.en_m)}, kTick_us);
+        out.events |= step.stageChanged ? bits::kStageChanged : 0u;
+        out.events |= step.seenNow != 0 ? bits::kLandmarkSeen : 0u;
+    }
+    if (m_tracker.stage() == core::ProcedureStage::completed)
+        out.events |= bits::kCompleted;
+    else if (m_clock >= m_limitTicks)
+        out.events |= bits::kTimedOut;
+    else
+        return;
+    m_trialOver = true;
+}
+
+bool UrethraInsertionScene::patientPresent() const noexcept {
+    return m_phase == TrialPhase::ready || m_phase == TrialPhase::running;
+}
+
+void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& out) noexcept {
+    const int count = std::clamp(tools.count, 0, core::kMaxTools);
+    out.tissue.count = count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        out.p_WProxy[i] = tools.tools[i].p_WT;
+    const bool felt = m_sensed && patientPresent();
+    const bool touching = felt && m_response.touching && m_gate.inside();
+    if (touching != m_touching)
+        out.events |= touching ? bits::kContactBegan : bits::kContactEnded;
+    m_touching = touching;
+    if (!felt)
+        m_yield.reset(); // nobody is seen there yet
+    const double whole = !felt ? 1.0
+                               : m_yield.step(touching ? m_response.wrench_A.force.norm() : 0.0, !touching, core::kTickSeconds,
+                                              touching ? m_response.wrench_A.torque.norm() : 0.0);
+    if (!touching)
+        return;
+    namespace contact = core::contact_bits;
+    out.contact[0] = static_cast<std::uint8_t>((m_yield.yielded() ? contact::kYielded : 0) | (m_yield.through() ? contact::kThrough : 0) |
+                                               (m_yield.through() || beyondChecked() ? contact::kBeyondChecked : 0));
+    out.tissue.tools[0].force = whole * m_pose.vectorToW(m_response.wrench_A.force);
+    out.tissue.tools[0].torque = whole * m_pose.vectorToW(m_response.wrench_A.torque);
+    out.storedEnergy_J = whole * m_response.energy_J;
+    out.contactStiffness_N_per_m = whole * m_response.stiffness_N_per_m;
+    out.damping_Ns_per_m[0] = whole * m_response.damping_Ns_per_m;
+    if (m_yield.through())
+        return; // drawn where it is: out of the canal
+    const core::Vec3 drawn_A = m_drawn.at(m_motion.p_A, m_response.foot);
+    if (drawn_A != m_motion.p_A)
+        out.p_WProxy[0] = m_pose.pointToW(drawn_A);
+}
+
+void UrethraInsertionScene::fillCues(const SceneInput& in, SceneOutput& out) noexcept {
+    core::VisibleCues& cues = out.cues;
+    cues.phase = m_phase;
+    cues.force = in.force;
+    cues.endoscope.present = true;
+    cues.endoscope.stage = m_tracker.stage();
+    cues.endoscope.landmarks = static_cast<int>(m_tracker.plan().landmarks);
+    cues.endoscope.landmarksSeen = m_tracker.seen();
+    cues.endoscope.dwell = m_tracker.dwell();
+    if (!patientPresent())
+        return;
+    cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
+    if (!m_sensed)
+        return;
+    cues.endoscope.depth_m = m_response.foot.at.s_m;
+    if (!m_showsPicture)
+        return;
+    cues.endoscope.pictureShown = true;
+    cues.endoscope.guided = m_showsGuidance;
+    const core::Quat q_WT = in.tools.tools[0].q_WT.normalized();
+    fillPicture(q_WT, cues.endoscope);
+    fillLandmark(q_WT, cues.endoscope);
+}
+
+void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, core::EndoscopeCues& cues) noexcept {
+    if (m_looks++ % kLookEvery_ticks == 0)
+        m_lumen = m_sight.look(m_motion.p_A, m_motion.axis_A, m_response.foot);
+    if (!m_lumen.open)
+        return;
+    const core::Vec3 to_A = m_lumen.p_A - m_motion.p_A;
+    const double distance_m = to_A.norm();
+    if (!(distance_m > 0.0))
+        return;
+    cues.toLumen_T = arrayOf(q_WT.conjugate() * m_pose.vectorToW(to_A / distance_m));
+    cues.lumenDistance_m = distance_m;
+}
+
+/// A landmark lies in the picture when it is nearer than it has to be to count and within the field of view; the tip is then in
+/// the bladder, whose sphere is convex: nothing stands between.
+void UrethraInsertionScene::fillLandmark(const core::Quat& q_WT, core::EndoscopeCues& cues) const noexcept {
+    const int next = m_tracker.nextLandmark();
+    if (next < 0 || m_response.foot.at.s_m <= m_tracker.plan().neck_m)
+        return;
+    const std::array<double, 3>& at = m_tracker.plan().landmark_A[static_cast<std::size_t>(next)];
+    const core::Vec3 to_A = core::Vec3(at[0], at[1], at[2]) - m_motion.p_A;
+    if (to_A.dot(m_motion.axis_A) < m_cosHalfView * to_A.norm())
+        return;
+    cues.landmarkShown = true;
+    cues.toLandmark_T = arrayOf(q_WT.conjugate() * m_pose.vectorToW(to_A));
+}
+
+} // namespace chiron::simulation
