@@ -29,7 +29,7 @@ QStringList foldersIn(const QString& path) {
 
 /// Every exercise that has a folder on a floor.
 QStringList exercises() {
-    QStringList ids = foldersIn(QStringLiteral("app/exercises")) + foldersIn(QStringLiteral("curriculum/exercises"));
+    QStringList ids = foldersIn(QStringLiteral("app/exercises")) + foldersIn(QStringLiteral("curriculum/exercises")) + foldersIn(QStringLiteral("modules/exercises"));
     ids.removeDuplicates();
     ids.sort();
     return ids;
@@ -43,7 +43,7 @@ QString anyExercise() {
 /// Where an exercise may be named: its own folders, and the lists with a line an exercise.
 bool mayNameExercises(const QString& path) {
     static const QRegularExpression own(
-        QStringLiteral("^((app|curriculum|modules)/exercises|modules/simulation/exercises|modules/operators)/%1/").arg(anyExercise()));
+        QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
         QStringLiteral("^(app/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents)\\.cpp$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
@@ -51,7 +51,7 @@ bool mayNameExercises(const QString& path) {
 
 bool includesAnExercise(const SourceText& source) {
     static const QRegularExpression include(
-        QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?(exercises|operators)/%1/").arg(anyExercise()),
+        QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?exercises/%1/").arg(anyExercise()),
         QRegularExpression::MultilineOption);
     return include.match(source.code).hasMatch();
 }
@@ -114,6 +114,7 @@ private slots:
     void whatAFileDoesIsFound();
     void keptListIsSorted();
     void nothingElseNamesAnExercise();
+    void noSceneOrOperatorKnowsAnotherExercise();
     void everyExerciseIsOnEachFloor();
     void everyFolderIsBuilt();
     void everyExerciseIsInTheLists();
@@ -131,13 +132,13 @@ void TestExerciseSlices::codeIsReadWithoutComments() {
 void TestExerciseSlices::whatAFileDoesIsFound() {
     const QString include = QStringLiteral("#include \"app/exercises/palpation/session/palpation_kind.h\"\n");
     QCOMPARE(whatItDoes(include), QStringLiteral("includes"));
-    QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/elastic_tube/a.h\"\n")), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(QStringLiteral("#include \"modules/exercises/elastic_tube/operators/a.h\"\n")), QStringLiteral("includes"));
     QCOMPARE(whatItDoes(QStringLiteral("#include \"operators/laparoscopy/a.h\"\n")), QString());
     QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
     QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
     QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
-    QVERIFY(mayNameExercises("modules/operators/palpation/a.cpp") && mayNameExercises("app/exercises/flat_catalogue.cpp"));
+    QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") && mayNameExercises("app/exercises/flat_catalogue.cpp"));
     QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") && !mayNameExercises("app/session/exercise_kind.h"));
 }
 
@@ -179,15 +180,35 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
+/// On the floor of the modules an exercise stands for itself: what it shares with another is in a folder named after what it is.
+void TestExerciseSlices::noSceneOrOperatorKnowsAnotherExercise() {
+    static const QRegularExpression own(QStringLiteral("^modules/exercises/([a-z0-9_]+)/"));
+    static const QRegularExpression include(QStringLiteral("#[ \\t]*include[ \\t]*\"modules/exercises/([a-z0-9_]+)/"));
+    QStringList wrong;
+    int read = 0;
+    for (const QString& path : productSources()) {
+        const auto of = own.match(path);
+        if (!of.hasMatch())
+            continue;
+        ++read;
+        for (auto found = include.globalMatch(readSource(contentOf(path)).code); found.hasNext();)
+            if (const QString other = found.next().captured(1); other != of.captured(1))
+                wrong << QStringLiteral("%1: includes a header of %2").arg(path, other);
+    }
+    QVERIFY(read > 100);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+}
+
 void TestExerciseSlices::everyExerciseIsOnEachFloor() {
     QVERIFY(exercises().size() > 1);
     QCOMPARE(foldersIn(QStringLiteral("app/exercises")), exercises());
     QCOMPARE(foldersIn(QStringLiteral("curriculum/exercises")), exercises());
+    QCOMPARE(foldersIn(QStringLiteral("modules/exercises")), exercises());
 }
 
 void TestExerciseSlices::everyFolderIsBuilt() {
     QStringList wrong;
-    for (const char* floor : {"app", "curriculum"}) {
+    for (const char* floor : {"app", "curriculum", "modules"}) {
         const QString folder = QLatin1String(floor) + QStringLiteral("/exercises");
         const QString all = contentOf(folder + QStringLiteral("/CMakeLists.txt"));
         for (const QString& id : foldersIn(folder)) {
@@ -196,7 +217,7 @@ void TestExerciseSlices::everyFolderIsBuilt() {
             const QString own = folder + u'/' + id;
             const QString parts = contentOf(own + QStringLiteral("/CMakeLists.txt"));
             for (const QString& part : foldersIn(own))
-                if (!parts.contains(QStringLiteral(" IN %1\n").arg(part)))
+                if (!parts.contains(QStringLiteral(" IN %1\n").arg(part)) && !parts.contains(QStringLiteral("add_subdirectory(%1)").arg(part)))
                     wrong << QStringLiteral("%1/CMakeLists.txt: no chiron_part(… IN %2").arg(own, part);
         }
     }
