@@ -144,7 +144,8 @@ QWidget* DebriefScreen::actionRow() {
         row->addWidget(now);
     }
     if (isMine()) {
-        auto* again = kit::button(theme, tr("Try again"), passed ? "" : "primary", QStringLiteral("view-refresh"));
+        const QString words = m_head->record.summary.familiarisation ? tr("Start a session that counts") : tr("Try again");
+        auto* again = kit::button(theme, words, passed ? "" : "primary", QStringLiteral("view-refresh"));
         again->setObjectName(QStringLiteral("debrief.again"));
         connect(again, &QPushButton::clicked, this, [this, level] { openSetup(level); });
         row->addWidget(again);

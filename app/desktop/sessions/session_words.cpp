@@ -7,6 +7,15 @@ namespace chiron::desktop {
 
 using database::SessionState;
 
+namespace {
+
+/// A practice is ended when there was enough of it, which is no session that was broken off.
+bool saysOutcome(const database::SessionSummary& session) {
+    return session.state == SessionState::completed || (session.familiarisation && session.state == SessionState::stopped);
+}
+
+} // namespace
+
 QString SessionWords::state(SessionState state) {
     switch (state) {
     case SessionState::running:
@@ -82,11 +91,11 @@ WordSign SessionWords::sign(Outcome outcome) {
 }
 
 QString SessionWords::cameTo(const database::SessionSummary& session) {
-    return session.state == SessionState::completed ? outcome(outcomeOf(session)) : state(session.state);
+    return saysOutcome(session) ? outcome(outcomeOf(session)) : state(session.state);
 }
 
 WordSign SessionWords::cameToSign(const database::SessionSummary& session) {
-    return session.state == SessionState::completed ? sign(outcomeOf(session)) : sign(session.state);
+    return saysOutcome(session) ? sign(outcomeOf(session)) : sign(session.state);
 }
 
 QString SessionWords::moved(const database::SessionSummary& session) {
@@ -98,7 +107,8 @@ QString SessionWords::device(bool felt) {
 }
 
 QString SessionWords::gates(const database::SessionSummary& session, const QLocale& locale) {
-    return session.gates > 0 ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
+    const bool brokenOffPractice = session.familiarisation && session.state != SessionState::completed;
+    return session.gates > 0 && !brokenOffPractice ? tr("%1 of %2").arg(locale.toString(session.gatesMet), locale.toString(session.gates)) : QString();
 }
 
 QString SessionWords::attempt(const database::SessionSummary& session, const QLocale& locale) {

@@ -2,6 +2,7 @@
 #include "desktop/training/answer_note.h"
 
 #include "desktop/exercise_face.h"
+#include "scoring/prepared_trial.h"
 
 #include <cmath>
 
@@ -20,15 +21,18 @@ AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& loc
         m_found = (*face)->foundAnswer();
 }
 
-// A mark is measured as it is scored: across, from the line through the ball's centre.
+// A mark is measured as it is scored: across, from the line through the ball's centre, and of one in contact alone.
 QString AnswerNote::markedWords(const session::LiveSample& at) const {
     const auto object = truth();
     if (!object || object->radius_m <= 0.0)
         return AnswerTexts::tr("Marked");
     const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - object->p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - object->p_WObject.y());
     const QString mm = m_locale.toString(1e3 * beside_m, 'f', 1);
-    return beside_m > object->radius_m ? AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm)
-                                       : AnswerTexts::tr("%1 mm from the top").arg(mm);
+    if (beside_m > object->radius_m)
+        return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
+    if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
+        return AnswerTexts::tr("Not counted: nothing was touched. Lower the tool until it touches the sphere, then mark");
+    return AnswerTexts::tr("%1 mm from the top").arg(mm);
 }
 
 QString AnswerNote::foundWords() const {

@@ -71,6 +71,12 @@ void ControlBar::setMain(Main main) {
 
 void ControlBar::setResumeHere(bool possible) { m_resumeHere->setVisible(possible); }
 
+void ControlBar::setPractice() {
+    m_again->hide();
+    m_end->setText(tr("End the practice"));
+    m_end->setToolTip(tr("Go on to what counts; its card comes first."));
+}
+
 void ControlBar::setRunning(bool running) {
     m_running = running;
     for (QPushButton* button : {m_main, m_resumeHere, m_again, m_end})

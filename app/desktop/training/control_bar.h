@@ -21,6 +21,7 @@ public:
     void setMain(Main main);
     void setResumeHere(bool possible); ///< shown only while it does something
     void setRunning(bool running);     ///< false: nothing to press yet, or no longer
+    void setPractice();                ///< it can be ended for what counts, and is not started again
     QPushButton* mainButton() const { return m_main; }
 
 signals:

@@ -114,6 +114,8 @@ QWidget* ReadyCard::buildButtons(const ReadyFacts& facts) {
         connect(add(tr("More"), "quiet", "training.ready.more"), &QPushButton::clicked, this, &ReadyCard::wholeAsked);
     else
         connect(add(tr("Help for this screen"), "quiet", "training.ready.help"), &QPushButton::clicked, this, &ReadyCard::helpAsked);
+    if (m_kind != Kind::paused && facts.offersLeave)
+        connect(add(tr("Not now"), "quiet", "training.ready.leave"), &QPushButton::clicked, this, &ReadyCard::leaveAsked);
     return bar;
 }
 

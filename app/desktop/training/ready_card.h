@@ -26,6 +26,7 @@ struct ReadyFacts {
     QStringList gates;                 ///< what is needed to pass
     bool offersPractice = true;        ///< a minute that does not count can be had from the card
     bool offersDemonstration = false;  ///< an expert can be watched first, where somebody is new to the level
+    bool offersLeave = false;          ///< the exercise can be left from the card
     QString practised;                 ///< that minute has just ended: what comes now; empty: it was not taken
     QString clock;                     ///< how many trials, and when the clock starts
 };
@@ -61,6 +62,7 @@ signals:
     void watchAsked();
     void wholeAsked(); ///< of a brief card
     void helpAsked();
+    void leaveAsked();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

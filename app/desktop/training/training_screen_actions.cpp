@@ -44,6 +44,10 @@ void TrainingScreen::mark() {
 void TrainingScreen::end() {
     if (!running() || m_storing)
         return;
+    if (m_plan.practises()) {
+        m_control->end(); // nothing counts that could be lost, and its card follows
+        return;
+    }
     m_control->pause();
     hold();
     askToEnd({tr("End the session now?"), keptText(), tr("End the session")}, [this] {

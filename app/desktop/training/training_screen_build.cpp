@@ -104,6 +104,8 @@ void TrainingScreen::build() {
     m_foot = buildFoot();
     column->addWidget(m_foot);
     m_controls = new ControlBar(theme);
+    if (m_plan.practises())
+        m_controls->setPractice();
     column->addWidget(m_controls);
     connect(m_controls, &ControlBar::stopAsked, this, &TrainingScreen::stopForce);
     connect(m_controls, &ControlBar::endAsked, this, &TrainingScreen::end);

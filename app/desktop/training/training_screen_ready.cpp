@@ -57,6 +57,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
         facts.offersPractice = false; // it is one
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
     }
+    facts.offersLeave = context().navigator().canGoBack();
     facts.offersDemonstration = !m_practised && expertPlan(m_level->exercise, m_level->number).has_value();
     if (m_practised)
         facts.practised = m_plan.familiarisation ? tr("The practice is over. The familiarisation begins when you press Continue; it does not count either.")
@@ -74,6 +75,7 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
         if (const auto expert = expertPlan(m_level->exercise, m_level->number))
             context().navigator().replace({QStringLiteral("training"), expert->toMap()}); // whose debrief says "Now you"
     });
+    connect(m_card, &ReadyCard::leaveAsked, this, [this] { context().navigator().back(); });
     connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(ReadyCard::Kind::whole); });
     connect(m_card, &ReadyCard::helpAsked, this, [this] { showHelp(context().theme(), *this, window()); });
     m_pages->addWidget(m_card);
@@ -118,7 +120,8 @@ void TrainingScreen::go() {
     if (m_wentAhead)
         return;
     m_wentAhead = true;
-    context().settings().setOfPerson(context().actor().personId(), readyKey(m_plan), true);
+    if (!m_plan.familiarisation && !m_plan.practises()) // who has only tried it reads once more how each movement is made
+        context().settings().setOfPerson(context().actor().personId(), readyKey(m_plan), true);
     m_stage->showLoading(tr("Preparing the scene …"));
     takeCardAway();
     setFocus();

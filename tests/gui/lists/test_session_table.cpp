@@ -212,6 +212,15 @@ private slots:
         QCOMPARE(text(SessionTableModel::review), QStringLiteral("Reviewed"));
         QVERIFY(text(SessionTableModel::score).isEmpty() && text(SessionTableModel::comments).isEmpty() && text(SessionTableModel::attempt).isEmpty());
         QCOMPARE(text(SessionTableModel::operatorName), QStringLiteral("Expert"));
+        s.familiarisation = true; // a practice is ended when there was enough of it
+        s.gates = 5;
+        s.gatesMet = 2;
+        table.model.replace(makeSessionRow(s, kTitles));
+        QCOMPARE(text(SessionTableModel::result), QStringLiteral("Familiarisation"));
+        QVERIFY(text(SessionTableModel::score).isEmpty());
+        s.state = database::SessionState::faulted;
+        table.model.replace(makeSessionRow(s, kTitles));
+        QCOMPARE(text(SessionTableModel::result), QStringLiteral("Faulted"));
     }
 
     void csvQuotesAndKeepsToTokens() {

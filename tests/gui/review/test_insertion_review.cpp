@@ -13,10 +13,13 @@
 #include "session_report/session_report.h"
 #include "session_report/track_series.h"
 #include "support/insertion_session.h"
+#include "support/patience.h"
 
 #include <QCheckBox>
 #include <QLabel>
 #include <QtTest>
+
+using chiron::tests::kPatience_ms;
 
 using namespace chiron;
 using core::ProcedureStage;
@@ -104,7 +107,7 @@ void TestInsertionReview::aStoredProcedureIsPlayedBack() {
     const database::SessionId id = tests::addInsertion(desktop, "tina");
     desktop.logIn("tina");
     desktop.go(QStringLiteral("playback"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("playback.readout")), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("playback.readout")), kPatience_ms);
     auto* screen = desktop.screen<desktop::PlaybackScreen>();
     const auto readout = [&] { return desktop.find<QLabel>(QStringLiteral("playback.readout"))->text(); };
     screen->clock().seek(0.5 * screen->clock().duration_s());
@@ -124,7 +127,7 @@ void TestInsertionReview::itsDebriefShowsTheWay() {
     const database::SessionId id = tests::addInsertion(desktop, "tina");
     desktop.logIn("tina");
     desktop.go(QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(id)}});
-    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<report::PlotView>(QStringLiteral("debrief.alignment")), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<report::PlotView>(QStringLiteral("debrief.alignment")), kPatience_ms);
     QVERIFY(desktop.find<report::PlotView>(QStringLiteral("debrief.offset")));
     QVERIFY(!desktop.find<report::PlotView>(QStringLiteral("debrief.scatter")));
     QVERIFY(desktop.find<QLabel>(QStringLiteral("debrief.verdict")));

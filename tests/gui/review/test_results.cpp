@@ -188,7 +188,7 @@ void TestResults::exportsEverything() {
     open();
     QTemporaryDir target;
     m_site->screen<desktop::ResultsScreen>()->exportTo(target.path());
-    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), 60'000); // seconds of samples are written
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->context.background().idle(), kPatience_ms); // seconds of samples are written
     QCOMPARE(QDir(target.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
     QDir folder(target.path());
     QVERIFY(folder.cd(folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).first()));

@@ -20,6 +20,7 @@ session::LiveSample sampleOf(std::uint32_t events, float x_m = 0.0F, float y_m =
     session::LiveSample sample;
     sample.events = events;
     sample.p_WT_m = {x_m, y_m, 0.0F};
+    sample.tissueNorm_N = 0.3F;
     return sample;
 }
 
@@ -92,6 +93,10 @@ private slots:
                 QCOMPARE(saidBeside(level, trial, 0.0, 0.0), QStringLiteral("0.0 mm from the top"));
                 QVERIFY(saidBeside(level, trial, -0.040, 0.0).startsWith(QStringLiteral("40.0 mm from the top: not on")));
                 QCOMPARE(saidBeside(level, trial, 0.003, 0.004, "de").left(3), QStringLiteral("5,0"));
+                // In the air over the very top: a miss, as it is scored.
+                session::LiveSample inTheAir = sampleOf(bits::kMarked, static_cast<float>(topOf(level, trial).x()), static_cast<float>(topOf(level, trial).y()));
+                inTheAir.tissueNorm_N = 0.02F;
+                QVERIFY(said(level, trial, inTheAir).startsWith(QStringLiteral("Not counted: nothing was touched")));
             }
         }
         QVERIFY(training >= 2); // one that hides its ball among them

@@ -59,7 +59,7 @@ void TestExerciseSetup::startIsEnough() {
     start->click();
     QVERIFY(bench.at(QStringLiteral("training")));
     pressGo(bench.desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.screen()->feed()->training().pointer() != nullptr);
 }
 
@@ -124,7 +124,7 @@ void TestExerciseSetup::demonstrationIsNobodysScore() {
     QCOMPARE(screen(bench)->plan().operatorName, QStringLiteral("expert"));
     QCOMPARE(tile(bench, QStringLiteral("setup.start"))->text(), QStringLiteral("Watch"));
     tile(bench, QStringLiteral("setup.start"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
     QVERIFY(bench.screen()->feed()->training().felt()); // a gimbal that renders force, with a script's hand on it
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     auto connection = bench.desktop.database().openReader();
@@ -159,7 +159,7 @@ void TestExerciseSetup::aGoodTraceCanBeReplayed() {
     open(bench, {{QStringLiteral("device"), QStringLiteral("trace")}, {QStringLiteral("trace"), file}});
     QTRY_VERIFY2_WITH_TIMEOUT(bench.text("setup.trace.words").contains(QStringLiteral("21 rows")), qPrintable(bench.text("setup.trace.words")), kPatience_ms);
     tile(bench, QStringLiteral("setup.start"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 20'000); // its end ends the session
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms); // its end ends the session
 }
 
 void TestExerciseSetup::theWorkspaceIsRemembered() {
@@ -171,7 +171,7 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     bench.desktop.find<QAbstractButton>(QStringLiteral("setup.left"))->click();
     tile(bench, QStringLiteral("setup.start"))->click();
     pressGo(bench.desktop);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const devices::WorkspaceMapping mapping = bench.screen()->feed()->training().station().mappings().front();
     QCOMPARE(mapping.scale, 1.5);
     QCOMPARE(mapping.origin_m[1], -0.004);
@@ -181,7 +181,7 @@ void TestExerciseSetup::theWorkspaceIsRemembered() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > x_m + 0.002, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     open(bench);
     QCOMPARE(screen(bench)->plan().workspace.scale, 1.5);
     QVERIFY(screen(bench)->plan().workspace.leftHanded);
@@ -207,7 +207,7 @@ void TestExerciseSetup::aDemonstrationCanBeMountedOtherwise() {
     bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.turn"))->setValue(20.0);
     bench.desktop.find<QDoubleSpinBox>(QStringLiteral("setup.tilt"))->setValue(-10.0);
     tile(bench, QStringLiteral("setup.start"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
     const auto expected = session::mappingOf({.turn_rad = {core::radFromDeg(20.0), core::radFromDeg(-10.0), 0.0}});
     const auto q_WD = bench.screen()->feed()->training().station().mappings().front().q_WD;
     for (std::size_t i = 0; i < 4; ++i)

@@ -64,6 +64,9 @@ private slots:
     void whoWatchesHasNone();
     void startingAgainDoesNotAsk();
     void practiceDoesNotCount();
+    void practiceIsEndedForWhatCounts();
+    void theCardCanBeLeft();
+    void whoOnlyTriedItReadsOnceMore();
 };
 
 void TestReadyCard::nothingRunsBeforeGo() {
@@ -75,7 +78,7 @@ void TestReadyCard::nothingRunsBeforeGo() {
     QCOMPARE(sessionsOf(bench), std::size_t{0}); // who reads and leaves has no attempt
     QVERIFY(!button(bench, "training.stop")->isEnabled() && !button(bench, "training.stop")->isVisible());
     button(bench, "training.ready.go")->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(!card(bench));
     QVERIFY(bench.state().timeLeft_s > 29.0); // of 30: reading took none of it
     QVERIFY(bench.screen()->scene()->widget()->isVisible() && button(bench, "training.stop")->isVisible() && button(bench, "training.stop")->isEnabled());
@@ -135,9 +138,9 @@ void TestReadyCard::everyLevelHasAGoal() {
 void TestReadyCard::laterItIsBrief() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     bench.show();
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
     QVERIFY(!bench.text("training.ready.goal").isEmpty() && !bench.text("training.ready.limit").isEmpty());
@@ -168,7 +171,7 @@ void TestReadyCard::aFirstMovementBegins() {
         QTest::keyClick(QApplication::focusWidget(), no);
     QVERIFY(card(bench));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key(key));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QCOMPARE(int(bench.state().trial), 0); // and marks nothing
 }
 
@@ -237,7 +240,7 @@ void TestReadyCard::whatIsHeldDownBeginsNothing() {
     }
     QVERIFY(card(bench) && !bench.screen()->feed());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
 }
 
 void TestReadyCard::theWholeCardIsReadWithTheKeys() {
@@ -261,8 +264,8 @@ void TestReadyCard::theWholeCardIsReadWithTheKeys() {
 void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
     TrainingBench bench;
     bench.show({{QStringLiteral("practice_s"), 1.5}});
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
-    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(card(bench)->hasFocus(), kPatience_ms);
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Right, Qt::Key_PageDown}) // they were meant for the practice
         QTest::keyClick(QApplication::focusWidget(), key);
@@ -270,7 +273,7 @@ void TestReadyCard::practiceEndsWithoutAnyButtonInHand() {
     QVERIFY(card(bench) && !bench.screen()->feed());
     button(bench, "training.ready.go")->setFocus(Qt::TabFocusReason);
     QTest::keyClick(button(bench, "training.ready.go"), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
 }
 
 void TestReadyCard::whoIsNewMayWatchFirst() {
@@ -280,9 +283,9 @@ void TestReadyCard::whoIsNewMayWatchFirst() {
     QVERIFY(!card(bench)); // who watches has none
     QCOMPARE(bench.desktop.context.navigator().current().parameters.value(QStringLiteral("device")).toString(), QStringLiteral("demonstration"));
     bench.desktop.settings.setOfPerson(bench.desktop.context.actor().personId(), desktop::readyKey(desktop::TrainingPlan::fromMap({{QStringLiteral("exercise"), QStringLiteral("sphere_apex")}})), true);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed(), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed(), kPatience_ms);
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     bench.show();
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::brief);
     QVERIFY(!bench.screen()->findChild<QPushButton*>(QStringLiteral("training.ready.watch"))); // who knows the level is not asked again
@@ -291,7 +294,7 @@ void TestReadyCard::whoIsNewMayWatchFirst() {
 void TestReadyCard::afterAPauseEnterMarks() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     auto* main = button(bench, "training.main");
     main->setFocus();
     main->click();
@@ -307,7 +310,7 @@ void TestReadyCard::afterAPauseEnterMarks() {
 void TestReadyCard::helpBringsItBack() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     bench.key(Qt::Key_F1);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     QVERIFY(card(bench) && card(bench)->kind() == ReadyCard::Kind::paused && card(bench)->isVisible());
@@ -329,7 +332,7 @@ void TestReadyCard::helpBringsItBack() {
 void TestReadyCard::stoppedItLeadsBackToReArm() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     bench.key(Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
     bench.key(Qt::Key_F1);
@@ -346,17 +349,17 @@ void TestReadyCard::whoWatchesHasNone() {
     TrainingBench bench;
     bench.show({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
     QVERIFY(!card(bench));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().started, kPatience_ms);
     QVERIFY(!bench.screen()->helpItself()); // the help of the screen is what there is
 }
 
 void TestReadyCard::startingAgainDoesNotAsk() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.key(Qt::Key_F5);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first && bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first && bench.runs(), kPatience_ms);
     QVERIFY(!card(bench));
 }
 
@@ -364,16 +367,16 @@ void TestReadyCard::practiceDoesNotCount() {
     TrainingBench bench;
     bench.show();
     button(bench, "training.ready.practice")->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.text("training.device").contains(QStringLiteral("not counted")));
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000); // what was practised waits, and the level is still new
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms); // what was practised waits, and the level is still new
     QVERIFY(bench.at(QStringLiteral("training")) && card(bench)->kind() == ReadyCard::Kind::first);
     bench.show({{QStringLiteral("practice_s"), 1.5}}); // it ends by itself, and says so before and after
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title.startsWith(QStringLiteral("Practice ends in ")), kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     QVERIFY(bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
     QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Continue")));
     QVERIFY(bench.text("training.ready.clock").contains(QStringLiteral("Continue")));
@@ -381,15 +384,54 @@ void TestReadyCard::practiceDoesNotCount() {
     QVERIFY(card(bench) && !bench.screen()->findChild<QLabel*>(QStringLiteral("training.ready.practised")));
     QVERIFY(button(bench, "training.ready.go")->text().startsWith(QStringLiteral("Go")));
     bench.show({{QStringLiteral("practice_s"), 60.0}}); // nor is its end told before it is near
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QTest::qWait(200);
     QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::none);
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(card(bench), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
     auto connection = bench.desktop.database().openReader();
     const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
     QVERIFY(record && record->summary.familiarisation);
     QCOMPARE(sessionsOf(bench), std::size_t{3});
+}
+
+void TestReadyCard::practiceIsEndedForWhatCounts() {
+    TrainingBench bench;
+    bench.show({{QStringLiteral("practice_s"), 60.0}});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    auto* end = button(bench, "training.end");
+    QCOMPARE(end->text(), QStringLiteral("End the practice"));
+    QVERIFY(!button(bench, "training.again")->isVisible());
+    end->click(); // asks nothing: nothing is lost
+    QTRY_VERIFY_WITH_TIMEOUT(card(bench), kPatience_ms);
+    QVERIFY(bench.at(QStringLiteral("training")) && bench.text("training.ready.practised").contains(QStringLiteral("does not count")));
+    button(bench, "training.ready.go")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    QCOMPARE(button(bench, "training.end")->text(), QStringLiteral("End session …"));
+    QVERIFY(button(bench, "training.again")->isVisible());
+}
+
+void TestReadyCard::theCardCanBeLeft() {
+    TrainingBench bench;
+    bench.desktop.go(QStringLiteral("exercises"));
+    bench.show();
+    QVERIFY(card(bench));
+    button(bench, "training.ready.leave")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("exercises")), kPatience_ms);
+    QCOMPARE(sessionsOf(bench), std::size_t{0}); // nothing had begun
+}
+
+void TestReadyCard::whoOnlyTriedItReadsOnceMore() {
+    TrainingBench bench;
+    const auto kindAfterGo = [&](const QVariantMap& plan) {
+        bench.show(plan);
+        button(bench, "training.ready.go")->click();
+        QTest::qWait(0);
+        bench.show();
+        return card(bench) ? card(bench)->kind() : ReadyCard::Kind::paused;
+    };
+    QVERIFY(kindAfterGo({{QStringLiteral("familiarisation"), true}, {QStringLiteral("trials"), 3}}) == ReadyCard::Kind::first);
+    QVERIFY(kindAfterGo({}) == ReadyCard::Kind::brief);
 }
 
 QTEST_MAIN(TestReadyCard)

@@ -4,6 +4,7 @@
 #include "desktop/sound/sound_loader.h"
 #include "gui/training/training_bench.h"
 #include "session/session_view.h"
+#include "support/patience.h"
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -33,16 +34,16 @@ private slots:
         qputenv("CHIRON_PLUGINS", CHIRON_NO_OUTPUT);
         TrainingBench bench(1);
         bench.train();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
         auto* mute = bench.desktop.find<QPushButton>(QStringLiteral("training.mute"));
         QVERIFY(mute && !mute->isEnabled());
         QVERIFY2(mute->toolTip().contains(QStringLiteral("no sound output")), qPrintable(mute->toolTip()));
         QVERIFY(bench.text("training.keys").contains(QStringLiteral("no sound output")));
         QTest::keyPress(bench.screen(), Qt::Key_PageDown);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].tissue[2] > 0.1, 15'000); // something to be heard
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].tissue[2] > 0.1, kPatience_ms); // something to be heard
         QTest::keyRelease(bench.screen(), Qt::Key_PageDown);
         bench.key(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
         const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
         auto connection = bench.desktop.database().openReader();
         QVERIFY(connection);

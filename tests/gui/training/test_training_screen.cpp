@@ -80,10 +80,10 @@ private slots:
 void TestTrainingScreen::aWholeSetWithTheMouse() {
     TrainingBench bench(3);
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.desktop.context.trialRuns());
     for (int trial = 0; trial < 3; ++trial) {
-        QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == trial, 15'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == trial, kPatience_ms);
         QVERIFY(bench.text("training.trial").contains(QString::number(trial + 1)));
         const double before_m = bench.state().tool[0].p_WT_m[0];
         bench.sweepTo({trial % 2 == 0 ? 50 : -50, 20});
@@ -96,7 +96,7 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
     }
     QElapsedTimer sinceMark;
     sinceMark.start();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     qInfo("from the last mark to the debrief: %lld ms", static_cast<long long>(sinceMark.elapsed()));
     QVERIFY(!bench.desktop.context.trialRuns());
     const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
@@ -116,14 +116,14 @@ void TestTrainingScreen::aWholeSetWithTheMouse() {
 void TestTrainingScreen::measurementsAreThePersons() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const auto details = [&] { return bench.screen()->findChild<QCheckBox*>(QStringLiteral("training.details")); };
     const auto torque = [&] { return bench.screen()->findChild<QWidget*>(QStringLiteral("training.torque_bar"))->isVisibleTo(bench.screen()); };
     QVERIFY(!details()->isChecked() && !torque());
     bench.key(Qt::Key_F4);
     QVERIFY(details()->isChecked() && torque());
     bench.screen()->feed()->training().requestStop();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     bench.show();
     QVERIFY(details()->isChecked());
     bench.desktop.logIn("theo"); // each their own
@@ -137,7 +137,7 @@ void TestTrainingScreen::measurementsAreThePersons() {
 void TestTrainingScreen::onlyKeys() {
     TrainingBench bench(1);
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const double z_m = bench.state().tool[0].p_WT_m[2];
     QTest::keyPress(bench.screen(), Qt::Key_PageDown);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[2] < z_m - 0.005, kPatience_ms);
@@ -146,14 +146,14 @@ void TestTrainingScreen::onlyKeys() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.002, kPatience_ms);
     QTest::keyRelease(bench.screen(), Qt::Key_Right);
     bench.key(Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
 }
 
 /// In 3D the scene is a native window of its own, in 2D a widget: keys work either way.
 void TestTrainingScreen::keysWhileTheSceneHasTheFocus() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QObject* source = bench.screen()->scene()->inputSource();
     const auto press = [source](Qt::Key key) {
         if (auto* window = qobject_cast<QWindow*>(source))
@@ -178,7 +178,7 @@ void TestTrainingScreen::keysWhileTheSceneHasTheFocus() {
 void TestTrainingScreen::aDialogPauses() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QDialog dialog(bench.desktop.window.get());
     dialog.setModal(true);
     dialog.show();
@@ -193,7 +193,7 @@ void TestTrainingScreen::aDialogPauses() {
 void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     TrainingBench bench(3);
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(!bench.screen()->drawn().answered);
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().answered, kPatience_ms);
@@ -202,7 +202,7 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused && bench.state().phase == TrialPhase::between, kPatience_ms);
     QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::said);
     QVERIFY(bench.text("training.force.title") != QStringLiteral("Paused"));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 1, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 1, kPatience_ms);
     QVERIFY(!bench.state().paused && bench.state().timeLeft_s > 29.0); // of 30
     QTRY_VERIFY_WITH_TIMEOUT(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked, kPatience_ms);
     bench.key(Qt::Key_Return);
@@ -212,7 +212,7 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QTest::qWait(static_cast<int>(desktop::AnswerNote::kHeld_ns / 1'000'000) + 500);
     QVERIFY(bench.state().paused && bench.state().trial == 1);
     bench.key(Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 2, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 2, kPatience_ms);
 }
 
 /// Level 5 teaches nothing: nothing is drawn, and nobody is kept.
@@ -220,7 +220,7 @@ void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
     TrainingBench bench;
     QVERIFY(!bench.desktop.site.catalogue().find("sphere_apex", 5)->feedback);
     bench.train({{QStringLiteral("level"), 5}});
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title == QStringLiteral("Marked"), kPatience_ms);
     QVERIFY(!bench.screen()->drawn().answered && !bench.screen()->drawn().marked && !bench.screen()->drawn().objectShown);
@@ -234,7 +234,7 @@ void TestTrainingScreen::anAssessmentGoesOnAtOnce() {
 void TestTrainingScreen::pauseAndResume() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QTest::keyPress(bench.screen(), Qt::Key_Right); // a held key must not go on moving the tool
     bench.key(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused, kPatience_ms);
@@ -256,7 +256,7 @@ void TestTrainingScreen::pauseAndResume() {
 void TestTrainingScreen::escStopsAndRearms() {
     TrainingBench bench;
     bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
     bench.key(Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::stopped, kPatience_ms);
     QCOMPARE(bench.state().gain, 0.0);
@@ -270,14 +270,14 @@ void TestTrainingScreen::escStopsAndRearms() {
     bench.key(Qt::Key_R);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::arming || bench.state().force == core::ForceState::ramping ||
                 bench.state().force == core::ForceState::on, kPatience_ms);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the trial goes on with the tick after the full force, and the picture may lie between them
 }
 
 void TestTrainingScreen::aStopShowsNoForce() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     auto* bar = bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar"));
     for (int n = 0; n < 60 && !bar->isOver(); ++n) { // through the ball or into the plane
         bench.wheel(-240);
@@ -300,7 +300,7 @@ void TestTrainingScreen::cuesFollowTheLevel() {
     QFETCH(int, level);
     TrainingBench bench;
     bench.train({{QStringLiteral("level"), level}});
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("sphere_apex", level), false);
     QCOMPARE(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.force_bar")) != nullptr, cues.bars);
     QCOMPARE(bench.desktop.find<QLabel>(QStringLiteral("training.tip_x")) != nullptr, cues.numbers);
@@ -317,14 +317,14 @@ void TestTrainingScreen::aStallCostsNoTick() {
     for (const bool stall : {false, true}) {
         TrainingBench bench;
         bench.train({{QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QStringLiteral("expert")}});
-        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms);
         const std::uint64_t at = bench.state().tick;
         if (stall)
             QThread::msleep(1000);
         QTRY_VERIFY_WITH_TIMEOUT(bench.state().tick > at, kPatience_ms);
         const bool seen = (bench.state().guardsSeen & core::guard_bits::kHeartbeat) != 0;
         QVERIFY(seen || !stall);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, 30'000); // comes back by itself
+        QTRY_VERIFY_WITH_TIMEOUT(bench.state().force == core::ForceState::on, kPatience_ms); // comes back by itself
         QCOMPARE(bench.state().droppedFrames, std::uint64_t{0});
         const haptics::LoopStatistics& loop = bench.screen()->feed()->training().statistics().latest();
         qInfo("%s: %llu ticks, %llu late, %llu skipped, p99 %.1f us, max %.1f us", stall ? "stalled for 1 s" : "no stall       ",
@@ -333,7 +333,7 @@ void TestTrainingScreen::aStallCostsNoTick() {
               1e-3 * static_cast<double>(loop.lateness().maximum_ns()));
         const database::SessionId id = bench.screen()->feed()->training().sessionId();
         bench.screen()->feed()->training().requestStop();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), 15'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), kPatience_ms);
         QVERIFY(!seen || longestSilence_ms(bench, id) >= haptics::SafetySettings{}.heartbeatLimit_ms);
     }
 }
@@ -342,7 +342,7 @@ void TestTrainingScreen::aStallCostsNoTick() {
 void TestTrainingScreen::whatIsDrawnIsTheNewest() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     desktop::LiveFeed& feed = *bench.screen()->feed();
     for (int i = 0; i < 5; ++i) {
         QSignalSpy frames(&feed, &desktop::LiveFeed::frame);
@@ -362,7 +362,7 @@ void TestTrainingScreen::whatIsDrawnIsTheNewest() {
 void TestTrainingScreen::leavingAsks() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     answer("training.ask.keep");
     bench.desktop.go(QStringLiteral("settings"));
@@ -380,11 +380,11 @@ void TestTrainingScreen::leavingAsks() {
 void TestTrainingScreen::endKeepsWhatIsRecorded() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId id = bench.screen()->feed()->training().sessionId();
     answer("training.ask.end");
     bench.desktop.find<QPushButton>(QStringLiteral("training.end"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
     const database::SessionRecord record = recordOf(bench, id, bench.desktop.context.actor());
     QVERIFY(record.summary.state == SessionState::stopped);
     QVERIFY(record.summary.frames > 0);
@@ -393,14 +393,14 @@ void TestTrainingScreen::endKeepsWhatIsRecorded() {
 void TestTrainingScreen::startAgainBeginsAtOnce() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.sweepTo({60, 0});
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[0] > 0.001, kPatience_ms);
     bench.key(Qt::Key_F5);
     const auto second = [&] { return bench.screen() && bench.screen()->feed() ? bench.screen()->feed()->training().sessionId() : 0; };
-    QTRY_VERIFY_WITH_TIMEOUT(second() != 0 && second() != first, 15'000);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(second() != 0 && second() != first, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.at(QStringLiteral("training")));
     QVERIFY(std::abs(bench.state().tool[0].p_WT_m[0]) < 1e-4); // from the start position, with every value from nothing
     QCOMPARE(int(bench.state().trial), 0);
@@ -413,9 +413,9 @@ void TestTrainingScreen::startAgainBeginsAtOnce() {
 void TestTrainingScreen::startAgainAsksWhoHasWorked() {
     TrainingBench bench;
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->feed()->worked_s() > 5.2, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->feed()->worked_s() > 5.2, kPatience_ms);
     auto* button = bench.desktop.find<QPushButton>(QStringLiteral("training.again"));
     QVERIFY(button && button->isEnabled() && (button->focusPolicy() & Qt::TabFocus));
     answer("training.ask.keep");
@@ -426,7 +426,7 @@ void TestTrainingScreen::startAgainAsksWhoHasWorked() {
     QTRY_VERIFY_WITH_TIMEOUT(!bench.state().paused, kPatience_ms); // the same attempt goes on
     answer("training.ask.end");
     button->click();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, kPatience_ms);
     QVERIFY(recordOf(bench, first, bench.desktop.context.actor()).summary.state == SessionState::stopped);
 }
 
@@ -444,7 +444,7 @@ void TestTrainingScreen::errorsHaveTheirWords() {
 void TestTrainingScreen::soundCanBeSilent() {
     TrainingBench bench; // CHIRON_NO_SOUND: there is no output
     bench.train();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 15'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     auto* mute = bench.desktop.find<QPushButton>(QStringLiteral("training.mute"));
     QVERIFY(mute && !mute->isEnabled());
     QVERIFY(mute->toolTip().contains(QStringLiteral("Everything that can be heard is also shown")));

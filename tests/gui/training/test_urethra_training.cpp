@@ -91,19 +91,19 @@ private slots:
 void TestUrethraTraining::aWholeProcedureByKeys() {
     TrainingBench bench;
     bench.train(urethra(1));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.text("training.keys").contains(QStringLiteral("Advance")));
     QVERIFY(bench.text("training.trial").isEmpty()); // of one there is nothing to count
     KeyPilot pilot(bench, parametersOf(bench, 1));
     pilot.hold(Qt::Key_W, true);
-    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.text("training.stage").startsWith(QStringLiteral("Insertion: ")), kPatience_ms);
     QVERIFY(bench.desktop.find<QProgressBar>(QStringLiteral("training.stage_progress"))->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::withdrawal), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::withdrawal), kPatience_ms);
     pilot.hold(Qt::Key_W, false);
     QVERIFY(bench.desktop.find<desktop::LivePlot>(QStringLiteral("training.force_plot"))->trace().highest() > 0.0); // the canal resists
     pilot.hold(Qt::Key_S, true);
-    QTRY_VERIFY_WITH_TIMEOUT((bench.at(QStringLiteral("training")) ? pilot.steer() : void(), bench.at(QStringLiteral("debrief"))), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT((bench.at(QStringLiteral("training")) ? pilot.steer() : void(), bench.at(QStringLiteral("debrief"))), kPatience_ms);
     const auto id = bench.desktop.context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong();
     auto connection = bench.desktop.database().openReader();
     const auto record = database::SessionReader(**connection, bench.desktop.context.actor()).session(id);
@@ -116,7 +116,7 @@ void TestUrethraTraining::aWholeProcedureByKeys() {
 void TestUrethraTraining::mouseAndWheelMoveIt() {
     TrainingBench bench;
     bench.train(urethra(1));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const haptics::ToolDisplay before = bench.state().tool[0];
     bench.wheel(480);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > before.p_WT_m[1] + 0.005, kPatience_ms); // into the patient
@@ -135,15 +135,15 @@ void TestUrethraTraining::mouseAndWheelMoveIt() {
 void TestUrethraTraining::startAgainBringsItBack() {
     TrainingBench bench;
     bench.train(urethra(1));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     const auto start = bench.state().tool[0].p_WT_m;
     const database::SessionId first = bench.screen()->feed()->training().sessionId();
     bench.wheel(480);
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().tool[0].p_WT_m[1] > start[1] + 0.005, kPatience_ms);
     bench.key(Qt::Key_F); // its depth of field as the person has it
     bench.key(Qt::Key_F5);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, 20'000);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(std::abs(bench.state().tool[0].p_WT_m[1] - start[1]) < 1e-5);
     QVERIFY(bench.state().endoscope.stage == ProcedureStage::outside);
     QVERIFY(bench.desktop.find<QCheckBox>(QStringLiteral("training.depth_of_field"))->isChecked());
@@ -152,7 +152,7 @@ void TestUrethraTraining::startAgainBringsItBack() {
 void TestUrethraTraining::depthOfFieldIsASwitch() {
     TrainingBench bench;
     bench.train(urethra(1));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     auto* box = bench.desktop.find<QCheckBox>(QStringLiteral("training.depth_of_field"));
     QVERIFY(box && box->isEnabled() && !box->isChecked());
     bench.key(Qt::Key_F);
@@ -166,7 +166,7 @@ void TestUrethraTraining::depthOfFieldIsASwitch() {
 void TestUrethraTraining::aLevelMayFixIt() {
     TrainingBench bench;
     bench.train(urethra(5));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     auto* box = bench.desktop.find<QCheckBox>(QStringLiteral("training.depth_of_field"));
     QVERIFY(!box->isEnabled() && box->isChecked());
     QVERIFY(box->text().contains(QStringLiteral("this level keeps it on")));
@@ -177,10 +177,10 @@ void TestUrethraTraining::aLevelMayFixIt() {
 void TestUrethraTraining::theUnguidedLevelTellsNothing() {
     TrainingBench bench;
     bench.train(urethra(5));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     KeyPilot pilot(bench, parametersOf(bench, 5));
     pilot.hold(Qt::Key_W, true);
-    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion && bench.state().endoscope.depth_m > 0.01), 20'000);
+    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion && bench.state().endoscope.depth_m > 0.01), kPatience_ms);
     pilot.hold(Qt::Key_W, false);
     const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("urethra_insertion", 5), false);
     QVERIFY(!cues.numbers && !cues.guidance && !cues.overview);
@@ -200,9 +200,9 @@ void TestUrethraTraining::demonstrated() {
     plan.insert(QStringLiteral("device"), QStringLiteral("demonstration"));
     plan.insert(QStringLiteral("operator"), QStringLiteral("expert"));
     bench.train(plan);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.text("training.device").contains(QStringLiteral("five-bar")));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().endoscope.stage == ProcedureStage::insertion, 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().endoscope.stage == ProcedureStage::insertion, kPatience_ms);
     QVERIFY(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.lateral_bar")));
 }
 
@@ -213,13 +213,13 @@ void TestUrethraTraining::fitsSmallWindowsAndLargeText() {
         bench.desktop.context.applyAppearance();
         bench.desktop.window->resize(1280, 720);
         bench.train(urethra(1));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
         QTest::qWait(300);
         QCOMPARE(bench.desktop.window->size(), QSize(1280, 720)); // a screen must not force the window to grow
         const QStringList findings = settledFindings(bench.screen());
         QVERIFY2(findings.isEmpty(), qPrintable(findings.join(QLatin1Char('\n'))));
         bench.screen()->feed()->training().requestStop();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), 15'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.desktop.context.trialRuns(), kPatience_ms);
     }
 }
 

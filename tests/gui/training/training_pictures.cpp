@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of a session's states: training_pictures FOLDER [LOOK ...]. Needs a display; nothing is asserted.
 #include "gui/training/training_bench.h"
+#include "support/patience.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -43,12 +44,12 @@ private:
 };
 
 void untilForce(TrainingBench& bench, core::ForceState force) {
-    (void)QTest::qWaitFor([&] { return bench.state().force == force; }, 20'000);
+    (void)QTest::qWaitFor([&] { return bench.state().force == force; }, kPatience_ms);
 }
 
 void takeMouse(TrainingBench& bench, Album& album) {
     bench.train();
-    (void)QTest::qWaitFor([&] { return bench.runs(); }, 20'000);
+    (void)QTest::qWaitFor([&] { return bench.runs(); }, kPatience_ms);
     for (int n = 0; n < 14; ++n) {
         bench.wheel(-240);
         bench.sweepTo({10 * (n % 5), 3 * n});
@@ -87,7 +88,7 @@ void takeUrethra(TrainingBench& bench, Album& album) {
                      {QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QLatin1String(who)}});
     };
     const auto until = [&bench](core::ProcedureStage stage, double depth_m) {
-        (void)QTest::qWaitFor([&] { return bench.state().endoscope.stage >= stage && bench.state().endoscope.depth_m >= depth_m; }, 60'000);
+        (void)QTest::qWaitFor([&] { return bench.state().endoscope.stage >= stage && bench.state().endoscope.depth_m >= depth_m; }, kPatience_ms);
     };
     train(3, "novice");
     until(core::ProcedureStage::insertion, 0.05);
