@@ -7,6 +7,7 @@
 #include "app/exercises/sphere_apex/scene/flat_apex.h"
 #include "app/exercises/urethra_insertion/scene/flat_urethra.h"
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_marks.h"
 
 #include <array>
 
@@ -22,18 +23,30 @@ template <class Content, class Parameters> std::unique_ptr<IFlatContent> flat(co
     return parameters ? std::make_unique<Content>(*parameters) : nullptr;
 }
 
+using NameMarks = std::vector<std::string> (*)(const MarkedScene&);
+
+template <class Content, class Parameters> std::vector<std::string> marks(const MarkedScene& scene) {
+    const auto* parameters = std::get_if<Parameters>(&scene.setup.parameters);
+    return parameters ? Content::marks(*parameters, scene) : std::vector<std::string>();
+}
+
 struct FlatLine {
     const char* exercise;
     MakeFlat make;
+    NameMarks marks;
 };
 
+template <class Content, class Parameters> constexpr FlatLine lineOf(const char* exercise) {
+    return {exercise, &flat<Content, Parameters>, &marks<Content, Parameters>};
+}
+
 constexpr std::array kFlatCatalogue{
-    FlatLine{"sphere_apex", &flat<FlatApex, simulation::SphereApexParameters>},
-    FlatLine{"urethra_insertion", &flat<FlatUrethra, simulation::UrethraInsertionParameters>},
-    FlatLine{"elastic_tube", &flat<FlatTube, simulation::ElasticTubeParameters>},
-    FlatLine{"object_handling", &flat<FlatHandling, simulation::ObjectHandlingParameters>},
-    FlatLine{"palpation", &flat<FlatPalpation, simulation::PalpationParameters>},
-    FlatLine{"comparison", &flat<FlatComparison, simulation::ComparisonParameters>},
+    lineOf<FlatApex, simulation::SphereApexParameters>("sphere_apex"),
+    lineOf<FlatUrethra, simulation::UrethraInsertionParameters>("urethra_insertion"),
+    lineOf<FlatTube, simulation::ElasticTubeParameters>("elastic_tube"),
+    lineOf<FlatHandling, simulation::ObjectHandlingParameters>("object_handling"),
+    lineOf<FlatPalpation, simulation::PalpationParameters>("palpation"),
+    lineOf<FlatComparison, simulation::ComparisonParameters>("comparison"),
 };
 
 } // namespace
@@ -43,6 +56,13 @@ std::unique_ptr<IFlatContent> makeFlatContent(const SceneSetup& setup) {
         if (setup.exercise == line.exercise)
             return line.make(setup);
     return nullptr;
+}
+
+std::vector<std::string> marksOf(const MarkedScene& scene) {
+    for (const FlatLine& line : kFlatCatalogue)
+        if (scene.setup.exercise == line.exercise)
+            return line.marks(scene);
+    return {};
 }
 
 } // namespace chiron::scene3d

@@ -20,7 +20,11 @@ struct MarkedScene {
 };
 
 /// The guide marks that this scene may draw beside the things themselves, in 3D and flat: names, as the content's legends use them
-/// (schema/exercise.json). Who draws a new mark adds it here, and its sentence to the legend. Pure.
+/// (schema/exercise.json). Who draws a new mark adds it to its exercise's (app/exercises/flat_catalogue.cpp), and its sentence to the
+/// legend. Pure.
 std::vector<std::string> marksOf(const MarkedScene& scene);
+
+/// Those of the stage that most exercises share: place_marks, force_arrow, instrument. `tools`: of the level.
+std::vector<std::string> stageMarks(const SceneSetup& setup, int tools);
 
 } // namespace chiron::scene3d

@@ -53,4 +53,8 @@ void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const Scen
     }
 }
 
+std::vector<std::string> FlatComparison::marks(const simulation::ComparisonParameters&, const MarkedScene& scene) {
+    return stageMarks(scene.setup, 1);
+}
+
 } // namespace chiron::scene3d

@@ -116,4 +116,14 @@ void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup
         FlatFloor::paintTarget(painter, panel, setup, ring->p_W, ring->radius_m, cues.dwell);
 }
 
+std::vector<std::string> FlatTube::marks(const simulation::ElasticTubeParameters& parameters, const MarkedScene& scene) {
+    std::vector<std::string> marks = stageMarks(scene.setup, parameters.tools());
+    if (!scene.setup.cues.object)
+        return marks;
+    marks.push_back("tube_rings");
+    if (parameters.task == simulation::TubeTask::transfer || parameters.task == simulation::TubeTask::stretch)
+        marks.push_back("target_ring");
+    return marks;
+}
+
 } // namespace chiron::scene3d

@@ -64,4 +64,11 @@ void FlatHandling::paint(QPainter& painter, const FlatPanel& panel, const SceneS
         paintBody(painter, panel, setup, state, cues.body[static_cast<std::size_t>(i)]);
 }
 
+std::vector<std::string> FlatHandling::marks(const simulation::ObjectHandlingParameters&, const MarkedScene& scene) {
+    std::vector<std::string> marks = stageMarks(scene.setup, 1);
+    if (scene.setup.cues.object)
+        marks.push_back("target_ring");
+    return marks;
+}
+
 } // namespace chiron::scene3d

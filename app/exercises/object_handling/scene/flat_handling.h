@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "desktop/scene3d/scene_setup.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,8 @@ class FlatHandling final : public IFlatContent {
 
 public:
     explicit FlatHandling(const simulation::ObjectHandlingParameters& parameters) : m_parameters(parameters) {}
+    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    static std::vector<std::string> marks(const simulation::ObjectHandlingParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Objects, target and instrument, from above and from the side"); }
     QRectF rangeAbove_mm() const override;

@@ -268,4 +268,18 @@ void FlatPalpation::paintLegend(QPainter& painter, const FlatPanel& panel, const
     painter.restore();
 }
 
+std::vector<std::string> FlatPalpation::marks(const simulation::PalpationParameters& parameters, const MarkedScene& scene) {
+    std::vector<std::string> marks = stageMarks(scene.setup, parameters.tools());
+    marks.insert(marks.end(), {"search_area", "finding"});
+    if (scene.setup.cues.tool)
+        marks.push_back("finger_ring");
+    if (scene.setup.cues.object)
+        marks.push_back("lump");
+    if (scene.coverage)
+        marks.push_back("hatching");
+    if (scene.feedback)
+        marks.push_back("lump_answer");
+    return marks;
+}
+
 } // namespace chiron::scene3d

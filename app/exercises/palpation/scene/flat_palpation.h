@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "app/exercises/palpation/scene/palpation_dial.h"
 #include "app/exercises/palpation/scene/tissue_look.h"
 #include "desktop/scene3d/parts/dent.h"
@@ -20,6 +21,8 @@ class FlatPalpation final : public IFlatContent {
 
 public:
     explicit FlatPalpation(const simulation::PalpationParameters& parameters);
+    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    static std::vector<std::string> marks(const simulation::PalpationParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Tissue, fingers and findings, from above and from the side"); }
     QRectF rangeAbove_mm() const override;

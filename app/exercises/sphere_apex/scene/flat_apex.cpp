@@ -162,4 +162,11 @@ void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneS
     }
 }
 
+std::vector<std::string> FlatApex::marks(const simulation::SphereApexParameters&, const MarkedScene& scene) {
+    std::vector<std::string> marks = stageMarks(scene.setup, 1);
+    if (scene.feedback)
+        marks.push_back("apex_answer");
+    return marks;
+}
+
 } // namespace chiron::scene3d

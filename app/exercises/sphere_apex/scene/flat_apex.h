@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
 
 namespace chiron::scene3d {
@@ -10,6 +11,8 @@ namespace chiron::scene3d {
 class FlatApex final : public IFlatContent {
 public:
     explicit FlatApex(const simulation::SphereApexParameters& parameters) : m_parameters(parameters) {}
+    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    static std::vector<std::string> marks(const simulation::SphereApexParameters& parameters, const MarkedScene& scene);
 
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;

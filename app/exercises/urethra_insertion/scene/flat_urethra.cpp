@@ -28,4 +28,18 @@ bool FlatUrethra::paintWhole(QPainter& painter, const QRectF& room, const SceneS
     return true;
 }
 
+std::vector<std::string> FlatUrethra::marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene) {
+    std::vector<std::string> marks; // the picture has no stage round it
+    if (scene.setup.cues.object && scene.setup.cues.guidance) {
+        marks.push_back("lumen_ring");
+        if (!parameters.landmarks.empty())
+            marks.push_back("landmark_rings");
+    }
+    if (scene.setup.cues.arrow)
+        marks.push_back("force_across");
+    if (scene.setup.cues.overview)
+        marks.push_back("overview");
+    return marks;
+}
+
 } // namespace chiron::scene3d

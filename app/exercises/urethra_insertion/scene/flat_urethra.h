@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene2d/flat_content.h"
+#include "desktop/scene3d/scene_marks.h"
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
 
 namespace chiron::scene3d {
@@ -11,6 +12,8 @@ namespace chiron::scene3d {
 class FlatUrethra final : public IFlatContent {
 public:
     explicit FlatUrethra(const simulation::UrethraInsertionParameters& parameters) : m_drawing(parameters) {}
+    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    static std::vector<std::string> marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene);
 
     bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,
                     const SceneState& state) const override;
