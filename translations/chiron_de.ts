@@ -154,6 +154,10 @@
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
+    <message>
+        <source>Not counted: mark while you touch the sphere</source>
+        <translation>Zählt nicht: Markieren Sie, während Sie die Kugel berühren</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -7976,6 +7980,14 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
         <translation>Von vorn beginnen (F5). Der bisherige Versuch bleibt als abgebrochen erhalten.</translation>
     </message>
+    <message>
+        <source>End the practice</source>
+        <translation>Übung beenden</translation>
+    </message>
+    <message>
+        <source>Go on to what counts; its card comes first.</source>
+        <translation>Weiter zu dem, was zählt; zuerst kommt die Anleitung.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DebriefScreen</name>
@@ -8186,6 +8198,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Counted again on %1 by %2: %3</source>
         <translation>Wieder gezählt seit %1, entschieden von %2: %3</translation>
+    </message>
+    <message>
+        <source>Start a session that counts</source>
+        <translation>Sitzung starten, die zählt</translation>
     </message>
 </context>
 <context>
@@ -12488,6 +12504,10 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     <message>
         <source>Watch a scripted expert at this level. Nothing is counted.</source>
         <translation>Sehen Sie auf dieser Stufe einem programmierten Experten zu. Nichts davon wird gewertet.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
     </message>
 </context>
 <context>

@@ -154,6 +154,10 @@
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
+    <message>
+        <source>Not counted: mark while you touch the sphere</source>
+        <translation>Δεν μετράει: σημειώστε ενώ αγγίζετε τη σφαίρα</translation>
+    </message>
 </context>
 <context>
     <name>AskedSitting</name>
@@ -7976,6 +7980,14 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <source>Start again from the beginning (F5). The attempt so far is kept and marked as stopped.</source>
         <translation>Επανέναρξη από την αρχή (F5). Η προσπάθεια ως τώρα διατηρείται με την ένδειξη «Σταμάτησε».</translation>
     </message>
+    <message>
+        <source>End the practice</source>
+        <translation>Τέλος εξάσκησης</translation>
+    </message>
+    <message>
+        <source>Go on to what counts; its card comes first.</source>
+        <translation>Συνεχίστε σε ό,τι μετράει· πρώτα εμφανίζονται οι οδηγίες.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::DebriefScreen</name>
@@ -8186,6 +8198,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Counted again on %1 by %2: %3</source>
         <translation>Μετράει ξανά από %1, με απόφαση από %2: %3</translation>
+    </message>
+    <message>
+        <source>Start a session that counts</source>
+        <translation>Έναρξη συνεδρίας που μετράει</translation>
     </message>
 </context>
 <context>
@@ -12488,6 +12504,10 @@ Press Tab to move from question to question, the arrow keys to move along a scal
     <message>
         <source>Watch a scripted expert at this level. Nothing is counted.</source>
         <translation>Παρακολουθήστε σε αυτό το επίπεδο έναν προγραμματισμένο ειδικό. Τίποτα δεν βαθμολογείται.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Όχι τώρα</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ QString AnswerNote::markedWords(const session::LiveSample& at) const {
     if (beside_m > object->radius_m)
         return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
     if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
-        return AnswerTexts::tr("Not counted: nothing was touched. Lower the tool until it touches the sphere, then mark");
+        return AnswerTexts::tr("Not counted: mark while you touch the sphere");
     return AnswerTexts::tr("%1 mm from the top").arg(mm);
 }
 

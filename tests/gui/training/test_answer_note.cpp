@@ -96,7 +96,7 @@ private slots:
                 // In the air over the very top: a miss, as it is scored.
                 session::LiveSample inTheAir = sampleOf(bits::kMarked, static_cast<float>(topOf(level, trial).x()), static_cast<float>(topOf(level, trial).y()));
                 inTheAir.tissueNorm_N = 0.02F;
-                QVERIFY(said(level, trial, inTheAir).startsWith(QStringLiteral("Not counted: nothing was touched")));
+                QVERIFY(said(level, trial, inTheAir).startsWith(QStringLiteral("Not counted: mark while")));
             }
         }
         QVERIFY(training >= 2); // one that hides its ball among them
