@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every row of every kind of procedure: its words, default and range, and that the reader and the schema keep to it.
 #include "catalogue/procedure_reader.h"
+#include "catalogue/procedure_schema.h"
 #include "catalogue/schema.h"
 #include "psychophysics/procedures/procedure_catalogue.h"
 
@@ -207,6 +208,7 @@ private slots:
     void unknownKeysAreRefused();
     void valuesOutsideAreRefused();
     void theSchemaAgreesWithTheRows();
+    void theSchemaIsMadeOfTheRows();
     void theSchemaHasNoOtherKeys();
 };
 
@@ -352,6 +354,17 @@ void TestProcedureRows::theSchemaAgreesWithTheRows() {
         }
     }
     QCOMPARE(textsOf(schema.value("properties").toObject().value("kind").toObject().value("enum")), ids);
+}
+
+/// content/schema/procedure.json is written from the rows: CHIRON_STORE_SCHEMA=1 with this test, after a row was changed.
+void TestProcedureRows::theSchemaIsMadeOfTheRows() {
+    QFile file(kSchemaFolder + QStringLiteral("/procedure.json"));
+    const bool stores = qEnvironmentVariableIsSet("CHIRON_STORE_SCHEMA");
+    QVERIFY2(file.open(stores ? QIODevice::WriteOnly : QIODevice::ReadOnly), qPrintable(file.errorString()));
+    if (stores)
+        QCOMPARE(file.write(procedureSchema()), procedureSchema().size());
+    else
+        QCOMPARE(QString::fromUtf8(file.readAll()), QString::fromUtf8(procedureSchema()));
 }
 
 void TestProcedureRows::theSchemaHasNoOtherKeys() {
