@@ -114,8 +114,11 @@ void ResultsScreen::build() {
     const kit::Box box = kit::box(theme);
     m_curveHolder = box.layout;
     page->column()->addWidget(box.frame);
-    m_column = page->column();
-    m_partPlace = m_column->count();
+    m_partHolder = new QWidget; // made here, so that the focus comes to its parts before it comes to the attempts
+    auto* parts = new QVBoxLayout(m_partHolder);
+    parts->setContentsMargins(0, 0, 0, 0);
+    m_partHolder->hide();
+    page->column()->addWidget(m_partHolder);
     m_parts.clear(); // they went with the page before
     page->column()->addWidget(kit::label(theme, tr("Attempts"), TextStyle::title));
     m_table = new AttemptsTable(theme, context().locale());
@@ -300,17 +303,19 @@ void ResultsScreen::showPart(const std::vector<Attempt>& attempts) {
     for (const auto& [other, part] : m_parts)
         if (part && (other != exercise || !known))
             part->hide();
+    m_partHolder->hide();
     if (!known)
         return;
     const auto [found, added] = m_parts.try_emplace(exercise, nullptr);
     if (added)
         if (ResultsPart* part = (*face)->resultsPart(context().theme(), context().locale())) {
-            m_column->insertWidget(m_partPlace, part);
+            m_partHolder->layout()->addWidget(part);
             found->second = part;
         }
     if (!found->second)
         return;
     found->second->show();
+    m_partHolder->show();
     ResultsQuestion question{person(), level, true};
     for (const Attempt& attempt : attempts)
         if (attempt.onCurve())

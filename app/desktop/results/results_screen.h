@@ -69,8 +69,7 @@ private:
     QComboBox* m_metric = nullptr;
     QVBoxLayout* m_curveHolder = nullptr;
     report::PlotView* m_curve = nullptr;
-    QVBoxLayout* m_column = nullptr; ///< of the page
-    int m_partPlace = 0;             ///< in it, of what one exercise alone has
+    QWidget* m_partHolder = nullptr; ///< of what one exercise alone has
     std::map<std::string, ResultsPart*> m_parts; ///< by exercise, of those that were chosen; null: it has none
     AttemptsTable* m_table = nullptr;
     std::shared_ptr<WorkToken> m_work;

@@ -198,7 +198,9 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     bench.key(Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().answered, kPatience_ms);
     const scene3d::SceneState drawn = bench.screen()->drawn();
-    QVERIFY(drawn.marked && drawn.objectShown && drawn.note.kind == scene3d::SceneNote::Kind::said && drawn.note.title.contains(QStringLiteral("mm")));
+    QVERIFY(drawn.marked && drawn.objectShown && drawn.note.kind == scene3d::SceneNote::Kind::said);
+    const QString said = drawn.note.title; // the hand is not told to touch: where the pointer stands decides
+    QVERIFY2(said.contains(QStringLiteral("mm")) || said.startsWith(QStringLiteral("Not counted")), qPrintable(said));
     QTRY_VERIFY_WITH_TIMEOUT(bench.state().paused && bench.state().phase == TrialPhase::between, kPatience_ms);
     QVERIFY(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::said);
     QVERIFY(bench.text("training.force.title") != QStringLiteral("Paused"));
