@@ -35,6 +35,7 @@ private slots:
     void tubesPullAsTheirValueSays();
     void objectsWeighAsTheirValueSays();
     void padsPushAlikeWhereTheyDoNotDiffer();
+    void everyConstantOfAPadIsFelt();
     void controlsAreFaultsOfTheRendering();
     void trialsGoOnByCommand();
     void limitsOfATrial();
@@ -213,6 +214,52 @@ void TestComparisonScene::padsPushAlikeWhereTheyDoNotDiffer() {
         }
         QVERIFY2(same_N < 1e-9, qPrintable(QString::number(same_N))); // x differs by place: rounding
         QVERIFY2(other_N > 0.02, qPrintable(QString::number(other_N)));
+    }
+}
+
+/// Whatever a study says of its pads beside the attribute comes through: half as much more of it, the same hand, and other forces.
+void TestComparisonScene::everyConstantOfAPadIsFelt() {
+    struct Constant {
+        const char* name;
+        double ObjectAttributes::*value;
+        double base;
+        ComparedAttribute attribute = ComparedAttribute::viscosity; ///< of the study
+    };
+    using Object = ObjectAttributes;
+    const Constant constants[] = {{"stiffness", &Object::stiffness_N_per_m, 300.0},
+                                  {"stiffening", &Object::stiffening_per_m, 60.0},
+                                  {"recovery time", &Object::recoveryTime_s, 0.1},
+                                  {"recovery share", &Object::recoveryShare, 0.5},
+                                  {"roughness", &Object::roughness_m, 100e-6},
+                                  {"wavelength of the roughness", &Object::roughnessWavelength_m, 0.003},
+                                  {"friction", &Object::friction, 0.2},
+                                  {"stiffness of the bristles", &Object::bristleStiffness_N_per_m, 500.0},
+                                  {"viscosity", &Object::viscosity_Ns_per_m, 2.0, ComparedAttribute::friction},
+                                  {"damping", &Object::damping_Ns_per_m, 1.0}};
+    const auto felt = [](const ComparisonParameters& p) {
+        ComparisonDriver d(p);
+        d.startRunning();
+        std::vector<Vec3> forces;
+        d.moveTo(d.at(0, 0.004, -0.006), 0.2);
+        for (int i = 0; i <= 300; ++i) {
+            const double s = i / 300.0;
+            d.tool().p_WT = d.at(0, 0.004 - 0.008 * std::sin(3.14 * s), -0.006 + 0.012 * s);
+            d.tick();
+            forces.push_back(d.force());
+        }
+        return forces;
+    };
+    for (const Constant& each : constants) {
+        ComparisonParameters p = compared(each.attribute);
+        for (const Constant& constant : constants)
+            p.object.*constant.value = constant.base;
+        const std::vector<Vec3> as = felt(p);
+        p.object.*each.value *= 1.5;
+        const std::vector<Vec3> more = felt(p);
+        double differs_N = 0.0;
+        for (std::size_t i = 0; i < as.size(); ++i)
+            differs_N = std::max(differs_N, (as[i] - more[i]).norm());
+        QVERIFY2(differs_N > 1e-3, qPrintable(QStringLiteral("%1: %2 N").arg(QLatin1String(each.name)).arg(differs_N)));
     }
 }
 
