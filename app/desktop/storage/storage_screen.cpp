@@ -247,10 +247,20 @@ void StorageScreen::showReport(const database::VerifyReport& report) {
 
 void StorageScreen::showButtons() {
     const bool idle = m_task == Task::none && !m_restoring;
+    // A button that is switched off would hand the focus to its neighbour, which may be "Restore": it waits here and goes back.
+    for (QPushButton* button : {m_backUp, m_verifyBackup, m_restore, m_choose, m_verifySite, m_export})
+        if (!idle && window()->focusWidget() == button) {
+            m_hadFocus = button;
+            setFocus(Qt::OtherFocusReason);
+        }
     for (QPushButton* button : {m_backUp, m_choose, m_verifySite, m_export})
         button->setEnabled(idle);
     for (QPushButton* button : {m_verifyBackup, m_restore})
         button->setEnabled(idle && selected() != nullptr);
+    if (idle && m_hadFocus && window()->focusWidget() == this)
+        m_hadFocus->setFocus(Qt::OtherFocusReason);
+    if (idle)
+        m_hadFocus = nullptr;
 }
 
 } // namespace chiron::desktop

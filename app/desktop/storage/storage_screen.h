@@ -90,6 +90,7 @@ private:
     QPushButton* m_restore = nullptr;
     QPushButton* m_verifySite = nullptr;
     QPushButton* m_export = nullptr;
+    QPushButton* m_hadFocus = nullptr; ///< while a task runs: what had begun it
 };
 
 } // namespace chiron::desktop

@@ -214,6 +214,10 @@ void TestRoster::rolesInThreeLanguages() {
     QVERIFY(is("Forschende Person, Lernende", {Role::researcher, Role::trainee}));
     QVERIFY(is("Ερευνήτρια;διαχειριστής", {Role::researcher, Role::admin}));
     QVERIFY(is("Ausbilder/in;", {Role::trainer}));
+    for (const char* trainee : {"Teilnehmer", "Teilnehmer/in", "Teilnehmer:in", "TEILNEHMENDE", "Studierende/r", "Kursteilnehmerin", "participant", "Student", "φοιτήτρια", "συμμετέχων"})
+        QVERIFY2(is(trainee, {Role::trainee}), trainee);
+    for (const char* trainer : {"Dozentin", "Kursleiter/in", "Instructor"})
+        QVERIFY2(is(trainer, {Role::trainer}), trainer);
     for (const char* wrong : {"", " ", ";", "wizard", "trainee;wizard", "trainee trainer", "-"})
         QVERIFY2(!rolesOfCell(wrong), wrong);
 }
