@@ -9729,6 +9729,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>Comments, received and written</source>
         <translation>Kommentare, erhaltene und geschriebene</translation>
     </message>
+    <message>
+        <source>%1 answered your comment on session %2 (%3, level %4).</source>
+        <translation>%1 hat auf Ihren Kommentar zu Sitzung %2 geantwortet (%3, Stufe %4).</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>

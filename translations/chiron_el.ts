@@ -9729,6 +9729,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>Comments, received and written</source>
         <translation>Σχόλια, ληφθέντα και γραμμένα</translation>
     </message>
+    <message>
+        <source>%1 answered your comment on session %2 (%3, level %4).</source>
+        <translation>%1 απάντησε στο σχόλιό σας για τη συνεδρία %2 (%3, επίπεδο %4).</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::InfoPanel</name>

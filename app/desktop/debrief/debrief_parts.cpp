@@ -3,6 +3,7 @@
 #include "desktop/debrief/headline_card.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/home/comment_list.h"
 #include "desktop/plots/responsive_row.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/results/results_place.h"
@@ -187,9 +188,14 @@ QWidget* DebriefScreen::actionRow() {
 void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
     const Theme& theme = context().theme();
     const auto person = context().actor().personId();
-    const bool news = context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() < static_cast<int>(comments.size()) &&
-                      std::any_of(comments.begin(), comments.end(), [person](const CommentAtMoment& comment) { return comment.named.comment.author != person; });
-    if (news && m_head->record.summary.person == person)
+    std::vector<const database::SessionComment*> written; // in the order of writing; shown they are by moment
+    for (const CommentAtMoment& comment : comments)
+        written.push_back(&comment.named.comment);
+    std::sort(written.begin(), written.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
+    std::vector<database::PersonId> authors;
+    for (const database::SessionComment* comment : written)
+        authors.push_back(comment->author);
+    if (context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() < newsUpTo(authors, person, m_head->record.summary.person == person))
         context().setUnread(std::max(0, context().unread() - 1));
     context().settings().setOfPerson(person, commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
     delete m_commentBox; // shown without moments until the recording was read

@@ -7,6 +7,18 @@
 
 namespace chiron::desktop {
 
+int newsUpTo(const std::vector<database::PersonId>& authors, database::PersonId self, bool own) {
+    int upTo = 0;
+    bool concerned = own;
+    for (std::size_t i = 0; i < authors.size(); ++i) {
+        if (authors[i] == self)
+            concerned = true;
+        else if (concerned)
+            upTo = static_cast<int>(i) + 1;
+    }
+    return upTo;
+}
+
 core::Result<std::vector<FoundComment>> readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles) {
     auto connection = database.openReader();
     if (!connection)
@@ -17,12 +29,14 @@ core::Result<std::vector<FoundComment>> readComments(const database::Database& d
     const std::map<database::PersonId, std::string> names = shownNames(**connection);
     std::vector<FoundComment> found;
     for (database::CommentedSession& session : *sessions) {
-        const bool own = session.session.person == actor.personId();
+        bool concerned = session.session.person == actor.personId();
         const SessionRow row = makeSessionRow(std::move(session.session), titles);
         for (std::size_t i = 0; i < session.comments.size(); ++i) {
             const database::SessionComment& comment = session.comments[i];
             const auto name = names.find(comment.author);
-            found.push_back({row, {comment, name == names.end() ? std::string() : name->second}, own && comment.author != actor.personId(),
+            const bool byOther = comment.author != actor.personId();
+            concerned = concerned || !byOther;
+            found.push_back({row, {comment, name == names.end() ? std::string() : name->second}, byOther && concerned,
                              static_cast<int>(i), static_cast<int>(session.comments.size())});
         }
     }

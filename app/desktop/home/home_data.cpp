@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_service.h"
 #include "database/repositories/session_reader.h"
+#include "desktop/home/comment_list.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/sessions/session_words.h"
 #include "recording/crash_ring.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr int kNewest = 300;        // among them those who trained lately are found
 constexpr std::size_t kShown = 8;   // lines of a list on the home screen
 constexpr std::size_t kOwnShown = 5;
-constexpr std::size_t kLookedThrough = 50; // of the person's own sessions, for comments
+constexpr std::size_t kLookedThrough = 50; // of the sessions with comments that concern the person
 
 using database::Role;
 using database::SessionFilter;
@@ -36,21 +37,22 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
     return rows;
 }
 
-core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const std::vector<database::SessionSummary>& own,
-                                 const HomeQuestion& question, HomeData& data) {
-    for (std::size_t i = 0; i < std::min(own.size(), kLookedThrough); ++i) {
-        const auto written = reader.comments(own[i].id);
-        if (!written)
-            return tl::unexpected(written.error());
-        const auto byOther = [&](const database::SessionComment& comment) { return comment.author != question.actor.personId(); };
-        if (std::none_of(written->begin(), written->end(), byOther))
+core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+    auto sessions = reader.commentedSessions();
+    if (!sessions)
+        return tl::unexpected(sessions.error());
+    const std::map<database::PersonId, std::string> names = shownNames(connection);
+    for (std::size_t i = 0; i < std::min(sessions->size(), kLookedThrough); ++i) {
+        database::CommentedSession& session = (*sessions)[i];
+        std::vector<database::PersonId> authors;
+        for (const database::SessionComment& comment : session.comments)
+            authors.push_back(comment.author);
+        const bool own = session.session.person == question.actor.personId();
+        const int upTo = newsUpTo(authors, question.actor.personId(), own);
+        if (upTo == 0)
             continue;
-        const auto comments = loadComments(connection, question.actor, own[i].id); // with names
-        if (!comments)
-            return tl::unexpected(comments.error());
-        const auto latest = std::find_if(comments->rbegin(), comments->rend(), [&](const NamedComment& named) { return byOther(named.comment); });
-        if (latest != comments->rend())
-            data.commented.push_back({makeSessionRow(own[i], question.titles), latest->author, static_cast<int>(comments->size())});
+        const auto name = names.find(authors[static_cast<std::size_t>(upTo) - 1]);
+        data.commented.push_back({makeSessionRow(std::move(session.session), question.titles), name == names.end() ? std::string() : name->second, upTo, own});
     }
     return {};
 }
@@ -64,7 +66,7 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
         return tl::unexpected(own.error());
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
-    if (auto read = readCommented(connection, reader, *own, question, data); !read)
+    if (auto read = readCommented(connection, reader, question, data); !read)
         return read;
     data.own = rowsOf(std::move(*own), question.titles, kOwnShown);
     return {};

@@ -30,11 +30,12 @@ struct RecoveredRow {
     std::string problem; ///< empty: all of it is there
 };
 
-/// What others wrote about a session of this person.
+/// What others wrote about a session of this person, or after this person about another's.
 struct CommentedSession {
     SessionRow row;
     std::string author; ///< of the latest
-    int comments = 0;   ///< on the session, everybody's
+    int comments = 0;   ///< on the session, everybody's, up to that one
+    bool own = true;    ///< a session of this person
 };
 
 /// Everything that a home screen shows, as it was when asked for.
@@ -42,7 +43,7 @@ struct HomeData {
     std::string name;                              ///< of whoever is logged in: the full one where there is one
     std::vector<session::LevelStanding> standings; ///< of the person
     std::vector<SessionRow> own;                   ///< latest first, some
-    std::vector<CommentedSession> commented;       ///< of the person's latest sessions those that others commented on, latest first
+    std::vector<CommentedSession> commented;       ///< of the latest sessions those where others wrote something for the person, latest first
     std::vector<SessionRow> toLook;                ///< for a trainer: what asks for attention first, some
     int toReview = 0;                              ///< for a trainer: how many await a review in all
     std::vector<RecentPerson> people;              ///< for a trainer, latest first

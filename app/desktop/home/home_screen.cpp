@@ -122,8 +122,10 @@ void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
             continue;
         ++unread;
         const QString author = commented.author.empty() ? tr("Somebody") : QString::fromStdString(commented.author);
-        auto* notice = kit::notice(theme, "info", tr("%1 commented on your session %2 (%3, level %4).")
-                                                      .arg(author, QString::number(session.id), commented.row.exercise, context().locale().toString(session.level)));
+        const QString number = QString::number(session.id), level = context().locale().toString(session.level);
+        const QString words = commented.own ? tr("%1 commented on your session %2 (%3, level %4).").arg(author, number, commented.row.exercise, level)
+                                            : tr("%1 answered your comment on session %2 (%3, level %4).").arg(author, number, commented.row.exercise, level);
+        auto* notice = kit::notice(theme, "info", words);
         notice->setObjectName(QStringLiteral("home.commented.%1").arg(session.id));
         auto* open = kit::button(theme, tr("Read"));
         connect(open, &QPushButton::clicked, this, [this, id = session.id] {

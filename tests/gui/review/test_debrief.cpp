@@ -228,6 +228,21 @@ void TestDebrief::aTrainersCommentArrives() {
     QVERIFY(!atHome()); // it was read
     comment(m_site->actor("tom"), "And press less.", {});
     QVERIFY(atHome()); // the next one is news again
+    open(id);
+    comment(*m_tina, "I will.", {});
+    QVERIFY(!atHome()); // one's own answer is none
+    const database::Actor tom = m_site->actor("tom");
+    m_site->context.logIn(tom);
+    QWidget* answered = atHome(); // but to whoever wrote before it
+    QVERIFY(answered);
+    QStringList told;
+    for (const QLabel* label : answered->findChildren<QLabel*>())
+        told << label->text();
+    QVERIFY2(told.join(QLatin1Char('|')).contains(QStringLiteral("answered your comment on session %1").arg(id)), qPrintable(told.join(QLatin1Char('|'))));
+    QCOMPARE(badge(), QStringLiteral("Home (1)"));
+    open(id);
+    QVERIFY(!atHome());
+    QCOMPARE(badge(), QStringLiteral("Home"));
     m_site->context.logIn(*m_tina);
 }
 
