@@ -14,6 +14,7 @@ class TestCliBlindedStudy : public QObject {
     Q_OBJECT
 private slots:
     void aBlindedStudyTellsNoCondition();
+    void conditionsThatAskDifferentlyAreSealedToo();
 
 private:
     QTemporaryDir m_folder;
@@ -114,6 +115,45 @@ void TestCliBlindedStudy::aBlindedStudyTellsNoCondition() {
     QVERIFY2((QStringList{"stiffness", "mass", "friction"}).contains(after), qPrintable(after));
     const CliRun open = as("rob", {"study", "run", "surgeons", "--participant", "S03", "--observer", "weber:0.12", "--quick", "--trials", "5", "--condition", "mass"});
     QVERIFY2(open.exitCode == 0, open.err.constData()); // nothing is sealed any more
+}
+
+/// Where conditions ask differently, an answer alone would tell which it was: no trial is listed until the study is unblinded, then all of each is.
+void TestCliBlindedStudy::conditionsThatAskDifferentlyAreSealedToo() {
+    const auto contentOf = [](const char* study) {
+        QFile file(QStringLiteral(CHIRON_SOURCE_DIR "/curriculum/content/studies/%1.json").arg(QLatin1String(study)));
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+    };
+    QJsonObject design = contentOf("surgeons");
+    QJsonObject pairs = contentOf("stiffness_2afc")["conditions"][0].toObject();
+    pairs["id"] = "pairs";
+    design["id"] = "two_tasks";
+    design["conditions"] = QJsonArray{design["conditions"][0], pairs};
+    const QString file = m_folder.filePath("two_tasks.json"), database = m_folder.filePath("two_tasks.db");
+    QFile out(file);
+    QVERIFY(out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(design).toJson()) > 0);
+    out.close();
+    const QMap<QString, QString> password{{"CHIRON_PASSWORD", "correct horse battery"}, {"CHIRON_NEW_PASSWORD", "correct horse battery"}};
+    const auto as = [&](const QString& name, const QStringList& arguments) { return runCli(arguments + QStringList{"--database", database, "--as", name, "--json"}, {}, password); };
+    QCOMPARE(runCli({"init", "--admin", "alice", "--database", database}, {}, password).exitCode, 0);
+    for (const char* name : {"ruth", "rob"})
+        QCOMPARE(as("alice", {"user", "add", name, "--role", "researcher"}).exitCode, 0);
+    const CliRun draft = as("ruth", {"study", "new", file});
+    QVERIFY2(draft.exitCode == 0, draft.err.constData());
+    QCOMPARE(as("ruth", {"study", "freeze", "two_tasks"}).exitCode, 0);
+    const auto trialsOf = [&](const char* participant) {
+        QStringList told;
+        for (const QJsonValue& run : object(as("rob", {"study", "run", "two_tasks", "--participant", participant, "--observer", "weber:0.12", "--quick"}))["runs"].toArray())
+            for (const QJsonValue& trial : run["trials"].toArray())
+                told << QStringLiteral("%1 %2 %3").arg(trial["arrangement"].isDouble()).arg(trial["answer"].isDouble()).arg(trial["outcome"].isDouble());
+        return told;
+    };
+    QCOMPARE(trialsOf("S01"), QStringList());
+    const CliRun unblinded = as("ruth", {"study", "unblind", "two_tasks", "--reason", "all are done"});
+    QVERIFY2(unblinded.exitCode == 0, unblinded.err.constData());
+    QStringList told = trialsOf("S02");
+    QVERIFY(told.size() > 20);
+    told.removeDuplicates();
+    QCOMPARE(told, QStringList{QStringLiteral("1 1 1")});
 }
 
 QTEST_GUILESS_MAIN(TestCliBlindedStudy)

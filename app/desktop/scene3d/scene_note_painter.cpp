@@ -17,6 +17,7 @@ constexpr double kSign = 72.0;
 constexpr double kTitle = 26.0;
 constexpr double kWords = 16.0;
 constexpr double kGap = 12.0;
+constexpr double kPlateShare = 0.12; // of the room's height, that a line may cover before it is written smaller
 constexpr int kVeil = 168; // of 255: the scene can still be recognised, and nobody takes it for alive
 constexpr int kWrapped = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
 
@@ -87,9 +88,11 @@ void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double u
 }
 
 void SceneNotePainter::paintPlate(QPainter& painter, const QRectF& room, double unit, const SceneNote& note) const {
-    const QFont large = font(kTitle * unit, true);
     const double gap = kGap * unit;
     const QRectF lines = room.adjusted(2.0 * gap, 2.0 * gap, -2.0 * gap, -2.0 * gap);
+    QFont large = font(kTitle * unit, true);
+    if (QFontMetricsF(large).boundingRect(lines, kWrapped, note.title).height() > kPlateShare * room.height())
+        large = font(kWords * unit, true); // what is spoken of lies under it
     const QRectF text = QFontMetricsF(large).boundingRect(lines, kWrapped, note.title);
     const QRectF plate = text.adjusted(-1.5 * gap, -0.7 * gap, 1.5 * gap, 0.7 * gap);
     QColor ground = m_setup.colours.background;
