@@ -10,7 +10,9 @@
 #include "desktop/training/found_answer.h"
 #include "desktop/training/live_part.h"
 #include "scoring/trace.h"
+#include "session/live_sample.h"
 #include "session/session_setup.h"
+#include "session/trial_surfaces.h"
 
 #include <QLocale>
 #include <QString>
@@ -52,6 +54,11 @@ public:
     virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const = 0;
     /// How a trial is judged at its end where its answer is not one mark; null where it is one.
     virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
+
+    /// What is said of a mark on a level that gives feedback; `truth`: of its trial. As it stands here: that it was taken.
+    virtual QString markWords(const session::TrialObject& /*truth*/, const session::LiveSample& /*at*/, const QLocale&) const {
+        return AnswerTexts::tr("Marked");
+    }
 
     /// What stands above its part of a debrief.
     virtual QString debriefTitle() const = 0;

@@ -215,7 +215,7 @@ core::Result<std::vector<SessionSummary>> SessionReader::listSessions(const Sess
     return summaries(where.sql(), where.values(), filter.newestFirst);
 }
 
-core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions() {
+core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions(const CommentedFilter& which) {
     const auto scope = authorise(m_connection, m_actor, Action::commentedSessions);
     if (!scope) {
         return tl::unexpected(scope.error());
@@ -224,7 +224,13 @@ core::Result<std::vector<CommentedSession>> SessionReader::commentedSessions() {
     filter.includeArchived = true;
     Conditions where = conditionsOf(filter, *scope, m_actor);
     where.add("EXISTS (SELECT 1 FROM session_comment m WHERE m.session_id = s.id AND ? IN (m.author_id, s.person_id))", m_actor.personId());
-    where.values().push_back(std::int64_t{-1});
+    if (which.toRead) {
+        where.add("EXISTS (SELECT 1 FROM (SELECT ? AS self) reader JOIN session_comment m ON m.session_id = s.id AND m.author_id <> reader.self "
+                  "WHERE s.person_id = reader.self OR EXISTS (SELECT 1 FROM session_comment before WHERE before.session_id = s.id AND "
+                  "before.author_id = reader.self AND before.id < m.id))",
+                  m_actor.personId());
+    }
+    where.values().push_back(std::int64_t{which.most > 0 ? which.most : -1});
     auto sessions = summaries(where.sql(), where.values(), true);
     if (!sessions) {
         return tl::unexpected(sessions.error());

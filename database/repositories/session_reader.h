@@ -30,7 +30,7 @@ public:
     core::Result<std::vector<recording::SecondSummary>> secondSummaries(SessionId id);
     core::Result<std::vector<SessionComment>> comments(SessionId id);
     /// The reader's own sessions that somebody commented on, and others' that the reader commented on, newest first, archived ones too.
-    core::Result<std::vector<CommentedSession>> commentedSessions();
+    core::Result<std::vector<CommentedSession>> commentedSessions(const CommentedFilter& which = {});
     /// Chunks of a session; works on this connection, so on its thread and not beyond it. Failure: notFound
     /// also where the recording was erased.
     core::Result<std::unique_ptr<recording::ChunkSource>> openChunks(SessionId id);

@@ -148,6 +148,12 @@ struct CommentedSession {
     std::vector<SessionComment> comments; ///< in the order of writing
 };
 
+/// Which of them.
+struct CommentedFilter {
+    bool toRead = false; ///< only where others wrote something for the reader: on the reader's own session, or after the reader on another's
+    int most = 0;        ///< at most so many, the newest sessions; 0: all
+};
+
 /// Which sessions to list; absent means any.
 struct SessionFilter {
     std::optional<PersonId> person;

@@ -21,7 +21,7 @@ namespace {
 constexpr int kNewest = 300;        // among them those who trained lately are found
 constexpr std::size_t kShown = 8;   // lines of a list on the home screen
 constexpr std::size_t kOwnShown = 5;
-constexpr std::size_t kLookedThrough = 50; // of the sessions with comments that concern the person
+constexpr int kLookedThrough = 50; // sessions with something to read, the newest
 
 using database::Role;
 using database::SessionFilter;
@@ -38,12 +38,11 @@ std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, c
 }
 
 core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
-    auto sessions = reader.commentedSessions();
+    auto sessions = reader.commentedSessions({.toRead = true, .most = kLookedThrough});
     if (!sessions)
         return tl::unexpected(sessions.error());
     const std::map<database::PersonId, std::string> names = shownNames(connection);
-    for (std::size_t i = 0; i < std::min(sessions->size(), kLookedThrough); ++i) {
-        database::CommentedSession& session = (*sessions)[i];
+    for (database::CommentedSession& session : *sessions) {
         std::vector<database::PersonId> authors;
         for (const database::SessionComment& comment : session.comments)
             authors.push_back(comment.author);

@@ -157,8 +157,8 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
         if (!tool.present)
             continue;
         if (m_setup.cues.tool) {
-            const core::Vec3 tip = drawnTip(tool);
-            tools.paintDropLine(tool, m_content->groundHeight_m(m_state, tip.x(), tip.y()));
+            const core::Vec3 from = setDownBy(m_state, i);
+            tools.paintDropLine(from, m_content->groundHeight_m(m_state, from.x(), from.y()));
         }
         if (m_setup.cues.tool && !m_content->drawsTools()) {
             const core::Quat held = m_held[i].of(tool, entersLeft(static_cast<int>(i), several, m_setup.leftHanded));

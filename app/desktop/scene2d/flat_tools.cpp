@@ -142,13 +142,12 @@ void FlatTools::paintArrowShape(const QPointF& from, const QPointF& along, bool 
         paintAcross(from + (0.25 + 0.18 * i) * along, along, 2.8, 2.5 + 2.0 * halo, colour);
 }
 
-void FlatTools::paintDropLine(const ToolView& tool, double ground_m) {
-    const core::Vec3 tip = drawnTip(tool);
-    if (m_panel.side() != FlatPanel::Side::side || tip.z() - ground_m < 0.0015)
+void FlatTools::paintDropLine(const core::Vec3& from_W, double ground_m) {
+    if (m_panel.side() != FlatPanel::Side::side || from_W.z() - ground_m < 0.0015)
         return;
-    const QPointF foot = m_panel.project({tip.x(), tip.y(), ground_m});
+    const QPointF foot = m_panel.project({from_W.x(), from_W.y(), ground_m});
     m_painter.setPen(QPen(m_setup.colours.ink, 1.2 * m_panel.unit(), Qt::DashLine));
-    m_painter.drawLine(m_panel.project(tip), foot);
+    m_painter.drawLine(m_panel.project(from_W), foot);
     m_painter.setPen(QPen(m_setup.colours.ink, 2.0 * m_panel.unit()));
     m_painter.drawLine(foot - QPointF(m_panel.pixels(3.0), 0.0), foot + QPointF(m_panel.pixels(3.0), 0.0));
 }

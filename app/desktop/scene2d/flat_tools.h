@@ -20,7 +20,7 @@ public:
     /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it
     /// thicker, with rungs.
     void paintArrow(const ToolView& tool);
-    void paintDropLine(const ToolView& tool, double ground_m);
+    void paintDropLine(const core::Vec3& from_W, double ground_m);
     void paintPin(const core::Vec3& p_W);
     void paintAnswer(const core::Vec3& p_W); ///< where the mark should have been: a double ring
 

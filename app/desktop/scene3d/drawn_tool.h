@@ -12,6 +12,15 @@ inline core::Vec3 drawnTip(const ToolView& tool) {
     return tool.drawnAtSurface ? tool.p_WProxy : tool.p_WT;
 }
 
+/// What this tool would set down: the middle of an object that it holds, where that is shown, else its tip.
+inline core::Vec3 setDownBy(const SceneState& state, std::size_t tool) {
+    const core::LaparoscopyCues& scene = state.laparoscopy;
+    for (int i = 0; scene.objectShown && i < scene.bodies; ++i)
+        if (const core::BodyCue& body = scene.body[static_cast<std::size_t>(i)]; (body.heldBy & (1U << tool)) != 0)
+            return {body.p_W[0], body.p_W[1], body.p_W[2]};
+    return drawnTip(state.tool[tool]);
+}
+
 inline int toolsOf(const SceneState& state) {
     int tools = 0;
     for (const ToolView& tool : state.tool)

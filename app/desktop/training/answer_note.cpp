@@ -2,9 +2,6 @@
 #include "desktop/training/answer_note.h"
 
 #include "desktop/exercise_face.h"
-#include "scoring/prepared_trial.h"
-
-#include <cmath>
 
 namespace chiron::desktop {
 
@@ -17,22 +14,15 @@ constexpr std::uint32_t kEnds = bits::kMarked | bits::kTimedOut | bits::kComplet
 
 AnswerNote::AnswerNote(const catalogue::ExerciseLevel& level, const QLocale& locale, std::unique_ptr<session::TrialSurfaces> truth)
     : m_feedback(level.feedback), m_locale(locale), m_truth(level.feedback ? std::move(truth) : nullptr) {
-    if (const auto face = exerciseFace(level.exercise))
-        m_found = (*face)->foundAnswer();
+    if (const auto face = exerciseFace(level.exercise)) {
+        m_face = *face;
+        m_found = m_face->foundAnswer();
+    }
 }
 
-// A mark is measured as it is scored: across, from the line through the ball's centre, and of one in contact alone.
 QString AnswerNote::markedWords(const session::LiveSample& at) const {
     const auto object = truth();
-    if (!object || object->radius_m <= 0.0)
-        return AnswerTexts::tr("Marked");
-    const double beside_m = std::hypot(static_cast<double>(at.p_WT_m[0]) - object->p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - object->p_WObject.y());
-    const QString mm = m_locale.toString(1e3 * beside_m, 'f', 1);
-    if (beside_m > object->radius_m)
-        return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
-    if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
-        return AnswerTexts::tr("Not counted: mark while you touch the sphere");
-    return AnswerTexts::tr("%1 mm from the top").arg(mm);
+    return object && m_face ? m_face->markWords(*object, at, m_locale) : AnswerTexts::tr("Marked");
 }
 
 QString AnswerNote::foundWords() const {

@@ -18,6 +18,8 @@
 
 namespace chiron::desktop {
 
+class ExerciseFace;
+
 /// What is said over the scene for three seconds once a trial has its answer or its end: where the level gives feedback, how far a mark
 /// lies from the top, or which lumps were found, with the true place drawn beside the mark; where it does not, that it was taken; and that
 /// time ran out. GUI thread.
@@ -52,6 +54,7 @@ private:
     QString foundWords() const; ///< of what was reported by the end; empty where nothing was to be
     bool isFound() const { return m_found && m_found->answers(); }
 
+    const ExerciseFace* m_face = nullptr; ///< of the level's exercise; null where that is not known
     bool m_feedback;
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;

@@ -2,6 +2,7 @@
 // What is drawn of tube and ovaries: where the forces say, no longer and no thicker than it is.
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/abdomen/abdomen_mesh.h"
+#include "desktop/scene3d/drawn_tool.h"
 #include "app/exercises/elastic_tube/scene/fold_sheet.h"
 #include "app/exercises/elastic_tube/scene/mark_ring.h"
 #include "app/exercises/elastic_tube/scene/tube_mesh.h"
@@ -68,6 +69,26 @@ int facingInwards(const TriangleMesh& mesh) {
 class TestLaparoscopyDrawing : public QObject {
     Q_OBJECT
 private slots:
+    /// The line under an instrument shows where what it holds would be set down; of an object that is not shown it tells nothing.
+    void whatIsHeldIsSetDown() {
+        SceneState state = samples::handlingState(true);
+        core::LaparoscopyCues& cues = state.laparoscopy;
+        QVERIFY(cues.objectShown && cues.bodies > 0);
+        core::BodyCue& body = cues.body[static_cast<std::size_t>(cues.bodies - 1)];
+        for (core::BodyCue& each : cues.body)
+            each.heldBy = 0;
+        const core::Vec3 tip = drawnTip(state.tool[0]);
+        QCOMPARE(setDownBy(state, 0), tip);
+        body.p_W = {tip.x() + 0.004, tip.y(), tip.z() - 0.006};
+        body.heldBy = 1;
+        QCOMPARE(setDownBy(state, 0), core::Vec3(body.p_W[0], body.p_W[1], body.p_W[2]));
+        body.heldBy = 2; // by the other one
+        QCOMPARE(setDownBy(state, 0), tip);
+        body.heldBy = 1;
+        cues.objectShown = false;
+        QCOMPARE(setDownBy(state, 0), tip);
+    }
+
     /// Its edge is where it is felt, whether it hangs or is held; closed it lies over the tube, drawn back beside it.
     void aFoldGoesThroughItsEdge() {
         SceneState state = samples::twoHanded(0.050);

@@ -550,10 +550,10 @@ void TestSessions::commentsAreFoundAgain() {
         good = good ? byTom.setArchived(ofTim, true) : good;
         return good ? drop(byZoe.addComment(ofZoe, "my hand slipped")) : good;
     }));
-    const auto found = [&](const Actor& actor) {
+    const auto found = [&](const Actor& actor, const CommentedFilter& which = {}) {
         auto reader = f.database->openReader();
         std::vector<std::pair<SessionId, std::size_t>> all;
-        for (const CommentedSession& each : SessionReader(**reader, actor).commentedSessions().value_or(std::vector<CommentedSession>{})) {
+        for (const CommentedSession& each : SessionReader(**reader, actor).commentedSessions(which).value_or(std::vector<CommentedSession>{})) {
             all.emplace_back(each.session.id, each.comments.size());
         }
         return all;
@@ -563,6 +563,20 @@ void TestSessions::commentsAreFoundAgain() {
     QVERIFY(found(*tom) == (Found{{ofTim, 2}})); // written
     QVERIFY(found(*zoe) == (Found{{ofZoe, 1}}));
     QVERIFY(found(*ada).empty());
+    const CommentedFilter toRead{.toRead = true};
+    QVERIFY(found(*tim, toRead) == (Found{{ofTim, 2}}));
+    QVERIFY(found(*tom, toRead).empty() && found(*zoe, toRead).empty()); // what one wrote oneself
+    REQUIRE(f.database->write([&](WriteContext& w) -> core::Result<void> {
+        SessionRepository byTom(w.connection(), *tom), byTim(w.connection(), *tim), byAda(w.connection(), *ada);
+        auto good = drop(byTim.addComment(ofTim, "I will"));
+        good = good ? drop(byAda.addComment(ofZoe, "rest your arm")) : good;
+        return good ? drop(byTom.addComment(ofZoe, "yes")) : good;
+    }));
+    QVERIFY(found(*tom, toRead) == (Found{{ofTim, 3}})); // answered; what ada wrote before tom was not for him
+    QVERIFY(found(*ada, toRead) == (Found{{ofZoe, 3}}));
+    QVERIFY(found(*zoe, toRead) == (Found{{ofZoe, 3}}));
+    QVERIFY(found(*tom) == (Found{{ofZoe, 3}, {ofTim, 3}}));
+    QVERIFY(found(*tom, {.most = 1}) == (Found{{ofZoe, 3}}));
     auto reader = f.database->openReader();
     QCOMPARE(SessionReader(**reader, Actor::anonymous()).commentedSessions().error().code, core::ErrorCode::notAllowed);
 }

@@ -13,15 +13,6 @@ namespace {
 
 constexpr double kLeastHeight_mm = 1.5; // below, the shadow alone says enough
 
-/// What a tool would set down: the middle of what it holds, else its tip.
-core::Vec3 carried(const SceneState& state, std::size_t tool) {
-    const core::LaparoscopyCues& scene = state.laparoscopy;
-    for (int i = 0; scene.objectShown && i < scene.bodies; ++i)
-        if (const core::BodyCue& body = scene.body[static_cast<std::size_t>(i)]; (body.heldBy & (1U << tool)) != 0)
-            return {body.p_W[0], body.p_W[1], body.p_W[2]};
-    return drawnTip(state.tool[tool]);
-}
-
 TriangleMesh lineMesh() {
     TriangleMesh mesh;
     addTurned(mesh, {{0.0, 0.28}, {1.0, 0.28}}, 0.0, 8);
@@ -70,15 +61,15 @@ void PlaceMarks::change(const SceneSetup& setup) {
 
 void PlaceMarks::show(const SceneState& state, const ISceneContent& content) {
     for (std::size_t i = 0; i < state.tool.size(); ++i) {
-        const core::Vec3 tip = carried(state, i);
-        const double ground_m = content.groundHeight_m(tip.x(), tip.y());
-        const double height_mm = (tip.z() - ground_m) * 1e3;
+        const core::Vec3 from = setDownBy(state, i);
+        const double ground_m = content.groundHeight_m(from.x(), from.y());
+        const double height_mm = (from.z() - ground_m) * 1e3;
         const bool drawn = state.tool[i].present && m_setup.cues.tool && height_mm > kLeastHeight_mm;
         m_line[i]->setEnabled(drawn);
         m_foot[i]->setEnabled(drawn);
         if (!drawn)
             continue;
-        const QVector3D foot = toMillimetres({tip.x(), tip.y(), ground_m});
+        const QVector3D foot = toMillimetres({from.x(), from.y(), ground_m});
         m_line[i]->at().setTranslation(foot);
         m_line[i]->at().setScale3D({1.0F, 1.0F, float(height_mm)});
         m_foot[i]->at().setTranslation(foot + QVector3D(0.0F, 0.0F, 0.3F));

@@ -5,6 +5,9 @@
 #include "app/exercises/sphere_apex/session_report/apex_errors.h"
 #include "desktop/debrief/part_widgets.h"
 #include "desktop/plots/responsive_row.h"
+#include "scoring/prepared_trial.h"
+
+#include <cmath>
 
 namespace chiron::desktop {
 
@@ -45,6 +48,18 @@ QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QL
 
 std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
     return std::make_unique<PointPart>(level, std::move(around));
+}
+
+// As a mark is scored: across, from the line through the ball's centre, and of one in contact alone.
+QString SphereApexFace::markWords(const session::TrialObject& truth, const session::LiveSample& at, const QLocale& locale) const {
+    const double beside_m =
+        std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());
+    const QString mm = locale.toString(1e3 * beside_m, 'f', 1);
+    if (beside_m > truth.radius_m)
+        return AnswerTexts::tr("%1 mm from the top: not on the sphere").arg(mm);
+    if (static_cast<double>(at.tissueNorm_N) <= scoring::kContactForce_N)
+        return AnswerTexts::tr("Not counted: mark while you touch the sphere");
+    return AnswerTexts::tr("%1 mm from the top").arg(mm);
 }
 
 QString SphereApexFace::debriefTitle() const { return DebriefPartTexts::tr("The answers, seen from above"); }
