@@ -43,7 +43,7 @@ NameList::NameList(const Theme& theme, QWidget* parent) : QWidget(parent) {
     connect(m_list, &QListWidget::itemClicked, this, take);
     connect(m_list, &QListWidget::itemActivated, this, take);
     connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-        if (item && m_list->hasFocus())
+        if (item && !item->isHidden() && m_list->hasFocus()) // letters typed there find hidden names, too
             m_field->setText(item->data(kLoginName).toString());
     });
 }

@@ -44,6 +44,7 @@ QPushButton { background: @surface; color: @text; border: 1px solid @borderStron
     min-height: #22#; }
 QPushButton:hover { background: @accentSoft; border-color: @accent; }
 QPushButton:pressed { background: @raised; }
+QPushButton, QCheckBox, QRadioButton { outline: none; } /* the border shows the focus; the style's own frame would go through the words */
 QPushButton:focus { border: 2px solid @focus; padding: #6-# #14-#; }
 QPushButton:disabled { color: @muted; border-color: @border; background: @raised; }
 QPushButton:checked { background: @accentSoft; border: 2px solid @accent; padding: #6-# #14-#; }

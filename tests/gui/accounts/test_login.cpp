@@ -67,6 +67,15 @@ void TestLogin::namesAreFoundByTyping() {
         shown += list->item(i)->isHidden() ? 0 : 1;
     QCOMPARE(shown, 2); // by full name too
     press(Qt::Key_Down);
+    QCOMPARE(focusName(), QStringLiteral("login.people"));
+    const QString chosen = desktop.find<QLineEdit>(QStringLiteral("login.name"))->text();
+    for (int i = 0; i < list->count(); ++i)
+        if (list->item(i)->isHidden()) {
+            list->setCurrentRow(i); // as letters typed into the list do: nobody is chosen unseen
+            QCOMPARE(desktop.find<QLineEdit>(QStringLiteral("login.name"))->text(), chosen);
+        }
+    list->setCurrentRow(-1);
+    press(Qt::Key_Down);
     press(Qt::Key_Down);
     press(Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(focusName(), QStringLiteral("login.password"), kPatience_ms);
