@@ -134,7 +134,7 @@ core::Result<QJsonArray> eventsJson(database::Connection& connection, const data
                          {"kind", text(event.kind)},
                          {"detail", parsed(event.detailJson)}};
         if (event.kind == "tissue_yielded" && setup) // of a set-up of another version the level is not known
-            json.insert("gave_way_to", causeJson(session::yieldLawOf(setup->level.parameters), event));
+            json.insert("gave_way_to", causeJson(session::yieldLawOf(setup->level), event));
         array.append(json);
     }
     return array;

@@ -8,6 +8,8 @@
 #include "app/exercises/urethra_insertion/scene/flat_urethra.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <array>
 
@@ -19,14 +21,14 @@ namespace {
 using MakeFlat = std::unique_ptr<IFlatContent> (*)(const SceneSetup&);
 
 template <class Content, class Parameters> std::unique_ptr<IFlatContent> flat(const SceneSetup& setup) {
-    const auto* parameters = std::get_if<Parameters>(&setup.parameters);
+    const auto* parameters = setup.parameters.find<Parameters>();
     return parameters ? std::make_unique<Content>(*parameters) : nullptr;
 }
 
 using NameMarks = std::vector<std::string> (*)(const MarkedScene&);
 
 template <class Content, class Parameters> std::vector<std::string> marks(const MarkedScene& scene) {
-    const auto* parameters = std::get_if<Parameters>(&scene.setup.parameters);
+    const auto* parameters = scene.setup.parameters.find<Parameters>();
     return parameters ? Content::marks(*parameters, scene) : std::vector<std::string>();
 }
 

@@ -1,38 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that have something of their own in a report of a session: a line each.
+// What reports and playback say and show of one exercise alone: a line each.
+#include "app/exercises/comparison/session_report/comparison_words.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
+#include "app/exercises/elastic_tube/session_report/tube_words.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
+#include "app/exercises/object_handling/session_report/handling_words.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
 #include "app/exercises/sphere_apex/session_report/apex_errors.h"
+#include "app/exercises/sphere_apex/session_report/apex_words.h"
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
+#include "app/exercises/urethra_insertion/session_report/insertion_words.h"
 #include "session_report/exercise_section.h"
+#include "session_report/exercise_words.h"
+#include "session_report/tool_words.h"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace chiron::session_report {
 
 namespace {
 
-struct SectionLine {
+using MakeSection = std::shared_ptr<const report::ReportSection> (*)(const scoring::SessionTrace&, const catalogue::ExerciseLevel&);
+using NameTool = QString (*)(const catalogue::ExerciseLevel&, int tool, int tools);
+
+struct ReportLine {
     const char* exercise;
-    std::shared_ptr<const report::ReportSection> (*make)(const scoring::SessionTrace&, const catalogue::ExerciseLevel&);
+    MakeSection section; ///< null: it shows nothing of its own
+    EndWords (*ends)();
+    NameTool tool;
 };
 
+QString instrumentOf(const catalogue::ExerciseLevel&, int tool, int tools) { return instrumentName(tool, tools); }
+
 constexpr std::array kReportCatalogue{
-    SectionLine{"sphere_apex", &apexSectionOf},
-    SectionLine{"urethra_insertion", &insertionSectionOf},
-    SectionLine{"elastic_tube", &tubeSectionOf},
-    SectionLine{"object_handling", &handlingSectionOf},
-    SectionLine{"palpation", &palpationSectionOf},
-}; // comparisons have the reports of their studies
+    ReportLine{"sphere_apex", &apexSectionOf, &apexEnds, &instrumentOf},
+    ReportLine{"urethra_insertion", &insertionSectionOf, &insertionEnds, &instrumentOf},
+    ReportLine{"elastic_tube", &tubeSectionOf, &tubeEnds, &instrumentOf},
+    ReportLine{"object_handling", &handlingSectionOf, &handlingEnds, &instrumentOf},
+    ReportLine{"palpation", &palpationSectionOf, &palpationEnds, &fingerNameOf},
+    ReportLine{"comparison", nullptr, &comparisonEnds, &instrumentOf}, // its studies have reports
+};
+
+const ReportLine* lineOf(std::string_view exercise) {
+    const auto* found = std::find_if(kReportCatalogue.begin(), kReportCatalogue.end(), [exercise](const ReportLine& line) { return exercise == line.exercise; });
+    return found == kReportCatalogue.end() ? nullptr : found;
+}
 
 } // namespace
 
 std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
-    for (const SectionLine& line : kReportCatalogue)
-        if (level.exercise == line.exercise)
-            return line.make(trace, level);
-    return nullptr;
+    const ReportLine* line = lineOf(level.exercise);
+    return line && line->section ? line->section(trace, level) : nullptr;
+}
+
+EndWords endWords(std::string_view exercise) {
+    const ReportLine* line = lineOf(exercise);
+    return line ? line->ends() : EndWords();
+}
+
+QString toolName(const catalogue::ExerciseLevel& level, int tool, int tools) {
+    const ReportLine* line = lineOf(level.exercise);
+    return line ? line->tool(level, tool, tools) : instrumentName(tool, tools);
 }
 
 } // namespace chiron::session_report

@@ -7,6 +7,7 @@
 #include "desktop/scene3d/plugin/scene_stage.h"
 #include "app/exercises/sphere_apex/scene/apex_content.h"
 #include "app/exercises/urethra_insertion/scene/endoscope_stage.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <array>
 
@@ -35,7 +36,7 @@ struct Line {
 };
 
 template <class Parameters> bool fits(const SceneSetup& setup) {
-    return std::holds_alternative<Parameters>(setup.parameters);
+    return (setup.parameters.find<Parameters>() != nullptr);
 }
 
 constexpr std::array kCatalogue{

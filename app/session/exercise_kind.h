@@ -11,6 +11,7 @@
 #include "scoring/trace.h"
 #include "session/trial_surfaces.h"
 #include "simulation/scene.h"
+#include "simulation/yield.h"
 
 #include <cstdint>
 #include <memory>
@@ -108,6 +109,8 @@ public:
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
     /// From what is stored with the session alone, its devices' data included, so that a replay makes the same scene.
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
+    /// When what is touched gives way; as it stands here: never.
+    virtual simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel&) const { return {}; }
     /// Failure: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                        std::uint64_t seed) const = 0;

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/yield_cause.h"
 
+#include "session/exercise_kind.h"
+
 #include <QJsonDocument>
 #include <QJsonObject>
 
 namespace chiron::session {
 
-simulation::YieldLaw yieldLawOf(const catalogue::ExerciseParameters& level) {
-    return std::visit(
-        [](const auto& parameters) {
-            if constexpr (requires { parameters.yield; })
-                return parameters.yield;
-            else
-                return simulation::YieldLaw{};
-        },
-        level);
+simulation::YieldLaw yieldLawOf(const catalogue::ExerciseLevel& level) {
+    const auto kind = exerciseKind(level.exercise);
+    return kind ? (*kind)->yieldLaw(level) : simulation::YieldLaw{};
 }
 
 bool gaveWayToTorque(const simulation::YieldLaw& law, double force_N, double torque_Nm) noexcept {

@@ -8,8 +8,8 @@
 
 namespace chiron::session {
 
-/// When a level's tissue gives way; of a level without such a law, never.
-simulation::YieldLaw yieldLawOf(const catalogue::ExerciseParameters& level);
+/// When a level's tissue gives way, as its kind says (ExerciseKind::yieldLaw); of a kind that is not known, never.
+simulation::YieldLaw yieldLawOf(const catalogue::ExerciseLevel& level);
 
 /// Whether it was the torque that tissue gave way to: what the law answered at that tick, ‖f‖ in N and ‖τ‖ in N·m, is at the limit of one of
 /// them and below that of the other (simulation::TissueYield). A law without a yield torque, as of sessions before there was one, gives way to

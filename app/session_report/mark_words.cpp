@@ -2,6 +2,7 @@
 #include "session_report/mark_words.h"
 
 #include "report/report_text.h"
+#include "session_report/exercise_words.h"
 
 #include <QCoreApplication>
 #include <array>
@@ -13,9 +14,7 @@ using session::PlaybackMarkKind;
 
 namespace {
 
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(PlaybackMarks)
-};
+using Words = MarkTexts;
 
 // clang-format off
 constexpr std::array<std::pair<const char*, const char*>, 8> kGuards{{
@@ -57,50 +56,14 @@ QString stageText(const std::string& stage) {
     return Words::tr("The next stage begins");
 }
 
-/// What a trial's end, and damage, are called in an exercise. None is anybody's default.
-struct EndWords {
-    QString marked;
-    QString completed;
-    QString timedOut;
-    QString failed;
-    QString damaged;
-};
-
-struct EndWordsOf {
-    EndWords operator()(const simulation::SphereApexParameters&) const {
-        return {Words::tr("Marked the highest point"), Words::tr("The trial was completed"), Words::tr("Time was up without a mark"),
-                Words::tr("The trial could no longer be completed"), Words::tr("The tissue was damaged")};
-    }
-    EndWords operator()(const simulation::UrethraInsertionParameters&) const {
-        return {Words::tr("Ended"), Words::tr("The procedure was completed"), Words::tr("Time was up before the end of the procedure"),
-                Words::tr("The procedure could no longer be completed"), Words::tr("The tissue was damaged")};
-    }
-    EndWords operator()(const simulation::ElasticTubeParameters&) const {
-        return {Words::tr("Ended"), Words::tr("The tube was held as asked"), Words::tr("Time was up before the tube was held as asked"),
-                Words::tr("The tube tore: the trial could no longer be completed"), Words::tr("The tube was stretched too far")};
-    }
-    EndWords operator()(const simulation::ObjectHandlingParameters&) const {
-        return {Words::tr("Ended"), Words::tr("An object was set down in the target"), Words::tr("Time was up before an object was set down in the target"),
-                Words::tr("The trial could no longer be completed"), Words::tr("The object was squeezed too hard")};
-    }
-    EndWords operator()(const simulation::PalpationParameters&) const {
-        return {Words::tr("Ended"), Words::tr("The search was reported as done"), Words::tr("Time was up before the search was reported as done"),
-                Words::tr("The search could no longer be completed"), Words::tr("The tissue was damaged")};
-    }
-    EndWords operator()(const simulation::ComparisonParameters&) const {
-        return {Words::tr("Answered"), Words::tr("The comparison was completed"), Words::tr("Time was up without an answer"),
-                Words::tr("The comparison could no longer be completed"), Words::tr("The object was damaged")};
-    }
-};
-
 QString seconds(double span_s, const QLocale& locale) {
     return report::formatValue(span_s, QStringLiteral("s"), locale);
 }
 
 } // namespace
 
-QString whatHappened(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
-    const EndWords end = std::visit(EndWordsOf{}, level);
+QString whatHappened(const session::PlaybackMark& mark, std::string_view exercise, const QLocale& locale) {
+    const EndWords end = endWords(exercise);
     const double span_s = mark.end_s - mark.t_s;
     switch (mark.kind) {
     case PlaybackMarkKind::trialStarted: return Words::tr("Trial %1 begins").arg(locale.toString(mark.trial + 1));
@@ -150,8 +113,8 @@ QString whatHappened(const session::PlaybackMark& mark, const catalogue::Exercis
     return {};
 }
 
-QString markText(const session::PlaybackMark& mark, const catalogue::ExerciseParameters& level, const QLocale& locale) {
-    const QString what = whatHappened(mark, level, locale);
+QString markText(const session::PlaybackMark& mark, std::string_view exercise, const QLocale& locale) {
+    const QString what = whatHappened(mark, exercise, locale);
     return mark.critical ? Words::tr("Critical error: %1").arg(what) : what;
 }
 

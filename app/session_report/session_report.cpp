@@ -172,7 +172,7 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
         data.sections.push_back(std::move(section));
     data.force = feltFactsOf(trace);
     const session::PlaybackTrack& track = **session.track(); // curves and critical errors are playback's own
-    data.series = seriesOf(track, session.setup().level.parameters, QLocale(QString::fromStdString(language)));
+    data.series = seriesOf(track, session.setup().level, QLocale(QString::fromStdString(language)));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
     if (!digest)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalogue/exercise.h"
-
 #include <QString>
 
 namespace chiron::session_report {
@@ -10,9 +8,5 @@ namespace chiron::session_report {
 /// "Right instrument" (tool 0), "Left instrument" (tool 1), "Instrument 3"; of one alone: "Instrument". Pure, as all of these, in the
 /// program's language: the one source for screens and paper.
 QString instrumentName(int tool, int tools);
-/// Which finger tool `tool` is: "Right index finger"; of one alone "Finger".
-QString fingerName(int tool, int hands, int fingers);
-/// What a level's tool is called where its tools are told apart; `tools`: how many there are.
-QString toolName(const catalogue::ExerciseParameters& level, int tool, int tools);
 
 } // namespace chiron::session_report

@@ -2,7 +2,7 @@
 #include "session_report/track_series.h"
 
 #include "session_report/mark_words.h"
-#include "session_report/tool_words.h"
+#include "session_report/exercise_words.h"
 
 #include <cmath>
 #include <numbers>
@@ -34,7 +34,7 @@ report::ToolSamples samplesOf(const PlaybackTrack& track, int tool) {
 
 } // namespace
 
-report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseParameters& level, const QLocale& locale) {
+report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale) {
     report::SampleSeries series;
     for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
         series.t_s.push_back(track.moments[i].t_s);
@@ -54,7 +54,7 @@ report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::Exerc
             series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.critical)
-            series.criticalErrors.push_back({mark.t_s, mark.end_s, mark.trial, mark.tool, whatHappened(mark, level, locale)});
+            series.criticalErrors.push_back({mark.t_s, mark.end_s, mark.trial, mark.tool, whatHappened(mark, level.exercise, locale)});
     return series;
 }
 

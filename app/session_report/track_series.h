@@ -11,6 +11,6 @@ namespace chiron::session_report {
 
 /// Every tool of a playback track as plots draw them, on screen and on paper: named by the level, pauses hatched, the trials' numbers as
 /// events, the track's critical errors in words. Pure.
-report::SampleSeries seriesOf(const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level, const QLocale& locale);
+report::SampleSeries seriesOf(const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale);
 
 } // namespace chiron::session_report

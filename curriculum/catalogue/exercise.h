@@ -2,18 +2,12 @@
 #pragma once
 
 #include "core/base_mounting.h"
+#include "core/exercise_parameters.h"
 #include "scoring/score_card.h"
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
-#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace chiron::catalogue {
@@ -24,10 +18,7 @@ using Translated = std::map<std::string, std::string>;
 /// The text in `language` ("de", "el", ...), else in English.
 const std::string& textIn(const Translated& text, const std::string& language);
 
-/// What a kind of exercise is set up with; each kind adds its struct here and a line in exercise_contents.cpp.
-using ExerciseParameters = std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters,
-                                        simulation::ElasticTubeParameters, simulation::ObjectHandlingParameters, simulation::PalpationParameters,
-                                        simulation::ComparisonParameters>;
+using core::ExerciseParameters;
 
 struct MetricChoice {
     std::string id;

@@ -7,6 +7,9 @@
 #include "curriculum/exercises/palpation/catalogue/palpation_content.h"
 #include "curriculum/exercises/sphere_apex/catalogue/sphere_apex_content.h"
 #include "curriculum/exercises/urethra_insertion/catalogue/urethra_insertion_content.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <array>
 
@@ -15,7 +18,7 @@ namespace chiron::catalogue {
 namespace {
 template <class Parameters>
 int toolsOf(const ExerciseParameters& parameters) {
-    return std::get<Parameters>(parameters).tools();
+    return parameters.as<Parameters>().tools();
 }
 } // namespace
 

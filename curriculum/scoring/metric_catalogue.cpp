@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scoring/metric_catalogue.h"
 
+#include "curriculum/exercises/elastic_tube/scoring/tube_metrics.h"
+#include "curriculum/exercises/object_handling/scoring/handling_metrics.h"
+#include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
+#include "curriculum/exercises/sphere_apex/scoring/apex_metrics.h"
+#include "curriculum/exercises/urethra_insertion/scoring/canal_metrics.h"
 #include "scoring/metrics/metric_rows.h"
 
 namespace chiron::scoring {

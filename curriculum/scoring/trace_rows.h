@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "core/procedure_stage.h"
 #include "core/geometry.h"
 #include "core/session_state.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "core/exercise_cues.h"
 #include "core/geometry.h"
-#include "core/laparoscopy_cues.h"
-#include "core/palpation_cues.h"
 #include "core/session_state.h"
 
 #include <cstdint>
@@ -23,9 +21,7 @@ struct VisibleCues {
     double objectRadius_m = 0.0;   ///< zero unless objectShown
     double shownForce_N = 0.0;     ///< ‖tissue force‖ on this tool, filled by the loop for input-only devices (slowed
                                    ///< motion); zero on a device that renders force, whose hand feels it instead
-    EndoscopeCues endoscope;       ///< endoscopic exercises only
-    LaparoscopyCues laparoscopy;   ///< exercises that grasp only
-    PalpationCues palpation;       ///< palpation only
+    ExerciseCues exercise;         ///< what only this exercise shows
 };
 
 } // namespace chiron::core

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "core/exercise_cues.h"
 #include "core/geometry.h"
-#include "core/laparoscopy_cues.h"
-#include "core/palpation_cues.h"
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "haptics/safety_io.h"
@@ -60,9 +58,7 @@ struct DisplayState {
     bool objectShown = false;      ///< the level lets it be seen
     std::array<double, 3> p_WObject_m{};
     double objectRadius_m = 0.0;
-    core::EndoscopeCues endoscope; ///< endoscopic exercises only
-    core::LaparoscopyCues laparoscopy; ///< exercises that grasp only
-    core::PalpationCues palpation; ///< palpation only
+    core::ExerciseCues exercise; ///< what only this exercise shows
     double energySupplied_J = 0.0; ///< see core::TickHeader
     double energyStored_J = 0.0;
 

@@ -101,9 +101,7 @@ void HapticLoop::fillDisplay(const realtime::HapticTick& now) noexcept {
     m_shown.objectShown = m_out.cues.objectShown;
     m_shown.p_WObject_m = arrayOf(m_out.cues.p_WObject);
     m_shown.objectRadius_m = m_out.cues.objectRadius_m;
-    m_shown.endoscope = m_out.cues.endoscope;
-    m_shown.laparoscopy = m_out.cues.laparoscopy;
-    m_shown.palpation = m_out.cues.palpation;
+    m_shown.exercise = m_out.cues.exercise;
     m_shown.energySupplied_J = m_safe.energySupplied_J;
     m_shown.energyStored_J = m_safe.energyStored_J;
     m_shown.lateTicks = m_statistics.late();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "core/tool_state.h"
 #include "core/visible_cues.h"
 
 #include <cstdint>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // First frame of the 3D scene against a bare Qt3D window (one process each, alternating), its frames a second with a
 // moving tip at 1024x768, and those of the endoscope's view, without and with depth of field, beside P1's 26 and 13. Needs a display: xvfb-run -a -s "-screen 0 1280x1024x24" bench_scene
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "bench/alternating.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QApplication>
 #include <QDir>
@@ -74,8 +77,8 @@ Subject tube() {
 Subject ovary() {
     return {scene3d::samples::handlingSetup(), [](double t_s) {
                 scene3d::SceneState state = scene3d::samples::handlingState(true);
-                state.laparoscopy.body[1].squeeze_m = 0.002 + 0.002 * std::sin(3.0 * t_s);
-                state.laparoscopy.body[1].p_W[0] += 0.01 * std::sin(2.0 * t_s);
+                state.exercise.own<core::LaparoscopyCues>().body[1].squeeze_m = 0.002 + 0.002 * std::sin(3.0 * t_s);
+                state.exercise.own<core::LaparoscopyCues>().body[1].p_W[0] += 0.01 * std::sin(2.0 * t_s);
                 return state;
             }};
 }
@@ -92,8 +95,8 @@ Subject palpation() {
             scene3d::samples::pressFinger(state, setup, i, at, 0.004, {0.3, 0.2});
             map->press(at, 1.0 + std::sin(t_s));
         }
-        state.surfaceMap = map.get();
-        state.surfaceMapStep = map->step();
+        state.overlay.own<scene3d::PalpationOverlay>().map = map.get();
+        state.overlay.own<scene3d::PalpationOverlay>().mapStep = map->step();
         return state;
     };
     return subject;

@@ -71,7 +71,7 @@ Value orExit(core::Result<Value> value) {
 /// CPU time of one call of the law, over the recorded places of the tool inside the object.
 void addLaw(std::vector<BenchRow>& rows, const RecordedSession& recorded, const char* name, bool judged) {
     const auto positions = orExit(session::ToolPositions::create(recorded.setup));
-    const auto& parameters = std::get<simulation::SphereApexParameters>(recorded.setup.level.parameters);
+    const auto& parameters = recorded.setup.level.parameters.as<simulation::SphereApexParameters>();
     const simulation::HemisphereContact law(
         simulation::sphereApexContact(parameters, simulation::planSphereApexTrials(parameters, recorded.setup.seed)[0]));
     std::vector<core::Vec3> places;

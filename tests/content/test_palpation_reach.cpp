@@ -86,7 +86,7 @@ void TestPalpationReach::anywhere_data() {
 
 void TestPalpationReach::anywhere() {
     QFETCH(QByteArray, id);
-    const auto parameters = std::get<simulation::PalpationParameters>(levelOf(id)->parameters);
+    const auto parameters = levelOf(id)->parameters.as<simulation::PalpationParameters>();
     QVERIFY(parameters.yield.force_N > parameters.maximumForce_N && parameters.yield.force_N <= 3.0 * parameters.maximumForce_N);
     core::Random random = core::Random::stream(m_seed, id.constData());
     constexpr int kPaths = 200;
@@ -152,7 +152,7 @@ void TestPalpationReach::anywhere() {
 // A finger that is pressed on and on: once through, nothing holds it, and lifted out and put back it feels tissue again.
 void TestPalpationReach::pressedTooHard() {
     QFETCH(QByteArray, id);
-    const auto parameters = std::get<simulation::PalpationParameters>(levelOf(id)->parameters);
+    const auto parameters = levelOf(id)->parameters.as<simulation::PalpationParameters>();
     simulation::PalpationScene scene(parameters, m_seed);
     realtime::TickSource source;
     simulation::SceneInput in;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What screens and reports ask of every exercise, asked of each.
+#include "catalogue/catalogue.h"
 #include "desktop/exercise_face.h"
 #include "session_report/exercise_section.h"
+#include "session_report/exercise_words.h"
+#include "session_report/tool_words.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QDir>
 #include <QSet>
@@ -11,21 +15,21 @@ using namespace chiron;
 
 namespace {
 
-catalogue::ExerciseLevel levelOf(const char* exercise, catalogue::ExerciseParameters parameters) {
-    catalogue::ExerciseLevel level;
-    level.exercise = exercise;
-    level.parameters = std::move(parameters);
-    return level;
-}
-
-/// One of each, with the values that parameters begin with.
-std::vector<catalogue::ExerciseLevel> everyLevel() {
-    return {levelOf("sphere_apex", simulation::SphereApexParameters{}),
-            levelOf("urethra_insertion", simulation::UrethraInsertionParameters{}),
-            levelOf("elastic_tube", simulation::ElasticTubeParameters{}),
-            levelOf("object_handling", simulation::ObjectHandlingParameters{}),
-            levelOf("palpation", simulation::PalpationParameters{}),
-            levelOf("comparison", simulation::ComparisonParameters{})};
+/// Level 1 of each exercise as it is shipped, and one of those that studies alone use, with the values that parameters begin with.
+const std::vector<catalogue::ExerciseLevel>& everyLevel() {
+    static const std::vector<catalogue::ExerciseLevel> kLevels = [] {
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        if (!catalogue)
+            qFatal("%s", catalogue.error().message.c_str());
+        std::vector<catalogue::ExerciseLevel> levels;
+        for (const catalogue::Exercise& exercise : catalogue->exercises())
+            levels.push_back(exercise.levels.front());
+        levels.push_back({});
+        levels.back().exercise = "comparison";
+        levels.back().parameters = simulation::ComparisonParameters{};
+        return levels;
+    }();
+    return kLevels;
 }
 
 const desktop::ExerciseFace& faceOf(const catalogue::ExerciseLevel& level) { return **desktop::exerciseFace(level.exercise); }
@@ -40,6 +44,7 @@ private slots:
     void theirWordsAreTheirOwn();
     void aSessionWithoutTrialsIsShownAsOne();
     void aReportHasOneSectionAtMost();
+    void everyEndHasWords();
 };
 
 /// So that no exercise is left out below.
@@ -85,15 +90,24 @@ void TestExerciseFaces::aSessionWithoutTrialsIsShownAsOne() {
 }
 
 void TestExerciseFaces::aReportHasOneSectionAtMost() {
-    QStringList with;
     for (const catalogue::ExerciseLevel& level : everyLevel())
-        if (session_report::exerciseSectionOf({}, level))
-            with << QString::fromStdString(level.exercise);
-    // The others say nothing of a session without trials; studies have reports of their own.
-    QCOMPARE(with, (QStringList{"sphere_apex", "elastic_tube", "object_handling"}));
+        QVERIFY2(level.exercise != "comparison" || !session_report::exerciseSectionOf({}, level), "studies have reports of their own");
     catalogue::ExerciseLevel unknown = everyLevel().front();
     unknown.exercise = "knitting";
     QVERIFY(!session_report::exerciseSectionOf({}, unknown));
+}
+
+void TestExerciseFaces::everyEndHasWords() {
+    for (const catalogue::ExerciseLevel& level : everyLevel()) {
+        const session_report::EndWords ends = session_report::endWords(level.exercise);
+        for (const QString& words : {ends.marked, ends.completed, ends.timedOut, ends.failed, ends.damaged})
+            QVERIFY2(!words.isEmpty(), level.exercise.c_str());
+        QVERIFY2(!session_report::toolName(level, 0, 1).isEmpty(), level.exercise.c_str());
+    }
+    QVERIFY(session_report::endWords("knitting").completed.isEmpty());
+    catalogue::ExerciseLevel unknown;
+    unknown.exercise = "knitting";
+    QCOMPARE(session_report::toolName(unknown, 1, 2), session_report::instrumentName(1, 2));
 }
 
 QTEST_MAIN(TestExerciseFaces)

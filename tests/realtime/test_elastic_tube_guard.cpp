@@ -15,7 +15,7 @@ namespace {
 
 /// Hands that follow what is shown: they grasp, pull to and fro, hand over, let go, and tear at the end.
 void move(simulation::SceneInput& in, const simulation::SceneOutput& out, int n) {
-    const core::LaparoscopyCues& cues = out.cues.laparoscopy;
+    const core::LaparoscopyCues& cues = out.cues.exercise.of<core::LaparoscopyCues>();
     for (std::size_t i = 0; i < 2; ++i) {
         core::ToolState& tool = in.tools.tools[i];
         const std::size_t node = cues.grips > 2 ? 2 - i : (i == 0 ? 1 : 0);

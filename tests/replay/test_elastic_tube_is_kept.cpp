@@ -40,7 +40,7 @@ catalogue::ExerciseLevel shortTube(int number, int trials) {
 
 /// An ideal hand at the first tube: on its end, jaw closed, up until the tension (or length) is there in `pull_s`, and still.
 scoring::TraceRows idealPull(const catalogue::ExerciseLevel& level, double pull_s) {
-    const auto& p = std::get<simulation::ElasticTubeParameters>(level.parameters);
+    const auto& p = level.parameters.as<simulation::ElasticTubeParameters>();
     const simulation::ElasticTubeTrial trial = simulation::planElasticTubeTrials(p, kSeed).front();
     const double b = p.tube.stiffening_per_m, k = trial.stiffness_N_per_m;
     double stretch_m = (p.markRatio - 1.0) * p.restLength_m;
@@ -128,7 +128,7 @@ void TestElasticTubeIsKept::anIdealHand() {
     SessionFixture site;
     const auto result = site.run(std::move(request));
     QVERIFY2(result, result ? "" : result.error().message.c_str());
-    const double hold_s = std::get<simulation::ElasticTubeParameters>(level.parameters).hold_s;
+    const double hold_s = level.parameters.as<simulation::ElasticTubeParameters>().hold_s;
     const scoring::ScoreCard& card = result->scores;
     QCOMPARE(valueOf(card, "procedure_completed"), 100.0);
     QCOMPARE(valueOf(card, "over_stretches"), 0.0);

@@ -46,7 +46,7 @@ const catalogue::ExerciseLevel& guided() {
 
 /// Beside the centre-line by kOffset_m and tilted by kTilt_rad about the normal of its plane.
 scoring::TraceRows path(double duration_s) {
-    const auto& p = std::get<simulation::UrethraInsertionParameters>(guided().parameters);
+    const auto& p = guided().parameters.as<simulation::UrethraInsertionParameters>();
     const simulation::UrethraCentreline line(p.anatomy);
     scoring::TraceRows rows;
     rows.source = "insertion.csv";

@@ -8,7 +8,8 @@
 #include "session/session_export.h"
 #include "support/session_fixture.h"
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "core/report_word.h"
 
 #include <QtTest>
 #include <cmath>

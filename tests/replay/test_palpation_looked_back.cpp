@@ -47,7 +47,7 @@ namespace {
 
 core::Result<std::vector<session::PalpationTrialRecord>> recordOf(session::SessionView& view) {
     const auto trace = tests::traceOf(view);
-    return trace ? session::palpationRecord(*trace, std::get<simulation::PalpationParameters>(view.setup().level.parameters)) : tl::unexpected(trace.error());
+    return trace ? session::palpationRecord(*trace, view.setup().level.parameters.as<simulation::PalpationParameters>()) : tl::unexpected(trace.error());
 }
 
 } // namespace
@@ -65,7 +65,7 @@ private slots:
     /// The rebuilt map covers what the scene's own did, but for cells at the very edge of the cover force; so does playback's.
     void mapsComeBack() {
         OpenStored stored(*m_site.database, m_session);
-        const auto level = std::get<simulation::PalpationParameters>(stored.session->setup().level.parameters);
+        const auto level = stored.session->setup().level.parameters.as<simulation::PalpationParameters>();
         const auto records = recordOf(*stored.session);
         QVERIFY2(records, records ? "" : records.error().message.c_str());
         QCOMPARE(records->size(), std::size_t{2});

@@ -24,7 +24,7 @@ const catalogue::ExerciseLevel& level(int number) {
 }
 
 const simulation::UrethraInsertionParameters& parametersOf(int number) {
-    return std::get<simulation::UrethraInsertionParameters>(level(number).parameters);
+    return level(number).parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 session::TrainingRequest played(int number, double speed_m_per_s) {
@@ -214,7 +214,7 @@ void TestUrethraReplay::playbackDrawsTheTipInside() {
 
 void TestUrethraReplay::torqueCapComesFromTheLevel() {
     catalogue::ExerciseLevel changed = level(3);
-    auto& p = std::get<simulation::UrethraInsertionParameters>(changed.parameters);
+    auto& p = changed.parameters.as<simulation::UrethraInsertionParameters>();
     p.maximumTorque_Nm = 0.090;
     p.maximumForce_N = 3.0;
     const haptics::SafetySettings safety = session::headlessSafety(changed);

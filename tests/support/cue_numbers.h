@@ -2,6 +2,9 @@
 #pragma once
 
 #include "core/visible_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "core/laparoscopy_cues.h"
 
 #include <vector>
 
@@ -23,7 +26,7 @@ inline void addCueNumbers(std::vector<double>& out, const core::VisibleCues& cue
     one(cues.objectRadius_m);
     one(cues.shownForce_N);
 
-    const core::EndoscopeCues& e = cues.endoscope;
+    const simulation::EndoscopeCues& e = cues.exercise.of<simulation::EndoscopeCues>();
     one(e.present);
     one(e.pictureShown);
     one(e.guided);
@@ -37,7 +40,7 @@ inline void addCueNumbers(std::vector<double>& out, const core::VisibleCues& cue
     one(e.landmarksSeen);
     one(e.dwell);
 
-    const core::LaparoscopyCues& l = cues.laparoscopy;
+    const core::LaparoscopyCues& l = cues.exercise.of<core::LaparoscopyCues>();
     one(l.present);
     one(l.objectShown);
     one(l.step);
@@ -80,9 +83,9 @@ inline void addCueNumbers(std::vector<double>& out, const core::VisibleCues& cue
     all(l.squeeze_N);
     one(l.squeezeLimit_N);
 
-    const core::PalpationCues& p = cues.palpation;
+    const simulation::PalpationCues& p = cues.exercise.of<simulation::PalpationCues>();
     one(p.present);
-    for (const core::Finding& finding : p.finding) {
+    for (const simulation::Finding& finding : p.finding) {
         one(finding.present);
         all(finding.p_W);
         one(finding.radius_m);
@@ -94,7 +97,7 @@ inline void addCueNumbers(std::vector<double>& out, const core::VisibleCues& cue
     one(p.asksHardness);
     one(p.asksConfidence);
     one(p.lumps);
-    for (const core::LumpCue& lump : p.lump) {
+    for (const simulation::LumpCue& lump : p.lump) {
         all(lump.p_W);
         one(lump.radius_m);
     }

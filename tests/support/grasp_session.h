@@ -2,6 +2,8 @@
 #pragma once
 
 #include "support/desktop_fixture.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <algorithm>
 
@@ -18,9 +20,9 @@ inline database::SessionId addGrasping(DesktopFixture& desktop, const std::strin
     request.level = *shipped;
     request.seed = 7;
     request.ringFolder = recording::defaultRingFolder();
-    if (auto* tube = std::get_if<simulation::ElasticTubeParameters>(&request.level.parameters))
+    if (auto* tube = request.level.parameters.find<simulation::ElasticTubeParameters>())
         tube->trials = std::min(tube->trials, trials);
-    if (auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&request.level.parameters))
+    if (auto* handling = request.level.parameters.find<simulation::ObjectHandlingParameters>())
         handling->trials = std::min(handling->trials, trials);
     const auto kind = session::exerciseKind(exercise);
     auto station = session::scriptedStation(**kind, request.level, operatorName, request.seed);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "support/desktop_fixture.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "simulation/geometry/urethra/urethra_centreline.h"
 
 #include <algorithm>
 
@@ -43,7 +45,7 @@ inline database::SessionId addInsertion(DesktopFixture& desktop, const std::stri
     session::TrainingRequest request;
     request.level = *shipped;
     request.ringFolder = recording::defaultRingFolder();
-    const auto& parameters = std::get<simulation::UrethraInsertionParameters>(shipped->parameters);
+    const auto& parameters = shipped->parameters.as<simulation::UrethraInsertionParameters>();
     auto station = session::traceStation(insertionRows(parameters, deep_m, beside_m), session::PointerTool::endoscope);
     if (!station)
         qFatal("%s", station.error().message.c_str());

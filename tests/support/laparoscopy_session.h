@@ -13,6 +13,7 @@
 #include "session/tool_positions.h"
 #include "session/trace_assembler.h"
 #include "session/training_run.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -41,7 +42,7 @@ public:
     void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
                  simulation::SceneOutput& out) noexcept override {
         m_scene->respond(now, in, out);
-        core::LaparoscopyCues& cues = out.cues.laparoscopy;
+        core::LaparoscopyCues& cues = out.cues.exercise.own<core::LaparoscopyCues>();
         if (m_deception.hidden) {
             const core::LaparoscopyStep step = cues.step;
             const double dwell = cues.dwell;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "mechanisms/hand.h"
 #include "modules/exercises/palpation/operators/palpation_operator.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
@@ -30,7 +30,7 @@ struct BenchTrial {
 };
 
 struct BenchOutcome {
-    std::array<core::Finding, core::kMaxFindings> findings{};
+    std::array<simulation::Finding, simulation::kMaxFindings> findings{};
     bool done = false;
     double time_s = 0.0;
     double coverage = 0.0;     ///< 0..1
@@ -41,7 +41,7 @@ struct BenchOutcome {
 
     int marks() const {
         int n = 0;
-        for (const core::Finding& finding : findings)
+        for (const simulation::Finding& finding : findings)
             n += finding.present ? 1 : 0;
         return n;
     }
@@ -78,7 +78,7 @@ public:
     /// One trial after another, half a second between.
     BenchOutcome run(const BenchTrial& trial) {
         m_contact.setLumps(trial.lumps);
-        core::FindingsBook book;
+        simulation::FindingsBook book;
         simulation::SurfaceMap map(m_parameters.areaHalf_m, m_parameters.tissue.contactRadius_m, m_parameters.coverForce_N);
         BenchOutcome out;
         for (int i = 0; i < 500; ++i)
@@ -125,7 +125,7 @@ private:
         return false;
     }
 
-    void tick(const BenchTrial& trial, core::TrialPhase phase, double left_s, core::FindingsBook& book, simulation::SurfaceMap& map,
+    void tick(const BenchTrial& trial, core::TrialPhase phase, double left_s, simulation::FindingsBook& book, simulation::SurfaceMap& map,
               BenchOutcome& out) {
         core::Vec3 total = core::Vec3::Zero();
         for (std::size_t number = 0; number < m_fingers.size(); ++number) {
@@ -137,11 +137,11 @@ private:
             finger.seen.cues.phase = phase;
             finger.seen.cues.force = core::ForceState::on;
             finger.seen.cues.timeLeft_s = left_s;
-            finger.seen.cues.palpation.present = true;
-            finger.seen.cues.palpation.lumps = trial.shown ? m_contact.lumps() : 0;
-            for (int i = 0; i < finger.seen.cues.palpation.lumps; ++i) {
+            finger.seen.cues.exercise.own<simulation::PalpationCues>().present = true;
+            finger.seen.cues.exercise.own<simulation::PalpationCues>().lumps = trial.shown ? m_contact.lumps() : 0;
+            for (int i = 0; i < finger.seen.cues.exercise.of<simulation::PalpationCues>().lumps; ++i) {
                 const core::Vec3 centre = m_contact.lumpCentre_W(i);
-                finger.seen.cues.palpation.lump[static_cast<std::size_t>(i)] = {{centre.x(), centre.y(), centre.z()}, trial.lumps[static_cast<std::size_t>(i)].radius_m};
+                finger.seen.cues.exercise.own<simulation::PalpationCues>().lump[static_cast<std::size_t>(i)] = {{centre.x(), centre.y(), centre.z()}, trial.lumps[static_cast<std::size_t>(i)].radius_m};
             }
             const mechanisms::HandIntention wanted = finger.mind->decide(finger.seen);
             remember(wanted);
@@ -184,7 +184,7 @@ private:
         out.over_s += force_N > m_parameters.maximumForce_N ? 0.001 : 0.0;
     }
 
-    static void hear(Finger& finger, core::FindingsBook& book) {
+    static void hear(Finger& finger, simulation::FindingsBook& book) {
         const std::uint32_t now = finger.hand.acting().buttons, pressed = now & ~finger.buttons;
         finger.buttons = now;
         const core::Vec3& p = finger.felt.surfacePoint;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/random.h"
 #include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
@@ -78,7 +78,7 @@ inline int regionOf(const simulation::PalpationParameters& p, const core::Vec2& 
 }
 
 inline void countTrial(Detection& d, const simulation::PalpationParameters& p, const std::vector<simulation::Lump>& lumps,
-                       const std::array<core::Finding, core::kMaxFindings>& findings) {
+                       const std::array<simulation::Finding, simulation::kMaxFindings>& findings) {
     struct Pair {
         double distance;
         std::size_t lump, mark;

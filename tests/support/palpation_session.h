@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/desktop_fixture.h"
+#include "core/report_word.h"
 
 #include <vector>
 
@@ -94,7 +95,7 @@ inline database::SessionId addPalpation(DesktopFixture& desktop, const std::stri
     request.level = *shipped;
     request.seed = seed;
     request.ringFolder = recording::defaultRingFolder();
-    auto station = session::traceStation(PalpatingHand(std::get<simulation::PalpationParameters>(shipped->parameters), seed).rows());
+    auto station = session::traceStation(PalpatingHand(shipped->parameters.as<simulation::PalpationParameters>(), seed).rows());
     if (!station)
         qFatal("%s", station.error().message.c_str());
     request.station = std::move(*station);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/catalogue.h"
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/haptic_frame.h"
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
 #include "devices/drivers/simulated/simulated_second_finger.h"
@@ -29,7 +29,7 @@
 namespace chiron::support {
 
 struct PalpationTrialHeard {
-    core::FindingsBook book;
+    simulation::FindingsBook book;
     double coverage = 0.0;
     double searching_s = 0.0, pressing_s = 0.0, band_s = 0.0, over_s = 0.0;
     double maximum_N = 0.0; ///< of one finger's tissue force
@@ -109,7 +109,7 @@ inline simulation::PalpationParameters palpationLevel(int number, int trials = 0
     const catalogue::ExerciseLevel* level = catalogue->find("palpation", number);
     if (level == nullptr)
         qFatal("palpation has no level %d", number);
-    auto p = std::get<simulation::PalpationParameters>(level->parameters);
+    auto p = level->parameters.as<simulation::PalpationParameters>();
     if (trials > 0) {
         p.catchTrials = std::min(p.catchTrials, trials / 2);
         p.trials = trials;

@@ -77,7 +77,7 @@ private:
             m_lines << QStringLiteral("mark %1, trial %2, tool %3, %4 to %5, critical %6, costs %7, %8, %9 \"%10\"")
                            .arg(static_cast<int>(mark.kind)).arg(mark.trial).arg(mark.tool).arg(milli(mark.t_s), milli(mark.end_s)).arg(mark.critical)
                            .arg(session::isPenalty(mark.kind)).arg(mark.value ? milli(*mark.value) : QStringLiteral("no value"), QString::fromStdString(mark.detail),
-                                session_report::markText(mark, level.parameters, QLocale::c()));
+                                session_report::markText(mark, level.exercise, QLocale::c()));
     }
     void addMoments() {
         std::map<int, int> phases, forces;

@@ -62,7 +62,7 @@ public:
     void respond(const realtime::HapticTick& now, const simulation::SceneInput& in,
                  simulation::SceneOutput& out) noexcept override {
         m_scene.respond(now, in, out);
-        core::EndoscopeCues& cues = out.cues.endoscope;
+        simulation::EndoscopeCues& cues = out.cues.exercise.own<simulation::EndoscopeCues>();
         if (m_deception.hidden) {
             cues.pictureShown = cues.landmarkShown = false;
             cues.toLumen_T = {};

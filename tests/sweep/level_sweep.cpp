@@ -7,6 +7,11 @@
 #include "session/station.h"
 #include "simulation/scene.h"
 #include "sweep/hand_path.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "simulation/geometry/urethra/urethra_anatomy.h"
+#include "simulation/geometry/urethra/urethra_centreline.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -63,11 +68,11 @@ ContentNumbers numbersOf(const catalogue::ExerciseLevel& level) {
     numbers.bristle_N_per_m = inContent(all, QStringLiteral("bristle_stiffness_N_per_m")).value_or(0.0);
     numbers.damping_Ns_per_m = inContent(all, QStringLiteral("damping_N_s_per_m")).value_or(0.0) +
                                inContent(all, QStringLiteral("viscosity_N_s_per_m")).value_or(0.0);
-    if (const auto* palpation = std::get_if<simulation::PalpationParameters>(&level.parameters)) {
+    if (const auto* palpation = level.parameters.find<simulation::PalpationParameters>()) {
         numbers.damping_Ns_per_m = palpation->tissue.damping_Ns_per_m.maxCoeff();
         numbers.fade_m = palpation->tissue.dampingDepth_m / kSteepest; // a smoothstep
     }
-    if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters)) {
+    if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
         constexpr double kMostTwist_rad = 1.5;
         const simulation::UrethraAnatomy& anatomy = urethra->anatomy;
         const double span_m = anatomy.pivotSpan_m, turning_m = simulation::UrethraCentreline(anatomy).length_m() - anatomy.straight_m;
@@ -104,7 +109,7 @@ public:
         m_result.level = level.exercise + "/" + std::to_string(level.number) + " " + level.id;
         m_result.limit_N = m_kind->forceLimit_N(level);
         m_result.yieldStated = m_numbers.yield_N > 0.0;
-        if (const auto* urethra = std::get_if<simulation::UrethraInsertionParameters>(&level.parameters)) {
+        if (const auto* urethra = level.parameters.find<simulation::UrethraInsertionParameters>()) {
             wayInto(*urethra);
             m_result.limit_Nm = urethra->maximumTorque_Nm;
         }
@@ -204,7 +209,7 @@ private:
                 m_wayAt = (m_wayAt + 1) % m_wayIn.size();
             return m_wayIn[m_wayAt];
         }
-        const core::LaparoscopyCues& cues = m_out.cues.laparoscopy;
+        const core::LaparoscopyCues& cues = m_out.cues.exercise.of<core::LaparoscopyCues>();
         if (cues.bodies > 0)
             return Vec3(cues.body[0].p_W[0], cues.body[0].p_W[1], cues.body[0].p_W[2]);
         if (cues.fold && tool + 1 == m_hands.size()) // the last tool holds back what lies over the tube
@@ -295,7 +300,7 @@ private:
     };
     std::vector<Ends> endsMoved() const {
         std::vector<Ends> ends(m_before.size());
-        if (m_out.cues.laparoscopy.grips == 0)
+        if (m_out.cues.exercise.of<core::LaparoscopyCues>().grips == 0)
             return ends;
         for (std::size_t i = 0; i < ends.size(); ++i)
             for (std::size_t k = 0; k < ends.size(); ++k)
@@ -320,7 +325,7 @@ private:
     /// How far any loose object went since the tick before, m: the way is that between tool and object.
     double bodiesMoved() {
         double most = 0.0;
-        const core::LaparoscopyCues& cues = m_out.cues.laparoscopy;
+        const core::LaparoscopyCues& cues = m_out.cues.exercise.of<core::LaparoscopyCues>();
         for (std::size_t i = 0; i < static_cast<std::size_t>(cues.bodies); ++i) {
             const Vec3 p(cues.body[i].p_W[0], cues.body[i].p_W[1], cues.body[i].p_W[2]);
             most = std::max(most, (p - m_bodies[i]).norm());

@@ -70,7 +70,7 @@ core::LaparoscopyCues graspCuesAt(const session::PlaybackTrack& track, const ses
 }
 
 void showGrasp(scene3d::SceneState& state, const core::LaparoscopyCues& cues) {
-    state.laparoscopy = cues;
+    state.exercise.own<core::LaparoscopyCues>() = cues;
     state.objectShown = cues.objectShown;
     for (scene3d::ToolView& tool : state.tool)
         tool.drawnAtSurface = false; // a jaw that holds something is where the hand is

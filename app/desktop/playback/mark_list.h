@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalogue/exercise.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_mark.h"
 
@@ -20,7 +19,7 @@ class MarkList : public QWidget {
     Q_OBJECT
 public:
     MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks,
-             const catalogue::ExerciseParameters& level, QWidget* parent = nullptr);
+             const std::string& exercise, QWidget* parent = nullptr);
 
 signals:
     void seekAsked(double t_s);
@@ -31,7 +30,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
-    catalogue::ExerciseParameters m_level; ///< whose words are used
+    std::string m_exercise; ///< whose words are used
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;
     QListWidget* m_list;

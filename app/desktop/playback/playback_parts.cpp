@@ -118,7 +118,7 @@ QWidget* PlaybackScreen::stageColumn() {
     m_scrubber = new Scrubber(theme);
     m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
     m_scrubber->setLocale(locale);
-    m_scrubber->setTrack(m_data->track, m_data->setup.level.parameters);
+    m_scrubber->setTrack(m_data->track, m_data->setup.level.exercise);
     connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_scrubber);
     std::vector<std::pair<double, double>> pauses_s;
@@ -126,7 +126,7 @@ QWidget* PlaybackScreen::stageColumn() {
         pauses_s.emplace_back(span.begin_s, span.end_s);
     column->addWidget(new TransportBar(theme, locale, m_clock, std::move(pauses_s)));
     const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) || context().has(database::Role::admin);
-    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level.parameters, m_data->layer.get(), expert);
+    m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level, m_data->layer.get(), expert);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_plots);
     return stage;
@@ -187,7 +187,7 @@ QWidget* PlaybackScreen::sideColumn() {
     m_tabs = new QTabWidget;
     m_tabs->setObjectName(QStringLiteral("playback.tabs"));
     m_tabs->setMinimumHeight(theme.px(300));
-    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.parameters);
+    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.exercise);
     connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
     m_tabs->addTab(marks, tr("Events"));
     m_comments = new CommentPanel(theme, context().locale());

@@ -21,7 +21,7 @@ constexpr double kPageLead = 0.05; // of the page, before the cursor when a page
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
-                             const catalogue::ExerciseParameters& level, const PlaybackLayer* layer, bool books, QWidget* parent)
+                             const catalogue::ExerciseLevel& level, const PlaybackLayer* layer, bool books, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_locale(locale), m_track(track), m_layer(layer),
       m_series(session_report::seriesOf(track, level, locale)), m_limit_N(track.forceLimit_N), m_books(books),
       m_column(new QVBoxLayout(this)) {

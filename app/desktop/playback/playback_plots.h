@@ -35,7 +35,7 @@ class PlaybackPlots : public QWidget {
 public:
     /// `track` and `layer` outlive it; without a layer nothing of one exercise is drawn. `books`: with those of energy, which tell an expert
     /// whether the simulation made any.
-    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level,
+    PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level,
                   const PlaybackLayer* layer = nullptr, bool books = true, QWidget* parent = nullptr);
 
     /// Draws all again, with the second session's lines or without; `name` is in the legend.

@@ -2,6 +2,7 @@
 #include "desktop/playback/playback_scene.h"
 
 #include "session/playback_ghost.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const sess
     if (view.object) {
         state.objectShown = true;
         state.p_WObject = view.object->p_WObject;
-        state.laparoscopy.body[0].q_W = {std::cos(0.5 * view.object->turn_rad), 0.0, 0.0, std::sin(0.5 * view.object->turn_rad)};
+        state.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * view.object->turn_rad), 0.0, 0.0, std::sin(0.5 * view.object->turn_rad)};
         state.dimpleShown = view.object->dimpleCentre_m.has_value();
         state.dimpleCentre_m = view.object->dimpleCentre_m.value_or(core::Vec2::Zero());
     }

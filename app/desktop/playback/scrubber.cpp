@@ -28,8 +28,8 @@ Scrubber::Scrubber(const Theme& theme, QWidget* parent) : QAbstractSlider(parent
     connect(this, &QAbstractSlider::valueChanged, this, [this](int value_ms) { emit seekAsked(1e-3 * value_ms); });
 }
 
-void Scrubber::setTrack(const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level) {
-    m_level = level;
+void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& exercise) {
+    m_exercise = exercise;
     m_duration_s = track.duration_s;
     m_trials = track.trials;
     m_paused = track.paused;
@@ -99,7 +99,7 @@ bool Scrubber::event(QEvent* event) {
     QString text = clockText(timeAt(help->pos().x()), locale());
     for (const session::PlaybackMark& mark : m_marks)
         if (std::abs(xOf(mark.t_s) - help->pos().x()) <= m_theme.px(6))
-            text += QLatin1Char('\n') + markText(mark, m_level, locale());
+            text += QLatin1Char('\n') + markText(mark, m_exercise, locale());
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalogue/exercise.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_track.h"
 
@@ -18,7 +17,7 @@ class Scrubber : public QAbstractSlider {
 public:
     explicit Scrubber(const Theme& theme, QWidget* parent = nullptr);
 
-    void setTrack(const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level); ///< copies what it draws
+    void setTrack(const session::PlaybackTrack& track, const std::string& exercise); ///< copies what it draws
     void setComments(std::vector<double> moments_s);
     void setPosition(double t_s);
     QSize sizeHint() const override;
@@ -43,7 +42,7 @@ private:
     void paintHandle(QPainter& painter) const;
 
     const Theme& m_theme;
-    catalogue::ExerciseParameters m_level; ///< whose words are used
+    std::string m_exercise; ///< whose words are used
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     std::vector<session::PlaybackTrial> m_trials;

@@ -3,7 +3,6 @@
 
 #include "desktop/scene2d/flat_tools.h"
 #include "desktop/scene3d/gauge_painter.h"
-#include "desktop/scene3d/laparoscopy_dial.h"
 #include "desktop/scene3d/scene_note_painter.h"
 
 #include <QPainter>
@@ -96,9 +95,9 @@ QRectF FlatCanvas::paintBars(QPainter& painter, QRectF room) const {
     };
     if (m_setup.cues.arrow)
         paint(m_content ? m_content->forceBar(m_setup, m_state) : forceDial(m_setup), largestForce_N(m_state));
-    const auto second = laparoscopyDial(m_setup, m_state.laparoscopy);
-    if (second && dialShown(m_state.laparoscopy))
-        paint(*second, dialValue_N(m_state.laparoscopy));
+    const auto second = m_content ? m_content->secondBar(m_state) : std::nullopt;
+    if (second && second->shown)
+        paint(second->dial, second->value_N);
     return room;
 }
 

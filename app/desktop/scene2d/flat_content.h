@@ -6,6 +6,7 @@
 #include "desktop/scene3d/scene_state.h"
 
 #include <memory>
+#include <optional>
 
 class QPainter;
 
@@ -30,6 +31,8 @@ public:
                        const SceneState& state) const = 0;
     /// The bar of the force on the tools.
     virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
+    /// The bar beside it; empty: there is none.
+    virtual std::optional<SecondBar> secondBar(const SceneState&) const { return std::nullopt; }
     /// z of what lies under a place, as shown. Metres, W.
     virtual double groundHeight_m(const SceneState& state, double x_m, double y_m) const = 0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/scene3d/scene_state.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QColor>
 
@@ -14,7 +15,7 @@ inline core::Vec3 drawnTip(const ToolView& tool) {
 
 /// What this tool would set down: the middle of an object that it holds, where that is shown, else its tip.
 inline core::Vec3 setDownBy(const SceneState& state, std::size_t tool) {
-    const core::LaparoscopyCues& scene = state.laparoscopy;
+    const core::LaparoscopyCues& scene = state.exercise.of<core::LaparoscopyCues>();
     for (int i = 0; scene.objectShown && i < scene.bodies; ++i)
         if (const core::BodyCue& body = scene.body[static_cast<std::size_t>(i)]; (body.heldBy & (1U << tool)) != 0)
             return {body.p_W[0], body.p_W[1], body.p_W[2]};

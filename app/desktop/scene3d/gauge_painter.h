@@ -4,7 +4,10 @@
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 
+#include <QCoreApplication>
 #include <QRectF>
+#include <algorithm>
+#include <cmath>
 
 class QFont;
 class QPainter;
@@ -20,6 +23,21 @@ struct GaugeDial {
     double bandHigh_N = 0.0;
 
     bool operator==(const GaugeDial&) const = default;
+};
+
+/// A second bar beside the force on the tools, of what an exercise measures besides.
+struct SecondBar {
+    GaugeDial dial;
+    bool shown = false; ///< the level lets it be seen now
+    double value_N = 0.0;
+};
+
+/// The end of a scale that leaves room above `most_N`, in halves of a newton.
+inline double endOfScale_N(double most_N) { return std::max(1.0, std::ceil(2.0 * most_N) / 2.0); }
+
+/// The translation context of what stands at the bars.
+struct GaugeTexts {
+    Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::ForceGauge)
 };
 
 /// Paints frame, scale, limit line, band and words of a force bar; its hollow stays empty, and what fills it lies

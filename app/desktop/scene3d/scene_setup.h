@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/exercises/comparison/simulation/comparison_parameters.h"
-#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
-#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
-#include "modules/exercises/palpation/simulation/palpation_parameters.h"
-#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
-#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "core/exercise_parameters.h"
 
 #include <QColor>
 #include <QString>
 #include <string>
-#include <variant>
 
 namespace chiron::scene3d {
 
@@ -40,9 +34,7 @@ struct SceneColours {
 /// is computed from the same geometry as the force.
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
-    std::variant<simulation::SphereApexParameters, simulation::UrethraInsertionParameters, simulation::ElasticTubeParameters,
-                 simulation::ObjectHandlingParameters, simulation::PalpationParameters, simulation::ComparisonParameters>
-        parameters;
+    core::ExerciseParameters parameters;
     double forceLimit_N = 4.0; ///< of the arrow's limit line
     SceneCues cues;
     SceneColours colours;

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "core/exercise_cues.h"
 #include "core/geometry.h"
 #include "core/haptic_frame.h"
-#include "core/laparoscopy_cues.h"
-#include "core/palpation_cues.h"
 #include "desktop/scene3d/scene_note.h"
 
 #include <array>
 #include <cstdint>
-
-namespace chiron::simulation {
-class SurfaceMap;
-}
 
 namespace chiron::scene3d {
 
@@ -47,15 +41,9 @@ struct SceneState {
     core::Vec3 p_WMark = core::Vec3::Zero();
     bool answered = false; ///< feedback after a trial: where the mark should have been
     core::Vec3 p_WAnswer = core::Vec3::Zero();
-    core::EndoscopeCues endoscope; ///< endoscopic exercises: stage, landmarks, guidance; the pose is tool[0]'s
+    core::ExerciseCues exercise; ///< as its scene showed it, or as a recording tells it
+    core::ExerciseCues overlay;  ///< what the exercise's screens add to that
     int activeTool = -1; ///< which one mouse and keyboard move, where there are several; it wears a collar
-    core::LaparoscopyCues laparoscopy; ///< exercises that grasp: tube, bodies, target, bands
-    core::PalpationCues palpation; ///< palpation: findings, shown lumps, bands (in playback the truth, as lumps)
-    const simulation::SurfaceMap* surfaceMap = nullptr; ///< palpation: where was pressed and how hard; owned by the caller, read during show()
-    std::uint32_t surfaceMapStep = 0; ///< changes whenever the map did
-    core::SurfaceMapKind mapKind = core::SurfaceMapKind::coverage;
-    std::array<core::FindingOutcome, core::kMaxFindings> outcome{}; ///< palpation, playback: of each finding
-    std::uint8_t lumpsMissed = 0; ///< palpation, playback: one bit a lump of the cues that nobody found
     SceneNote note; ///< over everything else
     double time_s = 0.0;
 };

@@ -212,7 +212,7 @@ void TrialsScreen::buildPlaces() {
     PlacesSetup setup;
     setup.places = psychophysics::placesOf(condition.task);
     setup.visible = m_live->design().trial.visibleObjects;
-    if (const auto* parameters = std::get_if<simulation::ComparisonParameters>(&m_live->level().parameters)) {
+    if (const auto* parameters = m_live->level().parameters.find<simulation::ComparisonParameters>()) {
         setup.spacing_m = parameters->spacing_m;
         setup.padRadius_m = parameters->padRadius_m;
         const simulation::GripZone grip = simulation::gripZone(*parameters);

@@ -2,6 +2,7 @@
 #include "desktop/training/answer_note.h"
 
 #include "desktop/exercise_face.h"
+#include "core/laparoscopy_cues.h"
 
 namespace chiron::desktop {
 
@@ -90,7 +91,7 @@ void AnswerNote::show(std::int64_t now_ns, scene3d::SceneState& drawn) const {
     const session::TrialObject& object = m_shown->object;
     drawn.objectShown = true;
     drawn.p_WObject = object.p_WObject;
-    drawn.laparoscopy.body[0].q_W = {std::cos(0.5 * object.turn_rad), 0.0, 0.0, std::sin(0.5 * object.turn_rad)};
+    drawn.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.5 * object.turn_rad), 0.0, 0.0, std::sin(0.5 * object.turn_rad)};
     drawn.answered = true;
     drawn.p_WAnswer = object.p_WObject + object.radius_m * core::Vec3::UnitZ();
     drawn.marked = m_shown->p_WMark.has_value();

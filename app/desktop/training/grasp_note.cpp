@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/grasp_note.h"
 
-#include "simulation/objects/grasp.h"
-
 #include <QCoreApplication>
 #include <algorithm>
+#include <utility>
 
 namespace chiron::desktop {
 
@@ -16,21 +15,8 @@ struct Words {
 core::Vec3 placeOf(const std::array<double, 3>& p_W) { return {p_W[0], p_W[1], p_W[2]}; }
 } // namespace
 
-GraspNote::GraspNote(const catalogue::ExerciseLevel& level, const QLocale& locale, bool explains)
-    : m_grasping(graspingOf(level)), m_locale(locale), m_explains(level.feedback || explains) {}
-
-double GraspNote::holdsBelow_rad() const {
-    if (m_grasping.tube)
-        return m_grasping.tube->graspAngle_rad;
-    return simulation::JawGeometry{m_grasping.handling->jawLength_m}.angle_rad(2.0 * m_grasping.handling->radius_m);
-}
-
-double GraspNote::opensAbove_rad() const {
-    if (m_grasping.tube)
-        return m_grasping.tube->releaseAngle_rad;
-    const simulation::ObjectHandlingParameters& handling = *m_grasping.handling;
-    return simulation::JawGeometry{handling.jawLength_m}.angle_rad(2.0 * handling.radius_m + handling.releaseClearance_m);
-}
+GraspNote::GraspNote(Grasping grasping, const QLocale& locale, bool explains)
+    : m_grasping(std::move(grasping)), m_locale(locale), m_explains(explains) {}
 
 bool GraspNote::holds(std::size_t tool, const core::LaparoscopyCues& cues) const {
     const auto by = [tool](std::uint8_t tools) { return (tools >> tool & 1U) != 0; };
@@ -40,14 +26,14 @@ bool GraspNote::holds(std::size_t tool, const core::LaparoscopyCues& cues) const
 }
 
 GraspNote::Nearest GraspNote::nearest(std::size_t tool, const haptics::DisplayState& state) const {
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     const core::Vec3 tip = placeOf(state.tool[tool].p_WT_m);
     Nearest found;
     const auto take = [&](Nearest::What what, double away_m, bool covered) {
         if (found.what == Nearest::What::nothing || away_m < found.away_m)
             found = {what, away_m, covered};
     };
-    if (m_grasping.tube && m_grasping.tube->hasFold() && static_cast<int>(tool) == m_grasping.tube->retractor()) {
+    if (static_cast<int>(tool) == m_grasping.retractor) {
         if (cues.fold)
             take(Nearest::What::fold, (placeOf(cues.p_WFoldEdge) - tip).norm(), false);
         return found;
@@ -63,7 +49,7 @@ GraspNote::Nearest GraspNote::nearest(std::size_t tool, const haptics::DisplaySt
 QString GraspNote::missedWords(const Nearest& nearest) const {
     if (!m_explains || nearest.what == Nearest::What::nothing)
         return Words::tr("Nothing was grasped");
-    if (nearest.away_m <= reach_m())
+    if (nearest.away_m <= m_grasping.reach_m)
         return nearest.covered ? Words::tr("Nothing was grasped: the fold still lies over the tube. Retract it first.")
                                : Words::tr("Nothing was grasped. Open the jaws and try again.");
     const QString mm = m_locale.toString(1e3 * nearest.away_m, 'f', 0);
@@ -89,15 +75,15 @@ void GraspNote::say(const QString& words, std::int64_t now_ns) {
 void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
     Jaw& jaw = m_jaws[tool];
     const double angle_rad = state.tool[tool].jaw_rad;
-    if (angle_rad > opensAbove_rad()) {
+    if (angle_rad > m_grasping.opensAbove_rad) {
         jaw = {true, -1};
         return;
     }
-    if (holds(tool, state.laparoscopy)) {
+    if (holds(tool, state.exercise.of<core::LaparoscopyCues>())) {
         jaw = {};
         return;
     }
-    if (angle_rad > holdsBelow_rad())
+    if (angle_rad > m_grasping.holdsBelow_rad)
         return; // on its way
     const Nearest found = nearest(tool, state);
     if (jaw.opened) {
@@ -105,7 +91,7 @@ void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
         say(missedWords(found), state.now_ns);
         return;
     }
-    if (found.what == Nearest::What::nothing || found.away_m > reach_m()) {
+    if (found.what == Nearest::What::nothing || found.away_m > m_grasping.reach_m) {
         jaw.near_ns = -1;
         return;
     }
@@ -118,7 +104,7 @@ void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
 void GraspNote::take(const haptics::DisplayState& state) {
     if (state.paused)
         return;
-    if (state.phase != core::TrialPhase::running || !state.laparoscopy.objectShown) { // a trial's jaws have to open first, as the scene has it
+    if (state.phase != core::TrialPhase::running || !state.exercise.of<core::LaparoscopyCues>().objectShown) { // a trial's jaws have to open first, as the scene has it
         m_jaws = {};
         m_said.clear();
         return;

@@ -21,8 +21,8 @@ public:
     static constexpr std::int64_t kQuiet_ns = 1'500'000'000; ///< after it, nothing more is said of grasps for so long
     static constexpr std::int64_t kPatience_ns = 700'000'000; ///< closed jaws at the object: for so long it may be on the way elsewhere
 
-    /// `explains`: also where the level gives no feedback. `level` outlives it.
-    GraspNote(const catalogue::ExerciseLevel& level, const QLocale& locale, bool explains);
+    /// `explains`: it says why.
+    GraspNote(Grasping grasping, const QLocale& locale, bool explains);
 
     void take(const haptics::DisplayState& state); ///< each frame
     scene3d::SceneNote note(std::int64_t now_ns) const;
@@ -43,9 +43,6 @@ private:
     void look(std::size_t tool, const haptics::DisplayState& state);
     bool holds(std::size_t tool, const core::LaparoscopyCues& cues) const;
     Nearest nearest(std::size_t tool, const haptics::DisplayState& state) const;
-    double reach_m() const { return m_grasping.tube ? m_grasping.tube->graspReach_m : m_grasping.handling->graspReach_m; }
-    double holdsBelow_rad() const;
-    double opensAbove_rad() const;
     QString missedWords(const Nearest& nearest) const;
     void say(const QString& words, std::int64_t now_ns);
 

@@ -2,11 +2,11 @@
 #include "desktop/training/grasp_panel.h"
 
 #include "desktop/training/force_bar.h"
-#include "desktop/training/grasp_words.h"
 #include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
 #include "desktop/widgets/kit.h"
+#include "session_report/tool_words.h"
 
 #include <QGridLayout>
 #include <QProgressBar>
@@ -23,17 +23,12 @@ constexpr double kSpeedAxis_mm_per_s = 60.0;
 constexpr double kPlotHeight_px = 64; // at least; they grow with the window
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-double tensionEnd_N(const simulation::ElasticTubeParameters& tube) {
-    const bool band = tube.task == simulation::TubeTask::hold || tube.task == simulation::TubeTask::twoHanded;
-    return band ? 1.5 * (tube.targetHigh_N + tube.band_N) : tube.maximumForce_N;
-}
-
 double largest(const std::array<double, core::kMaxTools>& values) { return *std::max_element(values.begin(), values.end()); }
 
 } // namespace
 
-GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, const Grasping& grasping, QWidget* parent)
-    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(grasping), m_tools(grasping.tools()),
+GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Grasping grasping, QWidget* parent)
+    : InfoView(parent), m_theme(theme), m_locale(locale), m_cues(cues), m_grasping(std::move(grasping)), m_tools(m_grasping.tools),
       m_column(new QVBoxLayout(this)) {
     setProperty("kind", QStringLiteral("card"));
     m_column->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
@@ -58,14 +53,14 @@ GraspPanel::GraspPanel(const Theme& theme, const QLocale& locale, const session:
 void GraspPanel::addHead() {
     m_elapsed = kit::line(m_theme, InfoPanel::elapsedText(0), TextStyle::body);
     m_elapsed->setObjectName(QStringLiteral("training.elapsed"));
-    m_held = kit::label(m_theme, heldText({}, m_grasping, m_locale), TextStyle::body, "muted");
+    m_held = kit::label(m_theme, m_grasping.held({}, m_locale), TextStyle::body, "muted");
     m_held->setObjectName(QStringLiteral("training.held"));
     auto* head = new QHBoxLayout;
     head->setSpacing(m_theme.px(8));
     head->addWidget(m_held, 1);
     head->addWidget(m_elapsed, 0, Qt::AlignTop);
     m_column->addLayout(head);
-    m_step = kit::label(m_theme, stepText({}, m_grasping), TextStyle::strong);
+    m_step = kit::label(m_theme, m_grasping.step({}), TextStyle::strong);
     m_step->setObjectName(QStringLiteral("training.step"));
     m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing()); // nothing below it jumps
     m_column->addWidget(m_step);
@@ -81,13 +76,12 @@ void GraspPanel::addHead() {
 }
 
 void GraspPanel::addBars() {
-    const bool tube = m_grasping.tube != nullptr;
-    const double end = tube ? tensionEnd_N(*m_grasping.tube) : 1.5 * m_grasping.handling->squeezeLimit_N;
-    m_target = new TargetBar(m_theme, m_locale, {tube ? tr("Tension") : tr("Squeeze"), tr("N"), end, 2}, m_cues.numbers);
-    m_target->setObjectName(tube ? QStringLiteral("training.tension_bar") : QStringLiteral("training.squeeze_bar"));
+    const bool pulled = m_grasping.measured == Grasping::Measured::tension;
+    m_target = new TargetBar(m_theme, m_locale, {pulled ? tr("Tension") : tr("Squeeze"), tr("N"), m_grasping.measuredEnd_N, 2}, m_cues.numbers);
+    m_target->setObjectName(pulled ? QStringLiteral("training.tension_bar") : QStringLiteral("training.squeeze_bar"));
     m_column->addWidget(m_target);
-    if (tube && m_grasping.tube->hasFold()) {
-        m_retraction = new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), 1.8 * m_grasping.tube->retractionHigh_N, 2}, m_cues.numbers);
+    if (m_grasping.retractionEnd_N > 0.0) {
+        m_retraction = new TargetBar(m_theme, m_locale, {tr("Pull on the fold"), tr("N"), m_grasping.retractionEnd_N, 2}, m_cues.numbers);
         m_retraction->setObjectName(QStringLiteral("training.retraction_bar"));
         m_retraction->setLimit(m_grasping.limits.retraction_N.value_or(0.0));
         m_column->addWidget(m_retraction);
@@ -113,7 +107,7 @@ void GraspPanel::addNumbers() {
     const std::array<QString, 4> heads{tr("right"), tr("away"), tr("up"), tr("jaw (°)")};
     int row = 0;
     for (int i = 0; i < m_tools; ++i) {
-        const QString tool = instrumentName(i, m_tools);
+        const QString tool = session_report::instrumentName(i, m_tools);
         grid->addWidget(kit::label(m_theme, tr("%1, tip (mm)").arg(tool), TextStyle::label), row++, 0, 1, 4);
         ToolRow cells;
         for (int c = 0; c < 4; ++c) {
@@ -143,9 +137,9 @@ LivePlot* GraspPanel::plot(const char* name, const QString& title, double top, s
 
 void GraspPanel::addPlots() {
     if (m_cues.bars) // tension and squeeze belong to that cue
-        m_targetPlot = m_grasping.tube ? plot("training.tension_plot", tr("Tension (N)"), tensionEnd_N(*m_grasping.tube))
-                                       : plot("training.squeeze_plot", tr("Squeeze (N)"), 1.5 * m_grasping.handling->squeezeLimit_N,
-                                              m_grasping.handling->squeezeLimit_N);
+        m_targetPlot = m_grasping.measured == Grasping::Measured::tension
+                           ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
+                           : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N, m_grasping.measuredLimit_N);
     if (m_tools > 1 && m_cues.bars)
         return; // both hands feel the tension: one plot, large enough to read
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"), m_grasping.limits.force_N * 1.25,
@@ -170,8 +164,8 @@ void GraspPanel::show(const haptics::DisplayState& state, std::span<const sessio
 }
 
 void GraspPanel::showBars(const haptics::DisplayState& state) {
-    const core::LaparoscopyCues& cues = state.laparoscopy;
-    if (m_target && m_grasping.tube) {
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
+    if (m_target && m_grasping.measured == Grasping::Measured::tension) {
         m_target->setBand(cues.bandLow_N, cues.bandHigh_N);
         m_target->setValue(cues.tensionShown ? cues.tension_N : 0.0);
     } else if (m_target) {
@@ -187,19 +181,16 @@ void GraspPanel::showBars(const haptics::DisplayState& state) {
 }
 
 void GraspPanel::showWords(const haptics::DisplayState& state) {
-    m_step->setText(stepText(state.laparoscopy, m_grasping));
-    m_held->setText(heldText(state.laparoscopy, m_grasping, m_locale));
+    const auto& cues = state.exercise.of<core::LaparoscopyCues>();
+    m_step->setText(m_grasping.step(cues));
+    m_held->setText(m_grasping.held(cues, m_locale));
     if (m_dwell)
-        m_dwell->setValue(qRound(100.0 * std::clamp(state.laparoscopy.dwell, 0.0, 1.0)));
+        m_dwell->setValue(qRound(100.0 * std::clamp(cues.dwell, 0.0, 1.0)));
 }
 
 void GraspPanel::showNumbers(const haptics::DisplayState& state) {
-    const core::LaparoscopyCues& cues = state.laparoscopy;
     const auto text = [this](double value) { return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1); }; // + 0: no minus before 0.0
-    if (m_grasping.tube)
-        m_load->setText(tr("Stretched by %1 mm").arg(text(cues.stretch_m * 1e3)));
-    else
-        m_load->setText(tr("Pull of the load, downwards: %1 N").arg(m_locale.toString(std::max(0.0, -state.tool[0].tissue[2]) + 0.0, 'f', 2)));
+    m_load->setText(m_grasping.load(state, m_locale));
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const haptics::ToolDisplay& tool = state.tool[i];
         const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m; // where it is drawn
@@ -216,10 +207,10 @@ void GraspPanel::addSamples(const haptics::DisplayState& state, std::span<const 
         if (m_speedPlot)
             m_speedPlot->add(sample.t_s, static_cast<double>(sample.speed_m_per_s) * 1e3);
     }
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (m_targetPlot && !samples.empty() && (cues.tensionShown || cues.squeezeShown))
         m_targetPlot->add(samples.back().t_s, cues.tensionShown ? cues.tension_N : largest(cues.squeeze_N));
-    if (m_targetPlot && m_grasping.tube)
+    if (m_targetPlot && m_grasping.measured == Grasping::Measured::tension)
         m_targetPlot->setBand(cues.bandLow_N, cues.bandHigh_N);
     for (LivePlot* plot : {m_targetPlot, m_forcePlot, m_speedPlot})
         if (plot)

@@ -25,7 +25,7 @@ class TargetBar;
 class GraspPanel final : public InfoView {
     Q_OBJECT
 public:
-    GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, const Grasping& grasping,
+    GraspPanel(const Theme& theme, const QLocale& locale, const session::LevelCues& cues, Grasping grasping,
                QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;

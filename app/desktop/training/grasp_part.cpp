@@ -7,8 +7,9 @@
 
 namespace chiron::desktop {
 
-GraspPart::GraspPart(const catalogue::ExerciseLevel& level, LiveSurroundings around)
-    : LivePart(std::move(around)), m_grasping(graspingOf(level)), m_note(level, this->around().locale, this->around().practises) {}
+GraspPart::GraspPart(Grasping grasping, bool feedback, LiveSurroundings around)
+    : LivePart(std::move(around)), m_grasping(std::move(grasping)),
+      m_note(m_grasping, this->around().locale, feedback || this->around().practises) {}
 
 InfoView* GraspPart::makePanel() { return new GraspPanel(around().theme, around().locale, around().cues, m_grasping); }
 
@@ -21,7 +22,7 @@ std::unique_ptr<HandControl> GraspPart::takeHand(session::LiveTraining& training
     return graspers;
 }
 
-QString GraspPart::activeText(int tool) const { return m_grasping.tools() > 1 ? activeToolInWords(tool, m_grasping.tools()) : QString(); }
+QString GraspPart::activeText(int tool) const { return m_grasping.tools > 1 ? activeToolInWords(tool, m_grasping.tools) : QString(); }
 
 void GraspPart::show(const haptics::DisplayState& state, std::span<const session::LiveSample>, scene3d::SceneState&) { m_note.take(state); }
 

@@ -9,8 +9,8 @@ namespace chiron::desktop {
 /// Of a level that is done with graspers: their panel, hands, and what is said when they close on nothing.
 class GraspPart final : public LivePart {
 public:
-    /// `level` outlives it.
-    GraspPart(const catalogue::ExerciseLevel& level, LiveSurroundings around);
+    /// `feedback`: the level says more than that nothing was grasped; a practice does so, too.
+    GraspPart(Grasping grasping, bool feedback, LiveSurroundings around);
 
     InfoView* makePanel() override;
     std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalogue/exercise.h"
+#include "haptics/display_state.h"
 #include "session/level_limits.h"
+#include "core/laparoscopy_cues.h"
+
+#include <QLocale>
+#include <QString>
+#include <functional>
 
 namespace chiron::desktop {
 
-/// What a screen asks of a level that is done with graspers.
+/// What the training screen asks of a level that is done with graspers.
 struct Grasping {
-    const simulation::ElasticTubeParameters* tube = nullptr;
-    const simulation::ObjectHandlingParameters* handling = nullptr;
-    session::LevelLimits limits{}; ///< of the level
+    enum class Measured { tension, squeeze }; ///< what is done to what is held: pulled, or squeezed by the jaws
 
-    explicit operator bool() const { return tube != nullptr || handling != nullptr; }
-    int tools() const { return tube ? tube->tools() : handling ? handling->tools() : 1; }
+    session::LevelLimits limits{};
+    int tools = 1;
+    Measured measured = Measured::squeeze;
+    double measuredEnd_N = 1.0;   ///< of its scale
+    double measuredLimit_N = 0.0; ///< 0: it has a band
+    double retractionEnd_N = 0.0; ///< of the scale of the pull on a fold of tissue; 0: none is held back
+    int retractor = -1;           ///< the tool that holds it back; -1: none
+
+    // The rules by which the scene lets jaws take hold (GraspLatch).
+    double reach_m = 0.0;
+    double holdsBelow_rad = 0.0;
+    double opensAbove_rad = 0.0;
+
+    std::function<QString(const core::LaparoscopyCues&)> step; ///< what to do now, as a sentence
+    std::function<QString(const core::LaparoscopyCues&, const QLocale&)> held; ///< "Holding: object 2 of 3"
+    std::function<QString(const haptics::DisplayState&, const QLocale&)> load; ///< what is held, in a number: "Stretched by 12.3 mm"
 };
-
-/// Empty where the level is done with something else. Points into `level`.
-inline Grasping graspingOf(const catalogue::ExerciseLevel& level) {
-    return {std::get_if<simulation::ElasticTubeParameters>(&level.parameters),
-            std::get_if<simulation::ObjectHandlingParameters>(&level.parameters), session::levelLimits(level)};
-}
 
 } // namespace chiron::desktop

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
-#include "core/palpation_cues.h"
+#include "core/report_word.h"
 #include "desktop/scene3d/scene_note.h"
 #include "desktop/scene3d/scene_state.h"
 #include "desktop/theme/theme.h"
@@ -79,6 +79,8 @@ public:
 
     /// Each frame: adds to what is drawn. What it points to stays valid until the next frame.
     virtual void show(const haptics::DisplayState&, std::span<const session::LiveSample>, scene3d::SceneState& /*drawn*/) {}
+    /// How far the force on a tool leans, where the level shows it: what sounds brighter.
+    virtual double lean_rad(const haptics::DisplayState&, std::size_t /*tool*/) const { return 0.0; }
     /// What is said over the scene, where nothing more urgent is.
     virtual scene3d::SceneNote note(std::int64_t /*now_ns*/) const { return {}; }
 

@@ -52,11 +52,9 @@ scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const sessi
     scene3d::SceneState state;
     for (std::size_t i = 0; i < state.tool.size() && static_cast<int>(i) < shown.tools; ++i)
         state.tool[i] = toolOf(shown.tool[i], cues);
-    state.objectShown = (shown.objectShown || shown.endoscope.present) && cues.object; // the object of endoscopy is its picture
+    state.objectShown = shown.objectShown && cues.object;
     state.p_WObject = vectorOf(shown.p_WObject_m);
-    state.endoscope = shown.endoscope;
-    state.laparoscopy = shown.laparoscopy;
-    state.palpation = shown.palpation;
+    state.exercise = shown.exercise;
     state.time_s = static_cast<double>(shown.now_ns - startedAt_ns) * 1e-9;
     return state;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "core/report_word.h"
 #include "haptics/display_state.h"
 #include "session/live_training.h"
 

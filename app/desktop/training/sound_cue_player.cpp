@@ -8,7 +8,7 @@
 
 namespace chiron::desktop {
 
-void takeStrongest(const haptics::DisplayState& state, SoundCues& cues) {
+void takeStrongest(const haptics::DisplayState& state, const LeanOfTool& lean, SoundCues& cues) {
     cues.force_N = 0.0;
     cues.lean = 0.0;
     for (std::size_t i = 0; i < state.tool.size() && static_cast<int>(i) < state.tools; ++i) {
@@ -17,7 +17,7 @@ void takeStrongest(const haptics::DisplayState& state, SoundCues& cues) {
         if (force_N <= cues.force_N)
             continue;
         cues.force_N = force_N;
-        cues.lean = std::min(1.0, state.palpation.lean_rad[i] / haptics::kMaximumPitch_rad);
+        cues.lean = lean ? std::min(1.0, lean(state, i) / haptics::kMaximumPitch_rad) : 0.0;
     }
 }
 
@@ -26,8 +26,8 @@ QString SoundCuePlayer::open() {
     return m_sound.whySilent;
 }
 
-void SoundCuePlayer::play(const haptics::DisplayState& state, std::uint32_t contacts, bool held) {
-    takeStrongest(state, m_cues);
+void SoundCuePlayer::play(const haptics::DisplayState& state, std::uint32_t contacts, bool held, const LeanOfTool& lean) {
+    takeStrongest(state, lean, m_cues);
     m_cues.contacts = contacts;
     m_sounding = !held && !state.ended && state.phase == core::TrialPhase::running;
     m_cues.audible = m_sounding && !m_muted;

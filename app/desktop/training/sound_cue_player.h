@@ -4,11 +4,17 @@
 #include "desktop/sound/sound_loader.h"
 #include "haptics/display_state.h"
 
+#include <cstddef>
+#include <functional>
+
 namespace chiron::desktop {
 
+/// How far the force on a tool leans, rad, as its exercise shows it.
+using LeanOfTool = std::function<double(const haptics::DisplayState&, std::size_t tool)>;
+
 /// Force and lean of the tool that is pressed hardest: of several hands the one that matters most. Lean is heard where the level
-/// shows it. Pure.
-void takeStrongest(const haptics::DisplayState& state, SoundCues& cues);
+/// shows it; without `lean`, of none. Pure.
+void takeStrongest(const haptics::DisplayState& state, const LeanOfTool& lean, SoundCues& cues);
 
 /// Plays what a level lets be heard of a session, if the station can; says what it is either way. GUI thread.
 class SoundCuePlayer {
@@ -22,7 +28,7 @@ public:
     void setMuted(bool muted) { m_muted = muted; }
     bool muted() const noexcept { return m_muted; }
     /// Each frame. `held`: paused or stopped.
-    void play(const haptics::DisplayState& state, std::uint32_t contacts, bool held);
+    void play(const haptics::DisplayState& state, std::uint32_t contacts, bool held, const LeanOfTool& lean = {});
     void silence(); ///< the session is over
     void mask(bool on); ///< masking noise of a study, and nothing else
     const SoundCues& cues() const noexcept { return m_cues; } ///< of the last frame, with an output or without

@@ -170,7 +170,8 @@ void TrainingScreen::onFrame() {
     m_scene->show(m_drawn);
     m_header->show(shown);
     m_info->show(shown, stopped ? std::span<const session::LiveSample>() : m_feed->samples());
-    m_sound.play(state, m_feed->contacts(), m_control->held());
+    m_sound.play(state, m_feed->contacts(), m_control->held(),
+                 [this](const haptics::DisplayState& of, std::size_t tool) { return m_live ? m_live->lean_rad(of, tool) : 0.0; });
     if (m_soundSign)
         m_soundSign->show(m_sound.cues(), m_sound.sounding(), state.now_ns);
     showControls();

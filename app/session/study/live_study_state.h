@@ -23,7 +23,7 @@ struct LiveStudy::State {
     State(database::Database& data, database::Actor who, OpenedStudy opened, StudyProgress begun, catalogue::ExerciseLevel made, bool rendersNone,
           std::string language)
         : database(data), actor(std::move(who)), study(std::move(opened)), progress(std::move(begun)), level(std::move(made)), notes(std::move(language)),
-          meter(std::get<simulation::ComparisonParameters>(level.parameters), study.design.fidelity, study.design.trial.mustTouchAll, rendersNone) {}
+          meter(level.parameters.as<simulation::ComparisonParameters>(), study.design.fidelity, study.design.trial.mustTouchAll, rendersNone) {}
 
     database::Database& database;
     database::Actor actor;

@@ -21,7 +21,7 @@ namespace {
 
 /// A loop with a director as its only listener, from first tick to last.
 core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed, ITickDirector& director) {
-    const auto& parameters = std::get<simulation::ComparisonParameters>(level.parameters);
+    const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     if (auto opened = station.tools.front().device->open(); !opened)
         return opened;
     haptics::LiveInputs inputs;
@@ -131,7 +131,7 @@ core::Result<RenderedRun> runRendered(const RenderedRunRequest& request) {
     if (!progress)
         return tl::unexpected(progress.error());
     psychophysics::SimulatedObserver observer(request.observer, core::Random::mix(request.seed, "observer"));
-    FidelityMeter meter(std::get<simulation::ComparisonParameters>(level->parameters), request.design.fidelity,
+    FidelityMeter meter(level->parameters.as<simulation::ComparisonParameters>(), request.design.fidelity,
                         request.design.trial.mustTouchAll);
     RenderedRun run;
     int scored = 0;
@@ -167,7 +167,7 @@ core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& de
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
     if (!participant)
         return tl::unexpected(participant.error());
-    NoiseDirector director(*participant->mind, std::get<simulation::ComparisonParameters>(level->parameters), candidate, trials);
+    NoiseDirector director(*participant->mind, level->parameters.as<simulation::ComparisonParameters>(), candidate, trials);
     if (auto done = runDirected(participant->station, *level, seed, director); !done)
         return tl::unexpected(done.error());
     RenderingNoise out;

@@ -56,7 +56,7 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     auto participant = participantStation(*level, core::Random::mix(seed, "participant"));
     if (!participant)
         return tl::unexpected(participant.error());
-    FidelityMeter meter(std::get<simulation::ComparisonParameters>(level->parameters), study.design.fidelity,
+    FidelityMeter meter(level->parameters.as<simulation::ComparisonParameters>(), study.design.fidelity,
                         study.design.trial.mustTouchAll);
     std::atomic<database::SessionId> session{0};
     StudyDirector director({sitting.progress, sitting.condition, *participant->mind, sitting.observer, meter,

@@ -25,7 +25,7 @@ const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& de
 }
 
 core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level, std::uint64_t seed) {
-    const auto& parameters = std::get<simulation::ComparisonParameters>(level.parameters);
+    const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     auto explorer = operators::makeComparisonExplorer(operators::comparisonBriefing(parameters));
     if (!explorer)
         return tl::unexpected(explorer.error());

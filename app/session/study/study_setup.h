@@ -6,6 +6,7 @@
 #include "modules/exercises/comparison/operators/participant_mind.h"
 #include "psychophysics/study/study_design.h"
 #include "session/station.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <cstdint>
 #include <string>

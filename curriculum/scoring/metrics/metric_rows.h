@@ -45,18 +45,11 @@ private:
     std::vector<MetricDefinition> m_rows;
 };
 
-// One function a subject, in the file of its name; metric_catalogue.cpp lists them.
+// One function a subject that several exercises share, in the file of its name; metric_catalogue.cpp lists them and those of single exercises.
 std::vector<MetricDefinition> motionMetrics();
 std::vector<MetricDefinition> forceMetrics();
 std::vector<MetricDefinition> torqueMetrics();
 std::vector<MetricDefinition> outcomeMetrics();
-std::vector<MetricDefinition> canalMetrics();
-std::vector<MetricDefinition> tubeMetrics();
-std::vector<MetricDefinition> handlingMetrics();
 std::vector<MetricDefinition> predictionMetrics();
-std::vector<MetricDefinition> palpationDetectionMetrics();
-std::vector<MetricDefinition> palpationFindingsMetrics();
-std::vector<MetricDefinition> palpationSearchMetrics();
-std::vector<MetricDefinition> apexMetrics();
 
 } // namespace chiron::scoring

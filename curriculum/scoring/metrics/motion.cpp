@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/endoscope_cues.h"
+#include "core/procedure_stage.h"
 #include "core/laparoscopy_cues.h"
 #include "core/units.h"
 #include "scoring/median.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "operators/laparoscopy/grasp_senses.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 
@@ -22,11 +23,11 @@ GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand, con
 
 bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     mechanisms::HandPerception seen = real;
-    seen.cues.objectShown = real.cues.laparoscopy.objectShown; // the picture is there: the tip is placed by sight
+    seen.cues.objectShown = real.cues.exercise.of<core::LaparoscopyCues>().objectShown; // the picture is there: the tip is placed by sight
     if (!m_senses.feel(seen))
         return false;
     const Percept& felt = m_senses.percept();
-    const core::LaparoscopyCues& screen = real.cues.laparoscopy;
+    const core::LaparoscopyCues& screen = real.cues.exercise.of<core::LaparoscopyCues>();
     m_percept.time_s = felt.time_s;
     m_percept.cues = real.cues;
     m_percept.place = m_map.pointToW(felt.place);

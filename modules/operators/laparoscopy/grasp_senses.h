@@ -7,6 +7,7 @@
 #include "mechanisms/markov_noise.h"
 #include "operators/laparoscopy/grasp_perception_settings.h"
 #include "operators/hand/senses.h"
+#include "core/laparoscopy_cues.h"
 
 #include <cstdint>
 
@@ -27,7 +28,7 @@ struct GraspPercept {
     bool working() const noexcept {
         return cues.phase == core::TrialPhase::running && cues.force == core::ForceState::on;
     }
-    const core::LaparoscopyCues& screen() const noexcept { return cues.laparoscopy; }
+    const core::LaparoscopyCues& screen() const noexcept { return cues.exercise.of<core::LaparoscopyCues>(); }
 };
 
 /// Turns what really happens to one hand and on the screen into what is felt and seen: 100 looks a second over the mean of ten

@@ -21,7 +21,8 @@
 #include "desktop/studies/number_list.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/training/force_words.h"
-#include "desktop/training/grasp_words.h"
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "desktop/training/grasping.h"
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "desktop/training/scene_feed.h"
@@ -31,6 +32,10 @@
 #include "desktop/training/training_words.h"
 #include "devices/driver_catalogue.h"
 #include "support/kept_text.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <QtTest>
 
@@ -300,7 +305,7 @@ private slots:
     }
 
     void stages() {
-        core::EndoscopeCues cues;
+        simulation::EndoscopeCues cues;
         cues.landmarks = 5;
         for (int s = 0; s <= static_cast<int>(core::ProcedureStage::completed); ++s)
             for (const double depth_m : {-0.01, 0.0, 0.0324, 0.097, 0.12})
@@ -323,28 +328,28 @@ private slots:
             cues.step = static_cast<core::LaparoscopyStep>(s);
             for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded}) {
                 tube.task = task;
-                say({stepText(cues, {&tube, nullptr})});
+                say({desktop::tubeGrasping(tube, {}).step(cues)});
             }
             for (const auto task : {simulation::HandlingTask::weigh, simulation::HandlingTask{}}) {
                 handling.task = task;
-                say({stepText(cues, {nullptr, &handling})});
+                say({desktop::handlingGrasping(handling, {}).step(cues)});
             }
         }
         cues.torn = true;
-        say({stepText(cues, {&tube, nullptr}), stepText(cues, {nullptr, &handling}), stepText(cues, {})});
+        say({desktop::tubeGrasping(tube, {}).step(cues), desktop::handlingGrasping(handling, {}).step(cues)});
         cues = {};
         cues.grips = 2;
         for (const auto& [first, second, third, fold] : {std::tuple{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 4}, {1, 0, 0, 4}, {1, 2, 0, 4}}) {
             cues.gripHeldBy = {std::uint8_t(first), std::uint8_t(second), std::uint8_t(third)}; // the third grip is none of this tube
             cues.foldHeldBy = static_cast<std::uint8_t>(fold);
-            say({heldText(cues, {&tube, nullptr}, m_locale), heldText(cues, {nullptr, &handling}, m_locale)});
+            say({desktop::tubeGrasping(tube, {}).held(cues, m_locale), desktop::handlingGrasping(handling, {}).held(cues, m_locale)});
         }
         for (const int bodies : {1, 3, 9})
             for (const std::size_t held : {0U, 2U}) {
                 cues = {};
                 cues.bodies = bodies;
                 cues.body[held].heldBy = 1;
-                say({heldText(cues, {nullptr, &handling}, m_locale)});
+                say({desktop::handlingGrasping(handling, {}).held(cues, m_locale)});
             }
         hold("grasps");
     }
@@ -355,7 +360,7 @@ private slots:
         for (const double radius_m : {0.0, 0.0002, 0.00749, 0.0075})
             say({sizeText(radius_m, m_locale)});
         for (int asks = 0; asks < 8; ++asks) {
-            core::PalpationCues cues;
+            simulation::PalpationCues cues;
             cues.asksSize = (asks & 1) != 0;
             cues.asksHardness = (asks & 2) != 0;
             cues.asksConfidence = (asks & 4) != 0;
@@ -558,7 +563,6 @@ private slots:
             shown.tool[i].rendersForce = i == 1;
         }
         shown.p_WObject_m = {0.004, 0.005, 0.006};
-        shown.palpation.lean_rad = {0.2, 0.9, 3.0, 0.0};
         const auto vector = [](const auto& v) { return QStringLiteral("%1,%2,%3").arg(v[0]).arg(v[1]).arg(v[2]); };
         for (const catalogue::Exercise& exercise : catalogue->exercises())
             for (const catalogue::ExerciseLevel& level : exercise.levels)
@@ -566,7 +570,6 @@ private slots:
                     const session::LevelCues cues = session::cuesOf(level, felt);
                     const scene3d::SceneSetup setup = sceneSetupOf(level, cues, theme, felt, felt ? std::optional(true) : std::nullopt);
                     shown.objectShown = felt;
-                    shown.endoscope.present = level.number % 2 == 0;
                     const scene3d::SceneState state = sceneStateOf(shown, cues, 1'000'000'000);
                     say({QString::fromStdString(setup.exercise), QString::number(level.number), QStringLiteral("limit %1").arg(setup.forceLimit_N),
                          QStringLiteral("cues %1%2%3%4%5").arg(setup.cues.tool).arg(setup.cues.arrow).arg(setup.cues.object).arg(setup.cues.overview).arg(setup.cues.guidance),
@@ -584,10 +587,11 @@ private slots:
         for (const haptics::ToolDisplay& tool : none.tool)
             QVERIFY(tool.tissue == core::Array6{} && tool.commanded == core::Array6{} && tool.measured == core::Array6{});
         QVERIFY(none.tool[1].p_WT_m == shown.tool[1].p_WT_m);
+        const auto leans = [](const haptics::DisplayState&, std::size_t tool) { return std::array{0.2, 0.9, 3.0, 0.0}[tool]; };
         SoundCues sound; // of the tools that are there the one with the largest force
         for (const int tools : {0, 1, 2, 3}) {
             shown.tools = tools;
-            takeStrongest(shown, sound);
+            takeStrongest(shown, leans, sound);
             say({QStringLiteral("%1 tools").arg(tools), QString::number(sound.force_N, 'g', 5), QString::number(sound.lean, 'g', 5)});
         }
         hold("scenes");

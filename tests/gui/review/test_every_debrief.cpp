@@ -12,6 +12,11 @@
 #include "support/patience.h"
 
 #include <QAbstractButton>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QListWidget>
 #include <QProcess>
@@ -19,6 +24,7 @@
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <map>
+#include <optional>
 
 using chiron::tests::kPatience_ms;
 
@@ -30,44 +36,67 @@ namespace {
 
 enum class Ending { completed, stopped, timedOut, nothing };
 
-/// What only one exercise talks about, as a pattern a language; and what only its debrief draws.
-struct Own {
-    const char* en;
-    const char* de;
-    const char* el;
-    QStringList plots;
+/// A text of the program, as it is before it is translated.
+struct Said {
+    QByteArray context;
+    QByteArray text;
+
+    QString translated() const { return text.isEmpty() ? QString() : QCoreApplication::translate(context, text); }
 };
 
+/// What only one exercise talks about, as a pattern a language; what only its debrief draws; what is said of a trial that time ended.
+struct Own {
+    std::map<QString, QString> words;
+    QStringList plots;
+    Said lateInDebrief; ///< empty: the debrief's plots show how it went, and its metrics say that it was not completed
+    Said lateInPlayback;
+};
+
+Said saidIn(const QJsonArray& pair) { return {pair.at(0).toString().toUtf8(), pair.at(1).toString().toUtf8()}; }
+
+Own ownOf(const QJsonObject& json) {
+    Own own;
+    const QJsonObject words = json["words"].toObject();
+    for (const QString& language : words.keys())
+        own.words[language] = words[language].toString();
+    for (const QJsonValue& plot : json["plots"].toArray())
+        own.plots << plot.toString();
+    const QJsonObject late = json["time_was_up"].toObject();
+    own.lateInDebrief = saidIn(late["debrief"].toArray());
+    own.lateInPlayback = saidIn(late["playback"].toArray());
+    return own;
+}
+
+/// From each exercise's folder beside the tests.
 const std::map<std::string, Own>& owners() {
-    static const std::map<std::string, Own> kOwners{
-        {"sphere_apex",
-         {"\\bspheres?\\b|\\bapex\\b|highest point", "Kugel|Scheitel|höchste[rn]? Punkt", "σφαίρα|σφαιρών|κορυφή|ψηλότερο σημείο",
-          {"debrief.scatter", "debrief.trials"}}},
-        {"urethra_insertion",
-         {"urethra|endoscope|bladder|\\bcanal\\b|off-centre", "Harnröhre|Endoskop|Blase|Kanal\\b", "ουρήθρα|ενδοσκόπι|κύστη",
-          {"debrief.offset", "debrief.alignment"}}},
-        {"elastic_tube",
-         {"\\btubes?\\b|\\btension\\b|over-?stretch|\\btorn?\\b", "Schlauch|Überdehn|Zugspannung", "σωλήνα|υπερτεντώματα|υπερτέντωμα",
-          {"debrief.tension", "debrief.stretch", "debrief.tube_trials"}}},
-        {"object_handling",
-         {"squeez|\\bovar|\\bheaviest\\b|set down", "quetsch|Eierst|schwerste", "σύσφιξη|ωοθήκη|βαρύτερο",
-          {"debrief.squeeze", "debrief.place", "debrief.handling_trials"}}},
-        {"palpation", {"\\blumps?\\b|\\bfindings?\\b|palpat", "Knoten|\\bFunde?\\b|Palpation|abgetastet", "όζο[ςιυ]|εύρημα|ευρήματα|ψηλάφηση", {"debrief.palpation"}}}};
+    static const std::map<std::string, Own> kOwners = [] {
+        std::map<std::string, Own> all;
+        const QDir folder(QStringLiteral(CHIRON_SOURCE_DIR "/tests/exercises"));
+        for (const QString& id : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+            QFile file(folder.filePath(id + QStringLiteral("/debrief.json")));
+            if (!file.open(QIODevice::ReadOnly))
+                continue;
+            const QJsonDocument json = QJsonDocument::fromJson(file.readAll());
+            if (!json.isObject())
+                qFatal("%s is no JSON object", qPrintable(file.fileName()));
+            all[id.toStdString()] = ownOf(json.object());
+        }
+        return all;
+    }();
     return kOwners;
 }
 
-const char* wordsIn(const Own& own, const QString& language) {
-    return language == QLatin1String("de") ? own.de : language == QLatin1String("el") ? own.el : own.en;
-}
+QString wordsIn(const Own& own, const QString& language) { return own.words.at(language); }
 
-/// The level with one trial of at most so long.
-catalogue::ExerciseLevel shortened(const catalogue::ExerciseLevel& shipped, double limit_s) {
+/// The level with one trial, of at most so long where that is said.
+catalogue::ExerciseLevel shortened(const catalogue::ExerciseLevel& shipped, std::optional<double> limit_s) {
     QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(shipped.resolvedJson)).object();
     QJsonObject inner = json["level"].toObject();
     QJsonObject parameters = inner["parameters"].toObject();
     if (!parameters.contains("trial_limit_s"))
         qFatal("the resolved level does not say how long a trial may take");
-    parameters["trial_limit_s"] = limit_s;
+    if (limit_s)
+        parameters["trial_limit_s"] = *limit_s;
     if (parameters.contains("trials"))
         parameters["trials"] = 1;
     inner["parameters"] = parameters;
@@ -107,7 +136,7 @@ QStringList foreignWords(const QStringList& texts, const std::string& exercise, 
     for (const auto& [id, own] : owners()) {
         if (id == exercise)
             continue;
-        const QRegularExpression words(QString::fromUtf8(wordsIn(own, language)), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+        const QRegularExpression words(wordsIn(own, language), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
         for (const QString& text : texts)
             if (const auto match = words.match(text); match.hasMatch())
                 found << QStringLiteral("\"%1\" of %2 in: %3").arg(match.captured(), QString::fromStdString(id), text);
@@ -116,25 +145,8 @@ QStringList foreignWords(const QStringList& texts, const std::string& exercise, 
 }
 
 bool hasOwnWord(const QStringList& texts, const std::string& exercise, const QString& language) {
-    const QRegularExpression words(QString::fromUtf8(wordsIn(owners().at(exercise), language)), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    const QRegularExpression words(wordsIn(owners().at(exercise), language), QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
     return std::any_of(texts.begin(), texts.end(), [&](const QString& text) { return words.match(text).hasMatch(); });
-}
-
-/// What the debrief and the playback say of a trial that time ended, in the language of now.
-struct TimeWasUp {
-    QString debrief;  ///< empty: the canal's plots are of how it went, and its metrics say that the procedure was not completed
-    QString playback;
-};
-
-TimeWasUp timeWasUp(const std::string& exercise) {
-    const auto of = [](const char* context, const char* text) { return QCoreApplication::translate(context, text); };
-    const std::map<std::string, TimeWasUp> said{
-        {"sphere_apex", {of("report", "no mark: time was up"), of("PlaybackMarks", "Time was up without a mark")}},
-        {"urethra_insertion", {{}, of("PlaybackMarks", "Time was up before the end of the procedure")}},
-        {"elastic_tube", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before the tube was held as asked")}},
-        {"object_handling", {of("report", "✗ time was up"), of("PlaybackMarks", "Time was up before an object was set down in the target")}},
-        {"palpation", {of("PalpationFindings", "Time was up before the search was reported as done."), of("PlaybackMarks", "Time was up before the search was reported as done")}}};
-    return said.at(exercise);
 }
 
 bool isSaid(const QStringList& texts, const QString& words) {
@@ -160,7 +172,7 @@ private slots:
     void paperHasEveryTool();
 
 private:
-    MadeSession scripted(const std::string& exercise, int level, double limit_s, const std::string& operatorName = "expert");
+    MadeSession scripted(const std::string& exercise, int level, std::optional<double> limit_s, const std::string& operatorName = "expert");
     report::ReportData reportOf(database::SessionId id, const std::string& exercise, const QString& language);
     QString print(const report::ReportData& data, const QString& name);
     void debrief(database::SessionId id, const std::string& exercise, Ending ending, const QString& language);
@@ -200,7 +212,7 @@ void TestEveryDebrief::speaksOfItsOwnExercise_data() {
     QCOMPARE(known, static_cast<int>(m_site->context.site().catalogue().exercises().size())); // a new exercise has words of its own
 }
 
-MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, double limit_s, const std::string& operatorName) {
+MadeSession TestEveryDebrief::scripted(const std::string& exercise, int level, std::optional<double> limit_s, const std::string& operatorName) {
     session::TrainingRequest request;
     request.level = shortened(*m_site->context.site().catalogue().find(exercise, level), limit_s);
     request.seed = 11;
@@ -226,7 +238,7 @@ void TestEveryDebrief::speaksOfItsOwnExercise() {
     constexpr double kShort_s = 4.0;
     const std::string key = id + std::to_string(level) + (wanted == Ending::completed ? "" : " short");
     if (m_done.count(key) == 0)
-        m_done.emplace(key, scripted(id, level, wanted == Ending::completed ? 40.0 : kShort_s));
+        m_done.emplace(key, scripted(id, level, wanted == Ending::completed ? std::optional<double>() : kShort_s));
     MadeSession made = m_done.at(key);
     if (wanted == Ending::stopped)
         tests::cutFrames(made.frames, made.frames.size() * 2 / 3, core::CommandKind::end);
@@ -281,7 +293,7 @@ void TestEveryDebrief::debrief(database::SessionId id, const std::string& exerci
             // An answer on a sphere is a finished trial's; what was begun of the others is shown.
             QCOMPARE(screen()->findChild<QWidget*>(plot) != nullptr,
                      other == exercise && ending != Ending::nothing && !(ending == Ending::stopped && exercise == "sphere_apex"));
-    if (const QString late = timeWasUp(exercise).debrief; !late.isEmpty())
+    if (const QString late = owners().at(exercise).lateInDebrief.translated(); !late.isEmpty())
         QVERIFY2(isSaid(texts, late) == (ending == Ending::timedOut), qPrintable(late + QStringLiteral(": ") + texts.mid(texts.size() - 12).join(QLatin1Char('|'))));
     // What did not come to its end has no verdict: neither a card nor a mark that was met or not.
     const bool judged = ending == Ending::completed || ending == Ending::timedOut;
@@ -299,7 +311,7 @@ void TestEveryDebrief::playback(database::SessionId id, const std::string& exerc
     QVERIFY2(foreign.isEmpty(), qPrintable(foreign.join(QLatin1Char('\n'))));
     const QString unnamed = QCoreApplication::translate("PlaybackMarks", "The next stage begins");
     QVERIFY2(texts.filter(unnamed).isEmpty(), "a stage began, and the events do not say which");
-    QVERIFY2(isSaid(texts, timeWasUp(exercise).playback) == (ending == Ending::timedOut), qPrintable(texts.join(QLatin1Char('|'))));
+    QVERIFY2(isSaid(texts, owners().at(exercise).lateInPlayback.translated()) == (ending == Ending::timedOut), qPrintable(texts.join(QLatin1Char('|'))));
 }
 
 void TestEveryDebrief::results(const std::string& exercise, int level, const QString& language) {

@@ -14,6 +14,7 @@
 #include "session_report/track_series.h"
 #include "support/insertion_session.h"
 #include "support/patience.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -24,6 +25,15 @@ using chiron::tests::kPatience_ms;
 using namespace chiron;
 using core::ProcedureStage;
 using tests::madeTrack;
+
+namespace {
+catalogue::ExerciseLevel insertionLevel() {
+    catalogue::ExerciseLevel level;
+    level.exercise = "urethra_insertion";
+    level.parameters = simulation::UrethraInsertionParameters{};
+    return level;
+}
+} // namespace
 
 class TestInsertionReview : public QObject {
     Q_OBJECT
@@ -41,23 +51,23 @@ void TestInsertionReview::theSceneIsToldTheProcedure() {
     desktop::InsertionLayer layer(true);
     const session::PlaybackTrack track = madeTrack();
     const scene3d::SceneState state = desktop::sceneStateAt(track, nullptr, 6.0, &layer);
-    QVERIFY(state.objectShown && state.endoscope.present && state.endoscope.pictureShown && state.endoscope.guided);
-    QVERIFY(state.endoscope.stage == ProcedureStage::withdrawal);
-    QCOMPARE(state.endoscope.landmarks, 2);
-    QCOMPARE(state.endoscope.landmarksSeen, 1u);
-    QVERIFY(std::abs(state.endoscope.depth_m - 0.06) < 1e-4);
+    QVERIFY(state.objectShown && state.exercise.of<simulation::EndoscopeCues>().present && state.exercise.of<simulation::EndoscopeCues>().pictureShown && state.exercise.of<simulation::EndoscopeCues>().guided);
+    QVERIFY(state.exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::withdrawal);
+    QCOMPARE(state.exercise.of<simulation::EndoscopeCues>().landmarks, 2);
+    QCOMPARE(state.exercise.of<simulation::EndoscopeCues>().landmarksSeen, 1u);
+    QVERIFY(std::abs(state.exercise.of<simulation::EndoscopeCues>().depth_m - 0.06) < 1e-4);
 }
 
 void TestInsertionReview::plotsOfACanal() {
     desktop::InsertionLayer layer(true);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
     const session::PlaybackTrack track = madeTrack();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer);
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, insertionLevel(), &layer);
     for (const char* name : {"playback.force", "playback.offset_plot", "playback.alignment_plot", "playback.speed_plot"})
         QVERIFY2(plots.findChild<report::PlotView*>(QLatin1String(name)), name);
     plots.showCursor(3.0);
     QCOMPARE(plots.findChild<report::PlotView*>(QStringLiteral("playback.offset_plot"))->cursorX(), 3.0);
-    const report::SampleSeries series = session_report::seriesOf(track, simulation::UrethraInsertionParameters{}, QLocale::c());
+    const report::SampleSeries series = session_report::seriesOf(track, insertionLevel(), QLocale::c());
     QCOMPARE(series.offset_mm.size(), series.t_s.size());
     QVERIFY(series.events.empty()); // one procedure has no numbers
     const auto profile = session_report::insertionProfileOf(track);
@@ -69,7 +79,7 @@ void TestInsertionReview::tissueIsSaidToGiveWayToWhatItGaveWayTo() {
     session::PlaybackMark mark;
     mark.kind = session::PlaybackMarkKind::yielded;
     mark.value = 8.0;
-    const auto said = [&] { return session_report::markText(mark, simulation::UrethraInsertionParameters{}, QLocale::c()); };
+    const auto said = [&] { return session_report::markText(mark, "urethra_insertion", QLocale::c()); };
     QVERIFY2(said().contains(QStringLiteral("8.00\u00a0N")) && !said().contains(QStringLiteral("orque")), qPrintable(said()));
     mark.detail = session::kByTorque;
     mark.value = 0.213;
@@ -82,7 +92,7 @@ void TestInsertionReview::theGhostHasItsOwnLines() {
     const session::GhostSeries series = session::ghostSeries(track, track);
     QCOMPARE(series.offset_m.size(), series.t_s.size());
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::dark, 1.0).value();
-    desktop::PlaybackPlots plots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer);
+    desktop::PlaybackPlots plots(theme, QLocale::c(), track, insertionLevel(), &layer);
     plots.setGhost(series, QStringLiteral("other"));
     QVERIFY(plots.force().legendTexts().contains(QStringLiteral("other")));
     QCOMPARE(plots.findChildren<report::PlotView*>(QStringLiteral("playback.offset_plot")).size(), 1); // drawn anew, not twice
@@ -95,10 +105,10 @@ void TestInsertionReview::withoutASeriesNothingIsAdded() {
     session::PlaybackTrack track = madeTrack();
     track.insertion.reset();
     QVERIFY(!track.at(4.0).insertion);
-    QVERIFY(session_report::seriesOf(track, simulation::UrethraInsertionParameters{}, QLocale::c()).offset_mm.empty());
-    QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0, &layer).endoscope.present);
+    QVERIFY(session_report::seriesOf(track, insertionLevel(), QLocale::c()).offset_mm.empty());
+    QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0, &layer).exercise.of<simulation::EndoscopeCues>().present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
-    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, simulation::UrethraInsertionParameters{}, &layer).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
+    QVERIFY(!desktop::PlaybackPlots(theme, QLocale::c(), track, insertionLevel(), &layer).findChild<report::PlotView*>(QStringLiteral("playback.offset_plot")));
 }
 
 /// Stored, scored and read again: what was done at a moment is told in words, and the scene takes the other picture.

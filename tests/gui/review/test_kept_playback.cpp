@@ -2,6 +2,7 @@
 // Recordings of every exercise played back, moment after moment, against what was read and kept: what the scene is told to show, the words
 // and numbers beside it, where keys and marks lead, what a second session adds. A change that is meant is kept anew, and the difference is
 // read in review: CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/review/test_kept_playback
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
@@ -14,6 +15,7 @@
 #include "support/paint_outline.h"
 #include "support/patience.h"
 #include "support/screen_outline.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -65,7 +67,7 @@ void addLaparoscopy(const core::LaparoscopyCues& cues, QStringList& lines) {
 }
 
 void addPalpation(const scene3d::SceneState& state, QStringList& lines) {
-    const core::PalpationCues& cues = state.palpation;
+    const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
     if (!cues.present)
         return;
     QString text = QStringLiteral("palpation searched %1 band %2 to %3 asks %4%5%6 leans over %7").arg(number(cues.coverage), number(cues.bandLow_N), number(cues.bandHigh_N))
@@ -75,11 +77,11 @@ void addPalpation(const scene3d::SceneState& state, QStringList& lines) {
     for (std::size_t i = 0; i < cues.finding.size(); ++i)
         if (cues.finding[i].present)
             text += QStringLiteral("; finding %1 radius %2 confidence %3%4 is %5").arg(place(cues.finding[i].p_W), number(1e3 * cues.finding[i].radius_m)).arg(cues.finding[i].confidence)
-                        .arg(int(i) == cues.selected ? QStringLiteral(" chosen") : QString()).arg(static_cast<int>(state.outcome[i]));
+                        .arg(int(i) == cues.selected ? QStringLiteral(" chosen") : QString()).arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().outcome[i]));
     for (int i = 0; i < cues.lumps; ++i)
-        text += QStringLiteral("; lump %1 radius %2%3").arg(place(cues.lump[std::size_t(i)].p_W), number(1e3 * cues.lump[std::size_t(i)].radius_m), state.lumpsMissed >> i & 1 ? QStringLiteral(" missed") : QString());
-    if (state.surfaceMap)
-        text += QStringLiteral("; map %1 searched %2").arg(static_cast<int>(state.mapKind)).arg(number(state.surfaceMap->coverage()));
+        text += QStringLiteral("; lump %1 radius %2%3").arg(place(cues.lump[std::size_t(i)].p_W), number(1e3 * cues.lump[std::size_t(i)].radius_m), state.overlay.of<scene3d::PalpationOverlay>().lumpsMissed >> i & 1 ? QStringLiteral(" missed") : QString());
+    if (state.overlay.of<scene3d::PalpationOverlay>().map)
+        text += QStringLiteral("; map %1 searched %2").arg(static_cast<int>(state.overlay.of<scene3d::PalpationOverlay>().mapKind)).arg(number(state.overlay.of<scene3d::PalpationOverlay>().map->coverage()));
     lines << text;
 }
 
@@ -91,13 +93,13 @@ QStringList sceneLines(const scene3d::SceneState& state) {
             lines << QStringLiteral("tool ") + toolWords(tool);
     if (state.ghost.present)
         lines << QStringLiteral("ghost ") + toolWords(state.ghost);
-    lines << QStringLiteral("object%1 %2 turned %3%4%5").arg(state.objectShown ? QString() : QStringLiteral(" hidden"), place(state.p_WObject), number(state.laparoscopy.body[0].q_W[3]),
+    lines << QStringLiteral("object%1 %2 turned %3%4%5").arg(state.objectShown ? QString() : QStringLiteral(" hidden"), place(state.p_WObject), number(state.exercise.of<core::LaparoscopyCues>().body[0].q_W[3]),
         state.dimpleShown ? QStringLiteral(" dimple %1,%2").arg(number(1e3 * state.dimpleCentre_m.x()), number(1e3 * state.dimpleCentre_m.y())) : QString(),
         state.marked ? QStringLiteral(" marked ") + place(state.p_WMark) : QString());
-    if (state.endoscope.present)
-        lines << QStringLiteral("endoscope stage %1 depth %2 landmarks %3 of %4 %5%6").arg(static_cast<int>(state.endoscope.stage)).arg(number(1e3 * state.endoscope.depth_m)).arg(state.endoscope.landmarksSeen)
-                     .arg(state.endoscope.landmarks).arg(state.endoscope.pictureShown).arg(state.endoscope.guided);
-    addLaparoscopy(state.laparoscopy, lines);
+    if (state.exercise.of<simulation::EndoscopeCues>().present)
+        lines << QStringLiteral("endoscope stage %1 depth %2 landmarks %3 of %4 %5%6").arg(static_cast<int>(state.exercise.of<simulation::EndoscopeCues>().stage)).arg(number(1e3 * state.exercise.of<simulation::EndoscopeCues>().depth_m)).arg(state.exercise.of<simulation::EndoscopeCues>().landmarksSeen)
+                     .arg(state.exercise.of<simulation::EndoscopeCues>().landmarks).arg(state.exercise.of<simulation::EndoscopeCues>().pictureShown).arg(state.exercise.of<simulation::EndoscopeCues>().guided);
+    addLaparoscopy(state.exercise.of<core::LaparoscopyCues>(), lines);
     addPalpation(state, lines);
     return lines;
 }
@@ -159,7 +161,7 @@ private slots:
         moment(third, 0.4 * third.track.duration_s, &third.track, false);
         const auto theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();
         for (const auto& [of, beside] : {std::pair{&first, &second}, {&third, &third}}) {
-            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level.parameters, of->layer.get());
+            desktop::PlaybackPlots plots(theme, m_desktop->context.locale(), of->track, of->setup.level, of->layer.get());
             plots.setGhost(session::ghostSeries(of->track, beside->track), QStringLiteral("second session"));
             plots.showCursor(1.5);
             m_lines << tests::ScreenOutline::of(plots, true, true);
@@ -269,7 +271,7 @@ private:
     }
     /// A palpation with and without the truth, and by each map.
     void looks(const desktop::PlaybackData& data, desktop::PalpationReplay& replay) {
-        for (const auto& [name, look] : {std::pair{"without the truth", desktop::PalpationLook{.truth = false}}, {"the whole trial's map of force", desktop::PalpationLook{true, true, core::SurfaceMapKind::force}}})
+        for (const auto& [name, look] : {std::pair{"without the truth", desktop::PalpationLook{.truth = false}}, {"the whole trial's map of force", desktop::PalpationLook{true, true, simulation::SurfaceMapKind::force}}})
             for (const session::PlaybackTrial& trial : data.track.trials) {
                 say(QStringLiteral("-- %1, trial %2").arg(QLatin1String(name)).arg(trial.index));
                 scene3d::SceneState state = desktop::sceneStateAt(data.track, nullptr, trial.end_s - 1.0, nullptr);

@@ -3,6 +3,7 @@
 #include "../../unit/scoring/palpation_traces.h"
 #include "report/report_writer.h"
 #include "app/exercises/palpation/session_report/palpation_report.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QtTest>
 #include <cmath>
@@ -73,7 +74,7 @@ private slots:
         const auto out = session_report::palpationReportOf(tests::palpationSession({searched()}), level());
         const auto& view = out->trials[0].view;
         QVERIFY(view.lumps.size() == 2 && view.lumps[0].found && !view.lumps[1].found);
-        QVERIFY(view.findings[0].outcome == core::FindingOutcome::hit && view.findings[1].outcome == core::FindingOutcome::falseAlarm);
+        QVERIFY(view.findings[0].outcome == simulation::FindingOutcome::hit && view.findings[1].outcome == simulation::FindingOutcome::falseAlarm);
         QCOMPARE(view.regionColumns, 3);
         QVERIFY(out->trials[0].map.coverage() > 0.1 && out->trials[0].map.coverage() < 0.25); // a row of 54 × 10 mm of 60 × 60
     }

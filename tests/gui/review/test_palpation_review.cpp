@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A palpation looked back at: playback, debrief and the curve over sessions, by real controls.
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
 #include "app/exercises/palpation/desktop/palpation_box.h"
@@ -69,8 +70,8 @@ private slots:
         const session::PlaybackTrial& trial = data.track.trials[0];
         const auto coverageAt = [&](double t_s, bool whole) {
             scene3d::SceneState state;
-            replay.showIn(state, data.track, t_s, {true, whole, core::SurfaceMapKind::coverage});
-            return state.surfaceMap->coverage();
+            replay.showIn(state, data.track, t_s, {true, whole, simulation::SurfaceMapKind::coverage});
+            return state.overlay.of<scene3d::PalpationOverlay>().map->coverage();
         };
         const double early = coverageAt(trial.start_s + 1.1, false);
         const double late = coverageAt(trial.end_s, false);
@@ -90,14 +91,14 @@ private slots:
         const PalpatingHand hand(replayOf(data).level(), kPalpationSeed);
         const bool lump = hand.trials()[1].lumps > 0;
         const std::size_t wrong = lump ? 1 : 0;
-        QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::falseAlarm));
+        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]), int(simulation::FindingOutcome::falseAlarm));
         if (lump)
-            QCOMPARE(int(state.outcome[0]), int(core::FindingOutcome::hit));
+            QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[0]), int(simulation::FindingOutcome::hit));
         replayOf(data).showIn(state = {}, data.track, data.track.trials[1].end_s - 0.05, {.truth = false});
-        QCOMPARE(int(state.outcome[wrong]), int(core::FindingOutcome::open));
+        QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().outcome[wrong]), int(simulation::FindingOutcome::open));
         if (hand.trials()[2].lumps > 0) { // taken back: missed
             replayOf(data).showIn(state = {}, data.track, data.track.trials[2].end_s - 0.05, {});
-            QCOMPARE(int(state.lumpsMissed), 1);
+            QCOMPARE(int(state.overlay.of<scene3d::PalpationOverlay>().lumpsMissed), 1);
         }
     }
 
@@ -165,7 +166,7 @@ private slots:
         QVERIFY2(words->text().contains(QStringLiteral("Findings where there was no lump: 1")), qPrintable(words->text()));
         auto* map = m_desktop->find<desktop::PalpationMapView>(QStringLiteral("debrief.force_map"));
         QVERIFY(map && !map->accessibleDescription().isEmpty());
-        QCOMPARE(int(map->view().kind), int(core::SurfaceMapKind::force));
+        QCOMPARE(int(map->view().kind), int(simulation::SurfaceMapKind::force));
         QVERIFY(m_desktop->find<QLabel>(QStringLiteral("debrief.lumps"))->text().contains(QStringLiteral("no lump there")));
     }
 
@@ -224,8 +225,8 @@ private slots:
     }
 
 private:
-    static int desktop_count(const core::PalpationCues& cues) {
-        return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const core::Finding& one) { return one.present; }));
+    static int desktop_count(const simulation::PalpationCues& cues) {
+        return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const simulation::Finding& one) { return one.present; }));
     }
     desktop::PlaybackData load() {
         auto connection = m_desktop->database().openReader();

@@ -3,6 +3,7 @@
 // laparoscopy_pictures FOLDER figures: the README's rows of three. Under Xvfb or on a screen.
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QApplication>
 #include <QDir>

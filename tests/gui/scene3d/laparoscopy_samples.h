@@ -3,6 +3,9 @@
 
 #include "desktop/scene3d/drawn_tool.h"
 #include "gui/scene3d/scene_samples.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 namespace chiron::scene3d::samples {
 
@@ -39,7 +42,7 @@ inline ToolView grasper(const core::Vec3& p_WT, bool left, double jaw_rad) {
 /// A tube from the floor to `end`, held there or lying.
 inline SceneState tubeState(const core::Vec3& end, bool held) {
     SceneState state;
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.present = cues.objectShown = cues.tube = cues.tensionShown = true;
     cues.step = held ? core::LaparoscopyStep::hold : core::LaparoscopyStep::grasp;
     cues.grips = 2;
@@ -65,7 +68,7 @@ inline SceneState tubeState(const core::Vec3& end, bool held) {
 /// The tube between two graspers.
 inline SceneState twoHanded(double apart_m) {
     SceneState state = tubeState({0.5 * apart_m, 0.0, 0.042}, true);
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     const core::Vec3 left(-0.5 * apart_m, 0.006, 0.038);
     cues.gripAnchored[0] = false;
     cues.gripHeldBy = {2, 1, 0};
@@ -82,7 +85,7 @@ inline SceneState twoHanded(double apart_m) {
 /// A fold of tissue over the tube, hanging, or drawn back by a third instrument while two hold the tube.
 inline SceneState behindAFold(bool back) {
     SceneState state = twoHanded(back ? 0.060 : 0.045);
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.fold = cues.retractionShown = true;
     cues.foldOpen = back;
     cues.foldHeldBy = back ? 4 : 0;
@@ -105,7 +108,7 @@ inline SceneState behindAFold(bool back) {
 /// The free end on its way from the right instrument to the left one.
 inline SceneState handOver() {
     SceneState state = tubeState({0.022, -0.010, 0.036}, true);
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.step = core::LaparoscopyStep::handOver;
     cues.grips = 3;
     cues.gripAt = {0.0, 0.78, 1.0};
@@ -124,7 +127,7 @@ inline SceneState handOver() {
 /// Three ovaries and their dish; `held`: one of them is carried.
 inline SceneState handlingState(bool held) {
     SceneState state;
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.present = cues.objectShown = cues.squeezeShown = true;
     cues.step = held ? core::LaparoscopyStep::carry : core::LaparoscopyStep::grasp;
     cues.bodies = 3;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // palpation_pictures FOLDER [light] [NAME ...]: tissues, fingers, findings and maps, one PNG a state and theme, in 3D and flat.
 // palpation_pictures FOLDER figures: the README's sheets. Under Xvfb or on a screen.
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "gui/scene3d/picture_states.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QApplication>
 #include <QDir>
@@ -16,7 +18,7 @@
 
 using namespace chiron;
 using namespace chiron::scene3d;
-using core::FindingOutcome;
+using simulation::FindingOutcome;
 using samples::Tissue;
 
 namespace {
@@ -41,8 +43,8 @@ QPixmap taken(Picture& picture, bool flat) {
                              : makeSceneView(picture.setup, &window);
     layout->addWidget(scene.view->widget());
     window.show();
-    picture.state.surfaceMap = picture.mapShown ? &picture.map : nullptr;
-    picture.state.surfaceMapStep = picture.map.step();
+    picture.state.overlay.own<PalpationOverlay>().map = picture.mapShown ? &picture.map : nullptr;
+    picture.state.overlay.own<PalpationOverlay>().mapStep = picture.map.step();
     for (int i = 0; i < 2; ++i) {
         scene.view->show(picture.state);
         pass(flat ? 60 : 600);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "core/units.h"
 #include "gui/scene3d/scene_samples.h"
 #include "simulation/palpation/surface_map.h"
 #include "simulation/palpation/tissue_surface.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <cmath>
 
@@ -48,7 +51,7 @@ inline SceneSetup palpationSetup(Tissue tissue, int hands = 1, int fingers = 1) 
 /// A finger pressed so deep at (x, y), with this force along the normal and beside it.
 inline void pressFinger(SceneState& state, const SceneSetup& setup, std::size_t tool, const core::Vec2& xy_m, double depth_m,
                         const core::Vec2& lateral_N = core::Vec2::Zero()) {
-    const auto& parameters = std::get<simulation::PalpationParameters>(setup.parameters);
+    const auto& parameters = setup.parameters.as<simulation::PalpationParameters>();
     const simulation::TissueSurface surface(parameters.tissue.shape);
     const core::Vec3 normal = surface.normalAt(xy_m);
     ToolView& view = state.tool[tool];
@@ -56,7 +59,7 @@ inline void pressFinger(SceneState& state, const SceneSetup& setup, std::size_t 
     view.p_WProxy = surface.pointAt(xy_m);
     view.p_WT = view.p_WProxy - depth_m * normal;
     view.force_N = 500.0 * std::max(0.0, depth_m) * normal + core::Vec3(lateral_N.x(), lateral_N.y(), 0.0);
-    core::PalpationCues& cues = state.palpation;
+    simulation::PalpationCues& cues = state.exercise.own<simulation::PalpationCues>();
     cues.present = cues.bandShown = true;
     cues.bandLow_N = parameters.bandLow_N;
     cues.bandHigh_N = parameters.bandHigh_N;
@@ -66,26 +69,26 @@ inline void pressFinger(SceneState& state, const SceneSetup& setup, std::size_t 
         cues.leanSaturated |= static_cast<std::uint8_t>(1U << tool);
 }
 
-inline void addFinding(SceneState& state, const SceneSetup& setup, std::size_t i, const core::Vec2& xy_m, core::FindingOutcome outcome) {
-    const core::Vec3 p = simulation::TissueSurface(std::get<simulation::PalpationParameters>(setup.parameters).tissue.shape).pointAt(xy_m);
-    state.palpation.present = true;
-    state.palpation.finding[i] = {true, {p.x(), p.y(), p.z()}, 0.006, 4, 3};
-    state.palpation.selected = static_cast<int>(i);
-    state.outcome[i] = outcome;
+inline void addFinding(SceneState& state, const SceneSetup& setup, std::size_t i, const core::Vec2& xy_m, simulation::FindingOutcome outcome) {
+    const core::Vec3 p = simulation::TissueSurface(setup.parameters.as<simulation::PalpationParameters>().tissue.shape).pointAt(xy_m);
+    state.exercise.own<simulation::PalpationCues>().present = true;
+    state.exercise.own<simulation::PalpationCues>().finding[i] = {true, {p.x(), p.y(), p.z()}, 0.006, 4, 3};
+    state.exercise.own<simulation::PalpationCues>().selected = static_cast<int>(i);
+    state.overlay.own<PalpationOverlay>().outcome[i] = outcome;
 }
 
 inline void addLump(SceneState& state, const SceneSetup& setup, const core::Vec2& xy_m, double depth_m, double radius_m, bool missed) {
-    const simulation::TissueSurface surface(std::get<simulation::PalpationParameters>(setup.parameters).tissue.shape);
+    const simulation::TissueSurface surface(setup.parameters.as<simulation::PalpationParameters>().tissue.shape);
     const core::Vec3 p = surface.pointAt(xy_m) - depth_m * surface.normalAt(xy_m);
-    const int i = state.palpation.lumps++;
-    state.palpation.lump[std::size_t(i)] = {{p.x(), p.y(), p.z()}, radius_m};
+    const int i = state.exercise.own<simulation::PalpationCues>().lumps++;
+    state.exercise.own<simulation::PalpationCues>().lump[std::size_t(i)] = {{p.x(), p.y(), p.z()}, radius_m};
     if (missed)
-        state.lumpsMissed |= static_cast<std::uint8_t>(1U << i);
+        state.overlay.own<PalpationOverlay>().lumpsMissed |= static_cast<std::uint8_t>(1U << i);
 }
 
 /// A search in strips over `share` of the area, its force between 0.3 N and 4.6 N.
 inline simulation::SurfaceMap searched(const SceneSetup& setup, double share) {
-    const auto& parameters = std::get<simulation::PalpationParameters>(setup.parameters);
+    const auto& parameters = setup.parameters.as<simulation::PalpationParameters>();
     simulation::SurfaceMap map(parameters.areaHalf_m, parameters.tissue.contactRadius_m, parameters.coverForce_N);
     const core::Vec2 half = parameters.areaHalf_m;
     int step = 0;

@@ -2,10 +2,19 @@
 // States of every scene: what the tools beside take pictures of, and what test_kept_scenes holds against what was looked at.
 #pragma once
 
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "gui/scene3d/laparoscopy_samples.h"
 #include "gui/scene3d/palpation_samples.h"
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
+#include "simulation/palpation/tissue_pinch.h"
+#include "simulation/geometry/mesh/mesh_source.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QString>
 #include <list>
@@ -68,7 +77,7 @@ inline Picture visibleLump() {
 
 inline Picture pinched() {
     Picture picture{"pad_pinch", palpationSetup(Tissue::pad), {}, {}, false};
-    std::get<simulation::PalpationParameters>(picture.setup.parameters).pinch = simulation::PinchParameters{};
+    picture.setup.parameters.as<simulation::PalpationParameters>().pinch = simulation::PinchParameters{};
     pressFinger(picture.state, picture.setup, 0, {0.004, 0.004}, 0.004);
     picture.state.tool[0].jaw_rad = 0.8;
     return picture;
@@ -77,14 +86,14 @@ inline Picture pinched() {
 inline Picture hiddenLumps() {
     Picture picture{"pad_hidden", palpationSetup(Tissue::pad), {}, {}, false};
     pressFinger(picture.state, picture.setup, 0, {-0.016, 0.012}, -0.012);
-    addFinding(picture.state, picture.setup, 0, {0.018, 0.014}, core::FindingOutcome::open);
+    addFinding(picture.state, picture.setup, 0, {0.018, 0.014}, simulation::FindingOutcome::open);
     return picture;
 }
 
 inline Picture prostateFelt() {
     Picture picture{"prostate", palpationSetup(Tissue::prostate), {}, {}, false};
     pressFinger(picture.state, picture.setup, 0, {0.011, -0.002}, 0.0035, {0.7, 1.3});
-    addFinding(picture.state, picture.setup, 0, {-0.013, 0.006}, core::FindingOutcome::open);
+    addFinding(picture.state, picture.setup, 0, {-0.013, 0.006}, simulation::FindingOutcome::open);
     return picture;
 }
 
@@ -93,7 +102,7 @@ inline Picture twoFingers() {
     pressFinger(picture.state, picture.setup, 0, {0.022, -0.004}, 0.005, {0.3, 0.3});
     pressFinger(picture.state, picture.setup, 1, {-0.020, 0.006}, 0.004, {-0.3, 0.1});
     picture.state.activeTool = 0;
-    addFinding(picture.state, picture.setup, 0, {-0.008, 0.026}, core::FindingOutcome::open);
+    addFinding(picture.state, picture.setup, 0, {-0.008, 0.026}, simulation::FindingOutcome::open);
     return picture;
 }
 
@@ -105,13 +114,13 @@ inline Picture fingerPattern() {
     return picture;
 }
 
-inline Picture playedBack(core::SurfaceMapKind kind) {
-    Picture picture{kind == core::SurfaceMapKind::force ? "playback_force" : "playback_coverage", palpationSetup(Tissue::breast, 2), {}, {}, true};
-    picture.state.mapKind = kind;
+inline Picture playedBack(simulation::SurfaceMapKind kind) {
+    Picture picture{kind == simulation::SurfaceMapKind::force ? "playback_force" : "playback_coverage", palpationSetup(Tissue::breast, 2), {}, {}, true};
+    picture.state.overlay.own<PalpationOverlay>().mapKind = kind;
     addLump(picture.state, picture.setup, {-0.020, 0.016}, 0.012, 0.0075, false);
     addLump(picture.state, picture.setup, {0.022, -0.014}, 0.010, 0.005, true);
-    addFinding(picture.state, picture.setup, 0, {-0.017, 0.019}, core::FindingOutcome::hit);
-    addFinding(picture.state, picture.setup, 1, {0.014, 0.024}, core::FindingOutcome::falseAlarm);
+    addFinding(picture.state, picture.setup, 0, {-0.017, 0.019}, simulation::FindingOutcome::hit);
+    addFinding(picture.state, picture.setup, 1, {0.014, 0.024}, simulation::FindingOutcome::falseAlarm);
     picture.map = searched(picture.setup, 0.8);
     return picture;
 }
@@ -126,22 +135,22 @@ inline Picture fingerShown() {
 }
 
 inline std::list<Picture> palpationPictures() {
-    return {visibleLump(), pinched(), hiddenLumps(), prostateFelt(), twoFingers(), fingerPattern(), playedBack(core::SurfaceMapKind::coverage), playedBack(core::SurfaceMapKind::force), fingerShown()};
+    return {visibleLump(), pinched(), hiddenLumps(), prostateFelt(), twoFingers(), fingerPattern(), playedBack(simulation::SurfaceMapKind::coverage), playedBack(simulation::SurfaceMapKind::force), fingerShown()};
 }
 
 // ---- tube and ovaries ----
 inline std::list<Picture> laparoscopyPictures() {
     SceneState torn = tubeState({0.030, -0.012, 0.078}, true);
-    torn.laparoscopy.torn = true;
-    torn.laparoscopy.tension_N = 0.0;
+    torn.exercise.own<core::LaparoscopyCues>().torn = true;
+    torn.exercise.own<core::LaparoscopyCues>().tension_N = 0.0;
     torn.tool[0].force_N.setZero();
     SceneState mark = tubeState({0.020, -0.016, 0.046}, true);
-    mark.laparoscopy.targetShown = true;
+    mark.exercise.own<core::LaparoscopyCues>().targetShown = true;
     SceneState squeezed = handlingState(true);
-    squeezed.laparoscopy.squeeze_N[0] = 2.4;
-    squeezed.laparoscopy.body[1].squeeze_m = 0.006;
+    squeezed.exercise.own<core::LaparoscopyCues>().squeeze_N[0] = 2.4;
+    squeezed.exercise.own<core::LaparoscopyCues>().body[1].squeeze_m = 0.006;
     SceneSetup organ = handlingSetup();
-    auto& bed = std::get<simulation::ObjectHandlingParameters>(organ.parameters);
+    auto& bed = organ.parameters.as<simulation::ObjectHandlingParameters>();
     bed.organBed = true;
     bed.bedMesh.shape = simulation::MeshSource::Shape::ellipsoid;
     bed.bedMesh.halfAxisX_m = bed.bedMesh.halfAxisY_m = 0.090;
@@ -151,7 +160,7 @@ inline std::list<Picture> laparoscopyPictures() {
     bed.bedMesh.bumpWavelength_m = 0.040;
     SceneState onOrgan = handlingState(false);
     for (int i = 0; i < 3; ++i)
-        onOrgan.laparoscopy.body[std::size_t(i)].p_W[2] = 0.007;
+        onOrgan.exercise.own<core::LaparoscopyCues>().body[std::size_t(i)].p_W[2] = 0.007;
     return {{"ovary_organ", organ, onOrgan, {}, false},
             {"tube_lying", tubeSetup(), tubeState({0.030, -0.022, 0.003}, false), {}, false},
             {"tube_slack", tubeSetup(), tubeState({0.016, -0.014, 0.024}, true), {}, false},
@@ -172,7 +181,7 @@ inline std::list<Picture> laparoscopyPictures() {
 /// With the shape that the levels have: straight to B, then the bend.
 inline SceneSetup shippedCanal() {
     SceneSetup setup = urethraSetup();
-    auto& anatomy = std::get<simulation::UrethraInsertionParameters>(setup.parameters).anatomy;
+    auto& anatomy = setup.parameters.as<simulation::UrethraInsertionParameters>().anatomy;
     anatomy.straight_m = 0.035;
     anatomy.zEnd_m = 0.100;
     anatomy.pivotSpan_m = 0.020;
@@ -208,9 +217,9 @@ inline std::map<QString, UrethraPicture> urethraPictures() {
     all["h_ureters"] = urethraPicture({.s_m = 0.160, .pitch_rad = -45 * kDegree});
     all["h_ureters_focus"] = urethraPicture({.s_m = 0.160, .pitch_rad = -45 * kDegree}, true);
     all["i_seen"] = all["h_ureters"];
-    all["i_seen"].state.endoscope.landmarksSeen = 1U << 3;
-    all["i_seen"].state.endoscope.dwell = 0.6;
-    all["i_seen"].state.endoscope.toLumen_T = {};
+    all["i_seen"].state.exercise.own<simulation::EndoscopeCues>().landmarksSeen = 1U << 3;
+    all["i_seen"].state.exercise.own<simulation::EndoscopeCues>().dwell = 0.6;
+    all["i_seen"].state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {};
     all["j_over"] = all["e_offset"];
     all["j_over"].state.tool[0].force_N = {3.4, -2.6, 2.4};
     all["k_off"] = all["d_middle"];

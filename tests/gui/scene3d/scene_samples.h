@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <cmath>
 

@@ -11,6 +11,7 @@
 #include "app/exercises/urethra_insertion/scene/thin_lens.h"
 #include "app/exercises/urethra_insertion/scene/urethra_buffers.h"
 #include "gui/scene3d/urethra_samples.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QApplication>
 #include <QTest>
@@ -25,7 +26,7 @@ using namespace chiron::scene3d;
 namespace {
 
 simulation::UrethraInsertionParameters parameters() {
-    return std::get<simulation::UrethraInsertionParameters>(samples::urethraSetup().parameters);
+    return samples::urethraSetup().parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 std::vector<core::Vec3> ring(const simulation::UrethraSurface& surface, std::size_t first) {
@@ -172,7 +173,7 @@ private slots:
         const UrethraDrawing drawing(parameters());
         SceneState state = samples::urethraState(samples::urethraSetup(), {.s_m = 0.05, .pitch_rad = 0.2});
         state.tool[0].force_N = {0.5, -1.0, 0.7};
-        state.endoscope.dwell = 0.5;
+        state.exercise.own<simulation::EndoscopeCues>().dwell = 0.5;
         const ScopeMarks all = ScopeMarks::of(samples::urethraSetup(), drawing, state);
         QVERIFY(all.guided && all.force && all.dwell > 0.0 && !all.beyond && all.pictureShown);
         const ScopeMarks none = ScopeMarks::of(unguided(), drawing, state);
@@ -190,13 +191,13 @@ private slots:
         SceneState state = samples::urethraState(samples::urethraSetup(), {.s_m = 0.05});
         const double wide = std::tan(0.5 * parameters().endoscope.fieldOfView_rad);
         const core::Vec3 way = core::Vec3(0.2, -0.1, -1.0).normalized();
-        state.endoscope.toLumen_T = {way.x(), way.y(), way.z()};
+        state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {way.x(), way.y(), way.z()};
         ScopeMarks marks = ScopeMarks::of(samples::urethraSetup(), drawing, state);
         QVERIFY((marks.lumen - core::Vec2(0.2 / wide, -0.1 / wide)).norm() < 1e-9);
-        state.endoscope.toLumen_T = {0.0, 0.6, 0.8};
+        state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {0.0, 0.6, 0.8};
         marks = ScopeMarks::of(samples::urethraSetup(), drawing, state);
         QVERIFY(marks.beyond && marks.lumen.y() > 0.79);
-        state.endoscope.toLumen_T = {0.0, 0.0, -1.0};
+        state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {0.0, 0.0, -1.0};
         QVERIFY(ScopeMarks::of(samples::urethraSetup(), drawing, state).aligned);
     }
 
@@ -228,8 +229,8 @@ private slots:
         const SceneSetup setup = unguided();
         SceneState one = samples::urethraState(setup, {.s_m = 0.05});
         SceneState other = one;
-        other.endoscope.toLumen_T = {0.3, 0.3, -0.9};
-        other.endoscope.landmarksSeen = 7;
+        other.exercise.own<simulation::EndoscopeCues>().toLumen_T = {0.3, 0.3, -0.9};
+        other.exercise.own<simulation::EndoscopeCues>().landmarksSeen = 7;
         other.tool[0].force_N = {2.0, 1.0, 0.0};
         QCOMPARE(flatPicture(setup, one), flatPicture(setup, other));
         QVERIFY(flatPicture(samples::urethraSetup(), one) != flatPicture(samples::urethraSetup(), other));

@@ -5,6 +5,8 @@
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/urethra_samples.h"
 #include "support/patience.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -164,15 +166,15 @@ private slots:
         Shown shown(plain());
         SceneState one = samples::urethraState(plain(), {.s_m = 0.160, .pitch_rad = -0.7});
         SceneState other = one;
-        other.endoscope.landmarksSeen = 31;
-        other.endoscope.dwell = 0.7;
-        other.endoscope.toLumen_T = {0.2, 0.2, -0.95};
+        other.exercise.own<simulation::EndoscopeCues>().landmarksSeen = 31;
+        other.exercise.own<simulation::EndoscopeCues>().dwell = 0.7;
+        other.exercise.own<simulation::EndoscopeCues>().toLumen_T = {0.2, 0.2, -0.95};
         other.tool[0].force_N = {1.0, 2.0, -1.0};
         const QImage nothing = shown.picture(plain(), one);
         QCOMPARE(shown.picture(plain(), other), nothing);
         SceneSetup guided = plain();
         guided.cues.guidance = true;
-        one.endoscope.guided = other.endoscope.guided = true;
+        one.exercise.own<simulation::EndoscopeCues>().guided = other.exercise.own<simulation::EndoscopeCues>().guided = true;
         const QImage marked = shown.picture(guided, one);
         QVERIFY(marked != nothing);
         QVERIFY(shown.picture(guided, other) != marked);

@@ -3,11 +3,17 @@
 // to the next, in every theme. It needs no display: the plugin's own nodes are read, nothing is drawn. A change that is meant is
 // kept anew, and the difference is read in review (and the scene looked at: scene_pictures and its siblings):
 // CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_outlines
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/picture_states.h"
 #include "support/kept_text.h"
 #include "support/scene_outline.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QApplication>
 #include <QLocale>
@@ -72,7 +78,7 @@ void addLooks(Scene& scene) {
 
 Scene apex(simulation::ApexSurface surface) {
     Scene scene{samples::setup(), {}};
-    auto& p = std::get<simulation::SphereApexParameters>(scene.setup.parameters);
+    auto& p = scene.setup.parameters.as<simulation::SphereApexParameters>();
     p.surface = surface;
     p.bumpHeight_m = surface == simulation::ApexSurface::exact ? 0.0 : 0.0006;
     const auto states = samples::apexStates();
@@ -83,7 +89,7 @@ Scene apex(simulation::ApexSurface surface) {
         scene.steps.push_back({name, states.at(name)});
     if (surface != simulation::ApexSurface::exact) {
         SceneState turned = samples::pressed(1.0);
-        turned.laparoscopy.body[0].q_W = {std::cos(0.4), 0.0, 0.0, std::sin(0.4)};
+        turned.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(0.4), 0.0, 0.0, std::sin(0.4)};
         scene.steps.push_back({QStringLiteral("turned"), turned});
     }
     addLooks(scene);
@@ -113,16 +119,16 @@ void addTubes(std::map<QString, Scene>& scenes) {
     addPictures(scenes, QStringLiteral("tube_transfer"), pictures, {QStringLiteral("tube_transfer")});
     Scene& fold = scenes[QStringLiteral("tube_two_handed")];
     SceneState pulled = samples::behindAFold(true); // beyond what the fold bears
-    pulled.laparoscopy.retraction_N = 1.6;
+    pulled.exercise.own<core::LaparoscopyCues>().retraction_N = 1.6;
     pulled.tool[2].p_WT = {0.004, 0.038, 0.030};
-    pulled.laparoscopy.p_WFoldEdge = {0.004, 0.038, 0.030};
+    pulled.exercise.own<core::LaparoscopyCues>().p_WFoldEdge = {0.004, 0.038, 0.030};
     fold.steps.push_back({QStringLiteral("fold pulled too hard"), pulled, fold.setup});
     Scene& transfer = scenes[QStringLiteral("tube_transfer")];
     SceneState there = samples::handOver(); // the left one alone has it, in the target
-    there.laparoscopy.gripHeldBy = {0, 0, 2};
-    there.laparoscopy.p_WGrip[1] = {-0.020, 0.002, 0.033};
-    there.laparoscopy.p_WGrip[2] = {-0.034, 0.001, 0.044};
-    there.laparoscopy.dwell = 0.7;
+    there.exercise.own<core::LaparoscopyCues>().gripHeldBy = {0, 0, 2};
+    there.exercise.own<core::LaparoscopyCues>().p_WGrip[1] = {-0.020, 0.002, 0.033};
+    there.exercise.own<core::LaparoscopyCues>().p_WGrip[2] = {-0.034, 0.001, 0.044};
+    there.exercise.own<core::LaparoscopyCues>().dwell = 0.7;
     there.tool[1] = samples::grasper({-0.034, 0.001, 0.044}, true, 0.1);
     there.tool[0] = samples::grasper({0.040, 0.0, 0.050}, false, 0.6);
     transfer.steps.push_back({QStringLiteral("in the target"), there, transfer.setup});
@@ -133,33 +139,33 @@ void addObjects(std::map<QString, Scene>& scenes) {
     addPictures(scenes, QStringLiteral("ovary"), pictures, {QStringLiteral("ovary_lying"), QStringLiteral("ovary_carried"), QStringLiteral("ovary_squeezed")});
     addPictures(scenes, QStringLiteral("ovary_organ"), pictures, {QStringLiteral("ovary_organ")});
     Scene& bed = scenes[QStringLiteral("ovary_organ")];
-    const auto narrow = [](SceneSetup& setup) { std::get<simulation::ObjectHandlingParameters>(setup.parameters).bedMesh.halfAxisY_m = 0.070; }; // x and y are told apart
+    const auto narrow = [](SceneSetup& setup) { setup.parameters.as<simulation::ObjectHandlingParameters>().bedMesh.halfAxisY_m = 0.070; }; // x and y are told apart
     narrow(bed.setup);
     for (Step& step : bed.steps)
         if (step.setup)
             narrow(*step.setup);
     SceneState pressed = bed.steps.front().state; // the second tool presses, and one body is taken
     pressed.tool[1] = samples::grasper({-0.012, -0.010, 0.001}, true, 0.2);
-    pressed.laparoscopy.body[0].heldBy = 2;
-    pressed.laparoscopy.body[0].p_W = {-0.012, -0.010, 0.012};
-    pressed.laparoscopy.body[0].squeeze_m = 0.004;
-    pressed.laparoscopy.bodies = 2;
-    pressed.laparoscopy.targetRadius_m = 0.018;
-    pressed.laparoscopy.dwell = 0.6;
-    pressed.laparoscopy.squeeze_N = {0.4, 1.7, 0.0, 0.0};
+    pressed.exercise.own<core::LaparoscopyCues>().body[0].heldBy = 2;
+    pressed.exercise.own<core::LaparoscopyCues>().body[0].p_W = {-0.012, -0.010, 0.012};
+    pressed.exercise.own<core::LaparoscopyCues>().body[0].squeeze_m = 0.004;
+    pressed.exercise.own<core::LaparoscopyCues>().bodies = 2;
+    pressed.exercise.own<core::LaparoscopyCues>().targetRadius_m = 0.018;
+    pressed.exercise.own<core::LaparoscopyCues>().dwell = 0.6;
+    pressed.exercise.own<core::LaparoscopyCues>().squeeze_N = {0.4, 1.7, 0.0, 0.0};
     bed.steps.push_back({QStringLiteral("pressed"), pressed, bed.setup});
     bed.steps.push_back({QStringLiteral("let go"), bed.steps.front().state});
     SceneState none = pressed;
-    none.laparoscopy.objectShown = false;
+    none.exercise.own<core::LaparoscopyCues>().objectShown = false;
     bed.steps.push_back({QStringLiteral("nothing shown"), none});
     Scene& table = scenes[QStringLiteral("ovary")];
     SceneState second = samples::handlingState(true); // by the left one, another dish
-    second.laparoscopy.body[1].heldBy = 2;
+    second.exercise.own<core::LaparoscopyCues>().body[1].heldBy = 2;
     second.tool[1] = second.tool[0];
     second.tool[1].q_WT = DrawnOrientation::throughEntry(second.tool[1].p_WT, true);
     second.tool[0] = samples::grasper({0.05, -0.03, 0.04}, false, 0.9);
-    second.laparoscopy.targetRadius_m = 0.020;
-    second.laparoscopy.p_WTarget = {-0.012, -0.030, 0.0};
+    second.exercise.own<core::LaparoscopyCues>().targetRadius_m = 0.020;
+    second.exercise.own<core::LaparoscopyCues>().p_WTarget = {-0.012, -0.030, 0.0};
     second.activeTool = 1;
     table.steps.push_back({QStringLiteral("by the left one"), second, table.setup});
 }
@@ -181,10 +187,10 @@ void addPalpation(std::map<QString, Scene>& scenes) {
     SceneState many; // six lumps, all fingers away, flags of each outcome
     for (int i = 0; i < 6; ++i)
         samples::addLump(many, pad.setup, {0.010 * (i - 2.5), 0.004 * i}, 0.010, 0.004 + 0.0005 * i, i % 2 == 1);
-    const core::FindingOutcome outcomes[] = {core::FindingOutcome::open, core::FindingOutcome::hit, core::FindingOutcome::falseAlarm};
+    const simulation::FindingOutcome outcomes[] = {simulation::FindingOutcome::open, simulation::FindingOutcome::hit, simulation::FindingOutcome::falseAlarm};
     for (std::size_t i = 0; i < 8; ++i)
         samples::addFinding(many, pad.setup, i, {0.009 * (double(i) - 3.5), -0.012}, outcomes[i % 3]);
-    many.palpation.selected = 2;
+    many.exercise.own<simulation::PalpationCues>().selected = 2;
     pad.steps.push_back({QStringLiteral("all found"), many, pad.setup});
     SceneState leaning; // more than the device can lean
     samples::pressFinger(leaning, pad.setup, 0, {-0.010, -0.008}, 0.003, {-1.4, 0.6});
@@ -194,7 +200,7 @@ void addPalpation(std::map<QString, Scene>& scenes) {
 Scene urethra(const QStringList& states, bool stricture = false) {
     Scene scene{stricture ? samples::shippedCanal() : samples::urethraPictures().at(states.front()).setup, {}};
     if (stricture) {
-        auto& parameters = std::get<simulation::UrethraInsertionParameters>(scene.setup.parameters);
+        auto& parameters = scene.setup.parameters.as<simulation::UrethraInsertionParameters>();
         parameters.anatomy.changes[0].centre_m = 0.085;
         parameters.anatomy.changeCount = 1;
         parameters.landmarks.push_back({"lesion", 1.0, 0.4});
@@ -227,7 +233,7 @@ std::map<QString, Scene> all() {
     Scene& canal = scenes[QStringLiteral("urethra")] = urethra(states);
     SceneState compared = canal.steps[5].state; // played back beside a second session
     compared.ghost = samples::urethraState(canal.setup, {.s_m = 0.040, .ex_m = 0.001, .roll_rad = 0.7}).tool[0];
-    compared.endoscope.landmarksSeen = 0b10110;
+    compared.exercise.own<simulation::EndoscopeCues>().landmarksSeen = 0b10110;
     canal.steps.push_back({QStringLiteral("compared"), compared, canal.setup});
     scenes[QStringLiteral("urethra_stricture")] = urethra({QStringLiteral("d_middle"), QStringLiteral("e_offset")}, true);
     return scenes;
@@ -266,8 +272,8 @@ private slots:
             if (step.setup)
                 view->change(*step.setup);
             SceneState state = step.state;
-            state.surfaceMap = step.map.get();
-            state.surfaceMapStep = step.map ? step.map->step() : 0;
+            state.overlay.own<PalpationOverlay>().map = step.map.get();
+            state.overlay.own<PalpationOverlay>().mapStep = step.map ? step.map->step() : 0;
             view->show(state);
             now << QStringLiteral("-- ") + step.name << outline.of(*root);
         }

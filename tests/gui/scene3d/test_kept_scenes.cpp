@@ -2,7 +2,7 @@
 // Every scene, flat and in three dimensions, as it was looked at (support/kept_pictures.h). On a display with OpenGL those of three
 // dimensions, else the flat ones, these as lines of what is painted, too (support/paint_outline.h), as are the faces that both have.
 // CHIRON_STORE_PICTURES=1 CHIRON_STORE_OUTLINES=1 QT_QPA_PLATFORM=offscreen build/release/tests/gui/scene3d/test_kept_scenes
-#include "desktop/scene3d/laparoscopy_dial.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "app/exercises/palpation/scene/finding_flag.h"
 #include "app/exercises/palpation/scene/map_legend.h"
 #include "desktop/scene3d/scene_loader.h"
@@ -12,6 +12,7 @@
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
 #include "support/patience.h"
+#include "desktop/scene3d/gauge_painter.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -72,9 +73,9 @@ std::map<QString, std::function<void(QPainter&)>> faces() {
     };
     add("force_bar", [](QPainter& painter, const SceneSetup&) { GaugePainter(samples::setup(), forceDial(samples::setup())).paint(painter); });
     add("bar_with_band", [](QPainter& painter, const SceneSetup& setup) { GaugePainter(setup, {QStringLiteral("Tension (N)"), 3.0, 2.5, 1.05, 1.35}).paint(painter); });
-    for (const auto kind : {core::SurfaceMapKind::coverage, core::SurfaceMapKind::force})
-        add(kind == core::SurfaceMapKind::force ? "legend_force" : "legend_coverage", [kind](QPainter& painter, const SceneSetup& setup) { MapLegend(setup, kind, 37).paint(painter); });
-    for (const auto& [name, outcome] : {std::pair{"flag_open", core::FindingOutcome::open}, {"flag_hit", core::FindingOutcome::hit}, {"flag_false_alarm", core::FindingOutcome::falseAlarm}})
+    for (const auto kind : {simulation::SurfaceMapKind::coverage, simulation::SurfaceMapKind::force})
+        add(kind == simulation::SurfaceMapKind::force ? "legend_force" : "legend_coverage", [kind](QPainter& painter, const SceneSetup& setup) { MapLegend(setup, kind, 37).paint(painter); });
+    for (const auto& [name, outcome] : {std::pair{"flag_open", simulation::FindingOutcome::open}, {"flag_hit", simulation::FindingOutcome::hit}, {"flag_false_alarm", simulation::FindingOutcome::falseAlarm}})
         add(name, [of = outcome](QPainter& painter, const SceneSetup& setup) {
             paintFindingFlag(painter, QRectF(10, 10, 40, 60), {1, of, false}, setup);
             paintFindingFlag(painter, QRectF(60, 10, 40, 60), {2, of, true}, setup);
@@ -107,8 +108,8 @@ private slots:
     void isAsItWasLookedAt() {
         QFETCH(QString, name);
         Kept& picture = m_all.at(name);
-        picture.state.surfaceMap = picture.map.get();
-        picture.state.surfaceMapStep = picture.map ? picture.map->step() : 0;
+        picture.state.overlay.own<PalpationOverlay>().map = picture.map.get();
+        picture.state.overlay.own<PalpationOverlay>().mapStep = picture.map ? picture.map->step() : 0;
         QWidget window;
         window.resize(m_flat ? QSize(720, 540) : QSize(480, 360));
         window.move(0, 0);
@@ -154,7 +155,7 @@ private slots:
         QFETCH(QString, name);
         QFETCH(QSize, size);
         Kept& picture = m_all.at(name);
-        picture.state.surfaceMap = picture.map.get();
+        picture.state.overlay.own<PalpationOverlay>().map = picture.map.get();
         const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, size.width() > 1200 ? QString() : QStringLiteral("Shown in 2D, for a reason that is long."), nullptr));
         QVERIFY(view->widget()->minimumSizeHint().isValid());
         view->widget()->resize(size);
@@ -176,8 +177,8 @@ private slots:
         Kept picture = m_all.at(name);
         picture.setup.scale = 1.4;
         picture.setup.colours = samples::dark();
-        picture.state.surfaceMap = picture.map.get();
-        picture.state.surfaceMapStep = picture.map ? picture.map->step() : 0;
+        picture.state.overlay.own<PalpationOverlay>().map = picture.map.get();
+        picture.state.overlay.own<PalpationOverlay>().mapStep = picture.map ? picture.map->step() : 0;
         const std::unique_ptr<ISceneView> view(makeFlatSceneView(picture.setup, QString(), nullptr));
         view->widget()->resize(900, 600);
         view->show(picture.state);

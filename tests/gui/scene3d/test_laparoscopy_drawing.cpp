@@ -6,7 +6,8 @@
 #include "app/exercises/elastic_tube/scene/fold_sheet.h"
 #include "app/exercises/elastic_tube/scene/mark_ring.h"
 #include "app/exercises/elastic_tube/scene/tube_mesh.h"
-#include "desktop/scene3d/laparoscopy_dial.h"
+#include "app/exercises/elastic_tube/scene/tension_bar.h"
+#include "app/exercises/object_handling/scene/squeeze_bar.h"
 #include "app/exercises/object_handling/scene/squeezed.h"
 #include "desktop/scene3d/parts/instrument_mesh.h"
 #include "gui/scene3d/laparoscopy_samples.h"
@@ -72,7 +73,7 @@ private slots:
     /// The line under an instrument shows where what it holds would be set down; of an object that is not shown it tells nothing.
     void whatIsHeldIsSetDown() {
         SceneState state = samples::handlingState(true);
-        core::LaparoscopyCues& cues = state.laparoscopy;
+        core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
         QVERIFY(cues.objectShown && cues.bodies > 0);
         core::BodyCue& body = cues.body[static_cast<std::size_t>(cues.bodies - 1)];
         for (core::BodyCue& each : cues.body)
@@ -92,7 +93,7 @@ private slots:
     /// Its edge is where it is felt, whether it hangs or is held; closed it lies over the tube, drawn back beside it.
     void aFoldGoesThroughItsEdge() {
         SceneState state = samples::twoHanded(0.050);
-        core::LaparoscopyCues& cues = state.laparoscopy;
+        core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
         QVERIFY(FoldSheet::of(cues).rows.empty());
         cues.fold = true;
         cues.p_WFoldBase = {0.0, -0.004, 0.0};
@@ -122,7 +123,7 @@ private slots:
 
     void tautTubeIsStraightAndKeepsItsVolume() {
         const SceneState state = samples::tubeState({0.030, -0.010, 0.055}, true);
-        const core::LaparoscopyCues& cues = state.laparoscopy;
+        const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
         const TubeCurve curve = TubeCurve::of(cues, kRadius_m);
         QCOMPARE(curve.pieces.size(), std::size_t(1));
         const double chord_m = (placeOf(cues, 1) - placeOf(cues, 0)).norm();
@@ -138,7 +139,7 @@ private slots:
     void slackTubeIsAsLongAsAtRestAndStaysOnTheFloor() {
         for (const core::Vec3& end : {core::Vec3(0.010, -0.010, 0.020), core::Vec3(-0.004, 0.004, 0.030), core::Vec3(0.030, 0.010, 0.004)}) {
             const SceneState state = samples::tubeState(end, true);
-            const TubeCurve curve = TubeCurve::of(state.laparoscopy, kRadius_m);
+            const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
             QVERIFY2(std::abs(curve.length_m() - kRest_m) < 2e-4, qPrintable(QString::number(curve.length_m())));
             QVERIFY(away_m(curve, end) < 1e-9);
             for (const TubeRing& ring : curve.pieces.front().rings)
@@ -151,7 +152,7 @@ private slots:
         core::Vec3 before = core::Vec3::Zero();
         for (int i = 0; i < 400; ++i) {
             const core::Vec3 end(0.020 * std::cos(0.01 * i), 0.020 * std::sin(0.013 * i), 0.020 + 0.00008 * i);
-            const TubeCurve curve = TubeCurve::of(samples::tubeState(end, true).laparoscopy, kRadius_m);
+            const TubeCurve curve = TubeCurve::of(samples::tubeState(end, true).exercise.of<core::LaparoscopyCues>(), kRadius_m);
             const core::Vec3 middle = curve.at(0.5)->p_W;
             if (i > 0)
                 QVERIFY2((middle - before).norm() < 0.004, qPrintable(QString::number(i)));
@@ -162,21 +163,21 @@ private slots:
     void everyPlaceOfATransferIsOnTheTube() {
         for (const std::uint8_t holder : {std::uint8_t(0), std::uint8_t(2)}) {
             SceneState state = samples::handOver();
-            state.laparoscopy.gripHeldBy[1] = holder;
-            const TubeCurve curve = TubeCurve::of(state.laparoscopy, kRadius_m);
+            state.exercise.own<core::LaparoscopyCues>().gripHeldBy[1] = holder;
+            const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
             for (std::size_t i = 0; i < 3; ++i)
-                QVERIFY2(away_m(curve, placeOf(state.laparoscopy, i)) < (holder == 0 && i == 1 ? 0.0015 : 1e-9), qPrintable(QString::number(i)));
+                QVERIFY2(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), i)) < (holder == 0 && i == 1 ? 0.0015 : 1e-9), qPrintable(QString::number(i)));
         }
     }
 
     void tornTubeHasTwoPiecesAtBothPlaces() {
         SceneState state = samples::tubeState({0.030, -0.012, 0.078}, true);
-        state.laparoscopy.torn = true;
-        const TubeCurve curve = TubeCurve::of(state.laparoscopy, kRadius_m);
+        state.exercise.own<core::LaparoscopyCues>().torn = true;
+        const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
         QCOMPARE(curve.pieces.size(), std::size_t(2));
         QCOMPARE(int(curve.pieces[0].last), int(SweepEnd::ragged));
         QCOMPARE(int(curve.pieces[1].first), int(SweepEnd::ragged));
-        QVERIFY(away_m(curve, placeOf(state.laparoscopy, 0)) < 1e-9 && away_m(curve, placeOf(state.laparoscopy, 1)) < 1e-9);
+        QVERIFY(away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 0)) < 1e-9 && away_m(curve, placeOf(state.exercise.of<core::LaparoscopyCues>(), 1)) < 1e-9);
         QVERIFY(curve.length_m() < 1.2 * kRest_m);
     }
 
@@ -188,8 +189,8 @@ private slots:
 
     void meshesAreWhole() {
         const SceneState state = samples::handOver();
-        const TubeCurve curve = TubeCurve::of(state.laparoscopy, kRadius_m);
-        for (const TriangleMesh& mesh : {tubeMesh(curve), tubeMarks(curve, state.laparoscopy), tubeShade(curve, 0.0), peritoneumMesh(55.0),
+        const TubeCurve curve = TubeCurve::of(state.exercise.of<core::LaparoscopyCues>(), kRadius_m);
+        for (const TriangleMesh& mesh : {tubeMesh(curve), tubeMarks(curve, state.exercise.of<core::LaparoscopyCues>()), tubeShade(curve, 0.0), peritoneumMesh(55.0),
                                          bowelMesh(55.0), fatMesh(55.0), uterusMesh(55.0), instrumentRings(4), instrumentCollar()})
             QVERIFY(isWhole(mesh));
         int which = 0;
@@ -220,33 +221,35 @@ private slots:
 
     void markFollowsTheHeldEnd() {
         const SceneSetup setup = samples::tubeSetup(simulation::TubeTask::stretch);
-        const auto& parameters = std::get<simulation::ElasticTubeParameters>(setup.parameters);
+        const auto& parameters = setup.parameters.as<simulation::ElasticTubeParameters>();
         const SceneState held = samples::tubeState({0.024, 0.004, 0.040}, true);
-        const auto ring = markRing(parameters, held.laparoscopy);
+        const auto ring = markRing(parameters, held.exercise.of<core::LaparoscopyCues>());
         QVERIFY(ring.has_value());
-        const core::Vec3 base = placeOf(held.laparoscopy, 0);
+        const core::Vec3 base = placeOf(held.exercise.of<core::LaparoscopyCues>(), 0);
         QVERIFY(std::abs((ring->p_W - base).norm() - parameters.markRatio * kRest_m) < 1e-9);
-        QVERIFY(ring->along.cross((placeOf(held.laparoscopy, 1) - base).normalized()).norm() < 1e-9);
-        core::LaparoscopyCues hidden = held.laparoscopy;
+        QVERIFY(ring->along.cross((placeOf(held.exercise.of<core::LaparoscopyCues>(), 1) - base).normalized()).norm() < 1e-9);
+        core::LaparoscopyCues hidden = held.exercise.of<core::LaparoscopyCues>();
         hidden.objectShown = false;
         QVERIFY(!markRing(parameters, hidden).has_value());
-        QVERIFY(!markRing(std::get<simulation::ElasticTubeParameters>(samples::tubeSetup().parameters), held.laparoscopy).has_value());
+        QVERIFY(!markRing(samples::tubeSetup().parameters.as<simulation::ElasticTubeParameters>(), held.exercise.of<core::LaparoscopyCues>()).has_value());
     }
 
     void secondBarShowsWhatTheCuesAllow() {
         const SceneState tube = samples::tubeState({0.030, -0.010, 0.055}, true);
-        const auto tension = laparoscopyDial(samples::tubeSetup(), tube.laparoscopy);
-        QVERIFY(tension && tension->bandHigh_N == tube.laparoscopy.bandHigh_N && tension->limit_N == 0.0);
-        QVERIFY(tension->range_N > tension->bandHigh_N);
-        QVERIFY(dialShown(tube.laparoscopy));
-        core::LaparoscopyCues hidden = tube.laparoscopy;
-        hidden.tensionShown = false;
-        QVERIFY(!dialShown(hidden));
+        const core::ExerciseParameters level = samples::tubeSetup().parameters;
+        core::LaparoscopyCues cues = tube.exercise.of<core::LaparoscopyCues>();
+        const SecondBar tension = tensionBar(level.as<simulation::ElasticTubeParameters>(), cues);
+        QVERIFY(tension.dial.bandHigh_N == cues.bandHigh_N && tension.dial.limit_N == 0.0);
+        QVERIFY(tension.dial.range_N > tension.dial.bandHigh_N);
+        QVERIFY(tension.shown && tension.value_N == cues.tension_N);
+        cues.tensionShown = false;
+        QVERIFY(!tensionBar(level.as<simulation::ElasticTubeParameters>(), cues).shown);
         const SceneState ovary = samples::handlingState(true);
-        const auto squeeze = laparoscopyDial(samples::handlingSetup(), ovary.laparoscopy);
-        QVERIFY(squeeze && squeeze->limit_N == 2.0 && squeeze->range_N > 2.0);
-        QCOMPARE(dialValue_N(ovary.laparoscopy), 1.3);
-        QVERIFY(!laparoscopyDial(samples::setup(), core::LaparoscopyCues{}).has_value());
+        const SecondBar squeeze = squeezeBar(samples::handlingSetup().parameters.as<simulation::ObjectHandlingParameters>(), ovary.exercise.of<core::LaparoscopyCues>());
+        QVERIFY(squeeze.dial.limit_N == 2.0 && squeeze.dial.range_N > 2.0);
+        QCOMPARE(squeeze.value_N, 1.3);
+        QVERIFY(makeFlatContent(samples::tubeSetup())->secondBar(tube).has_value());
+        QVERIFY(!makeFlatContent(samples::setup())->secondBar({}).has_value()); // of the ball
     }
 
     void instrumentsEnterFromTheirOwnSides() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of a palpation: the felt surface, dents as deep as they are felt, what was searched, and nothing that is not told.
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "app/exercises/palpation/scene/flat_palpation.h"
 #include "desktop/scene3d/camera_fit.h"
 #include "app/exercises/palpation/scene/finding_flag.h"
@@ -18,8 +19,8 @@
 
 using namespace chiron;
 using namespace chiron::scene3d;
-using core::FindingOutcome;
-using core::SurfaceMapKind;
+using simulation::FindingOutcome;
+using simulation::SurfaceMapKind;
 using samples::Tissue;
 using simulation::MapBand;
 using simulation::TissueSurface;
@@ -136,7 +137,7 @@ private slots:
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 2.0});
         QVERIFY(std::abs(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad * std::sqrt(0.5) - kMostRoll_rad) < 1e-12);
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.004, {2.0, 0.0});
-        state.palpation.lean_rad[0] = 0.0; // a level that does not show it
+        state.exercise.own<simulation::PalpationCues>().lean_rad[0] = 0.0; // a level that does not show it
         QCOMPARE(fingerLean(state, 0, core::Vec3::UnitZ()).angle_rad, 0.0);
     }
 
@@ -263,7 +264,7 @@ private slots:
         QVERIFY(!(coverage == MapLegend(setup, SurfaceMapKind::coverage, 41)));
         SceneState state;
         const simulation::SurfaceMap map = samples::searched(setup, 1.0);
-        state.surfaceMap = &map;
+        state.overlay.own<PalpationOverlay>().map = &map;
         QVERIFY(MapLegend::of(setup, state) == MapLegend(setup, SurfaceMapKind::coverage, int(std::lround(100.0 * map.coverage()))));
     }
 
@@ -280,7 +281,7 @@ private slots:
 
     void bandIsShownWhereTheLevelShowsIt() {
         const SceneSetup setup = samples::palpationSetup(Tissue::pad);
-        core::PalpationCues cues;
+        simulation::PalpationCues cues;
         cues.bandLow_N = 0.8;
         cues.bandHigh_N = 2.5;
         cues.present = true;
@@ -356,7 +357,7 @@ private slots:
         const FlatPalpation flat(samples::palpationParameters(Tissue::pad));
         SceneState state;
         samples::pressFinger(state, setup, 0, {0.0, 0.0}, 0.006);
-        state.palpation = {};
+        state.exercise.own<simulation::PalpationCues>() = {};
         const auto picture = [&](const SceneState& shown) {
             QImage image(400, 300, QImage::Format_RGB32);
             image.fill(Qt::white);

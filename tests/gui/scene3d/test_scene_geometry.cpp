@@ -8,6 +8,7 @@
 #include "app/exercises/sphere_apex/scene/apex_mesh.h"
 #include "gui/scene3d/scene_samples.h"
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QTest>
 #include <algorithm>

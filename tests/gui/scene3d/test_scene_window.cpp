@@ -7,6 +7,7 @@
 #include "gui/scene3d/scene_samples.h"
 #include "gui/scene3d/shader_dents.h"
 #include "support/patience.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QApplication>
 #include <QScreen>

@@ -83,7 +83,7 @@ QImage row(const std::vector<QImage>& images) {
 /// The overview alone, with P1's coarse mesh of figure 4, at several places of the tip.
 QImage deformation() {
     Picture what = samples::urethraPicture({});
-    auto& p = std::get<chiron::simulation::UrethraInsertionParameters>(what.setup.parameters);
+    auto& p = what.setup.parameters.as<chiron::simulation::UrethraInsertionParameters>();
     p.mesh.n = 9;
     p.mesh.w = 13;
     what.setup.cues = {.tool = true, .arrow = false, .object = true, .overview = true};

@@ -5,6 +5,8 @@
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "app/exercises/urethra_insertion/scene/urethra_drawing.h"
+#include "core/procedure_stage.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <cmath>
 
@@ -38,7 +40,7 @@ struct ScopePose {
 };
 
 inline SceneState urethraState(const SceneSetup& setup, const ScopePose& pose) {
-    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
+    const auto& p = setup.parameters.as<simulation::UrethraInsertionParameters>();
     const simulation::UrethraCentreline line(p.anatomy);
     const simulation::CentrelinePoint at = line.at(pose.s_m);
     SceneState state;
@@ -55,18 +57,18 @@ inline SceneState urethraState(const SceneSetup& setup, const ScopePose& pose) {
                               Turn(pose.pitch_rad, core::Vec3::UnitX()).toRotationMatrix() *
                               Turn(pose.roll_rad, core::Vec3::UnitZ()).toRotationMatrix();
     tool.q_WT = p.pose.q_WA * core::Quat(turned);
-    state.endoscope.present = true;
-    state.endoscope.pictureShown = true;
-    state.endoscope.depth_m = pose.s_m;
-    state.endoscope.landmarks = int(p.landmarks.size());
+    state.exercise.own<simulation::EndoscopeCues>().present = true;
+    state.exercise.own<simulation::EndoscopeCues>().pictureShown = true;
+    state.exercise.own<simulation::EndoscopeCues>().depth_m = pose.s_m;
+    state.exercise.own<simulation::EndoscopeCues>().landmarks = int(p.landmarks.size());
     // The middle of the lumen 15 mm ahead.
     const core::Vec3 ahead = line.at(pose.s_m + 0.015).p_A - p_A;
     const core::Vec3 seen = turned.transpose() * ahead;
-    state.endoscope.lumenDistance_m = ahead.norm();
+    state.exercise.own<simulation::EndoscopeCues>().lumenDistance_m = ahead.norm();
     for (int k = 0; k < 3; ++k)
-        state.endoscope.toLumen_T[std::size_t(k)] = seen[k] / ahead.norm();
-    state.endoscope.guided = setup.cues.guidance;
-    state.endoscope.stage = pose.s_m > line.length_m() ? core::ProcedureStage::inspection : core::ProcedureStage::insertion;
+        state.exercise.own<simulation::EndoscopeCues>().toLumen_T[std::size_t(k)] = seen[k] / ahead.norm();
+    state.exercise.own<simulation::EndoscopeCues>().guided = setup.cues.guidance;
+    state.exercise.own<simulation::EndoscopeCues>().stage = pose.s_m > line.length_m() ? core::ProcedureStage::inspection : core::ProcedureStage::insertion;
     return state;
 }
 

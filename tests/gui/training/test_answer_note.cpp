@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the scene says once a trial has its answer or its end, and over a scene that stands still.
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "catalogue/catalogue.h"
 #include "desktop/scene3d/scene_note_painter.h"
 #include "desktop/training/answer_note.h"
 #include "session/exercise_kind.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QImage>
 #include <QPainter>
@@ -118,9 +120,9 @@ private slots:
                 const auto after = [&](std::vector<core::Vec3> places) {
                     AnswerNote note = noteOf(level);
                     haptics::DisplayState state = stateAt(1.0, trial, core::TrialPhase::running);
-                    state.palpation.present = true;
+                    state.exercise.own<simulation::PalpationCues>().present = true;
                     for (std::size_t i = 0; i < places.size(); ++i)
-                        state.palpation.finding[i] = {true, {places[i].x(), places[i].y(), places[i].z()}, 0.0, 0, 0};
+                        state.exercise.own<simulation::PalpationCues>().finding[i] = {true, {places[i].x(), places[i].y(), places[i].z()}, 0.0, 0, 0};
                     note.take(state, {});
                     note.take(stateAt(1.1, trial, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
                     return note.note(1'100'000'000).title;
@@ -187,21 +189,21 @@ private slots:
             for (const bool found : {true, false}) {
                 AnswerNote note = noteOf(level);
                 haptics::DisplayState state = stateAt(1.0, 0, core::TrialPhase::running);
-                state.palpation.present = true;
+                state.exercise.own<simulation::PalpationCues>().present = true;
                 const core::Vec3 at = found ? lump.p_WAbove : core::Vec3(lump.p_WAbove + core::Vec3(lump.p_WAbove.x() > 0.0 ? -0.030 : 0.030, 0.0, 0.0));
-                state.palpation.finding[2] = {true, {at.x(), at.y(), at.z()}, 0.0, 0, 0};
+                state.exercise.own<simulation::PalpationCues>().finding[2] = {true, {at.x(), at.y(), at.z()}, 0.0, 0, 0};
                 note.take(state, std::array{sampleOf(bits::kMarked)}); // a finding is marked, and nothing is told of it yet
                 scene3d::SceneState drawn;
                 note.show(1'000'000'000, drawn);
-                QCOMPARE(drawn.palpation.lumps, 0);
+                QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lumps, 0);
                 note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(bits::kCompleted)});
                 note.show(1'100'000'000, drawn);
-                QCOMPARE(drawn.palpation.lumps, 1);
-                QVERIFY((core::Vec3(drawn.palpation.lump[0].p_W[0], drawn.palpation.lump[0].p_W[1], drawn.palpation.lump[0].p_W[2]) - lump.p_WCentre).norm() < 1e-9);
-                QCOMPARE(drawn.palpation.lump[0].radius_m, lump.radius_m);
-                QCOMPARE(int(drawn.lumpsMissed), found ? 0 : 1);
-                QVERIFY(drawn.outcome[2] == (found ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm));
-                QVERIFY(drawn.palpation.finding[2].present && !drawn.answered);
+                QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lumps, 1);
+                QVERIFY((core::Vec3(drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[0], drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[1], drawn.exercise.of<simulation::PalpationCues>().lump[0].p_W[2]) - lump.p_WCentre).norm() < 1e-9);
+                QCOMPARE(drawn.exercise.of<simulation::PalpationCues>().lump[0].radius_m, lump.radius_m);
+                QCOMPARE(int(drawn.overlay.of<scene3d::PalpationOverlay>().lumpsMissed), found ? 0 : 1);
+                QVERIFY(drawn.overlay.of<scene3d::PalpationOverlay>().outcome[2] == (found ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm));
+                QVERIFY(drawn.exercise.of<simulation::PalpationCues>().finding[2].present && !drawn.answered);
                 ++hidden;
             }
         }
@@ -217,12 +219,12 @@ private slots:
                         continue;
                     AnswerNote note = noteOf(level);
                     haptics::DisplayState state = stateAt(1.0, 0, core::TrialPhase::running);
-                    state.palpation.present = exercise.id == "palpation";
+                    state.exercise.own<simulation::PalpationCues>().present = exercise.id == "palpation";
                     note.take(state, {});
                     note.take(stateAt(1.1, 0, core::TrialPhase::between), std::array{sampleOf(end)});
                     scene3d::SceneState drawn;
                     note.show(1'100'000'000, drawn);
-                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown && drawn.palpation.lumps == 0 && !note.holdsNext(1'100'000'000), level.id.c_str());
+                    QVERIFY2(!drawn.answered && !drawn.marked && !drawn.objectShown && drawn.exercise.of<simulation::PalpationCues>().lumps == 0 && !note.holdsNext(1'100'000'000), level.id.c_str());
                 }
     }
 

@@ -4,12 +4,15 @@
 
 #include "desktop/exercise_setup/gate_words.h"
 #include "desktop/exercise_setup/level_facts.h"
-#include "desktop/training/grasp_words.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "desktop/training/ready_card.h"
 #include "desktop/training/scene_feed.h"
 #include "report/report_text.h"
 #include "session/level_limits.h"
 #include "support/patience.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "desktop/training/grasping.h"
 
 using namespace chiron;
 using namespace chiron::tests;
@@ -75,7 +78,7 @@ void TestEveryReadyCard::theLimitShownIsTheOneThatCounts() {
         QVERIFY2(stricter || limits.force_N == (*kind)->forceLimit_N(level), qPrintable(name));
         const QString timed = desktop::gateInWords({.metric = "force_time_over_limit", .minimum = {}, .maximum = 0.2}, kEnglish).section(QLatin1Char(':'), 0, 0);
         QVERIFY2(!stricter || desktop::gatesInWords(level, kEnglish).filter(timed).isEmpty(), qPrintable(name));
-        if (const auto* handling = std::get_if<simulation::ObjectHandlingParameters>(&level.parameters))
+        if (const auto* handling = level.parameters.find<simulation::ObjectHandlingParameters>())
             QCOMPARE(limits.squeeze_N.value_or(0.0), handling->squeezeLimit_N); // as the bar, the damage and the time over it have it
         // The scene's arrow and gauges, too.
         QCOMPARE(desktop::sceneSetupOf(level, session::cuesOf(level, false), m_bench.desktop.context.theme(), false).forceLimit_N, limits.force_N);
@@ -110,16 +113,17 @@ void TestEveryReadyCard::aPassMarkBesideItsLimitSaysWhy() {
 void TestEveryReadyCard::theTargetHasOneName() {
     int levels = 0;
     everyLevel([&](const catalogue::ExerciseLevel& level, const QString& name) {
-        const desktop::Grasping grasping = desktop::graspingOf(level);
-        if (!grasping.handling)
+        const auto* handling = level.parameters.find<simulation::ObjectHandlingParameters>();
+        if (!handling)
             return;
+        const desktop::Grasping grasping = desktop::handlingGrasping(*handling, session::levelLimits(level));
         ++levels;
         QString words = desktop::levelFacts(level, kEnglish).join(QLatin1Char(' '));
         for (const char* step : {"carry", "place", "hold"}) {
             core::LaparoscopyCues cues;
             cues.objectShown = true;
             cues.step = step[0] == 'c' ? core::LaparoscopyStep::carry : step[0] == 'p' ? core::LaparoscopyStep::place : core::LaparoscopyStep::hold;
-            const QString told = desktop::stepText(cues, grasping);
+            const QString told = grasping.step(cues);
             QVERIFY2(told.contains(QStringLiteral("ring")), qPrintable(name + QStringLiteral(": ") + told));
             words += QLatin1Char(' ') + told;
         }

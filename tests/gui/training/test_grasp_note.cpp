@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jaws that close on nothing are told of, with the reason where somebody learns.
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "catalogue/catalogue.h"
 #include "desktop/training/grasp_note.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QtTest>
 
@@ -20,14 +23,14 @@ haptics::DisplayState stateAt(double t_s, double jaw_rad, double x_m) {
     state.tools = 1;
     state.tool[0].jaw_rad = jaw_rad;
     state.tool[0].p_WT_m = {x_m, 0.0, 0.0};
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.present = cues.objectShown = true;
     return state;
 }
 /// The free end lies in the origin; the other one is fixed, nearer to who comes from the right.
 haptics::DisplayState atTube(double t_s, double jaw_rad, double away_m) {
     haptics::DisplayState state = stateAt(t_s, jaw_rad, away_m);
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.tube = true;
     cues.grips = 2;
     cues.p_WGrip[0] = {away_m, 0.001, 0.0};
@@ -36,9 +39,16 @@ haptics::DisplayState atTube(double t_s, double jaw_rad, double away_m) {
     return state;
 }
 
+desktop::Grasping graspingOf(const catalogue::ExerciseLevel& level) {
+    if (const auto* tube = level.parameters.find<simulation::ElasticTubeParameters>())
+        return desktop::tubeGrasping(*tube, session::levelLimits(level));
+    return desktop::handlingGrasping(level.parameters.as<simulation::ObjectHandlingParameters>(), session::levelLimits(level));
+}
+
 class Closing {
 public:
-    explicit Closing(const catalogue::ExerciseLevel& level, bool practises = false) : m_note(level, QLocale(QLocale::English), practises) {}
+    explicit Closing(const catalogue::ExerciseLevel& level, bool practises = false)
+        : m_note(graspingOf(level), QLocale(QLocale::English), level.feedback || practises) {}
     QString after(std::initializer_list<haptics::DisplayState> states) {
         std::int64_t now_ns = 0;
         for (const haptics::DisplayState& state : states) {
@@ -74,8 +84,8 @@ private slots:
         const auto& of = level("object_handling", true);
         haptics::DisplayState open = stateAt(1.0, kOpen_rad, 0.031), closed = stateAt(1.1, kClosed_rad, 0.031);
         for (haptics::DisplayState* state : {&open, &closed}) {
-            state->laparoscopy.bodies = 1;
-            state->laparoscopy.body[0].radius_m = 0.011;
+            state->exercise.own<core::LaparoscopyCues>().bodies = 1;
+            state->exercise.own<core::LaparoscopyCues>().body[0].radius_m = 0.011;
         }
         const QString said = Closing(of).after({open, closed});
         QVERIFY2(said.contains(QStringLiteral("the object was 20 mm away")), qPrintable(said)); // from its surface
@@ -84,7 +94,7 @@ private slots:
     void whoHoldsIsToldNothing() {
         Closing closing(level("elastic_tube", true));
         haptics::DisplayState held = atTube(1.1, kClosed_rad, 0.003);
-        held.laparoscopy.gripHeldBy[1] = 1;
+        held.exercise.own<core::LaparoscopyCues>().gripHeldBy[1] = 1;
         QVERIFY(closing.after({atTube(1.0, kOpen_rad, 0.003), held}).isEmpty());
         haptics::DisplayState slipped = atTube(1.2, kClosed_rad, 0.020); // out of closed jaws: that is told of elsewhere
         QVERIFY(closing.after({slipped}).isEmpty());
@@ -107,10 +117,10 @@ private slots:
 
     void whatTheFoldCoversCannotBeGrasped() {
         for (const catalogue::ExerciseLevel& each : m_catalogue->find("elastic_tube")->levels) {
-            if (!std::get<simulation::ElasticTubeParameters>(each.parameters).hasFold())
+            if (!each.parameters.as<simulation::ElasticTubeParameters>().hasFold())
                 continue;
             haptics::DisplayState open = atTube(1.0, kOpen_rad, 0.002), closed = atTube(1.1, kClosed_rad, 0.002);
-            open.laparoscopy.fold = closed.laparoscopy.fold = true;
+            open.exercise.own<core::LaparoscopyCues>().fold = closed.exercise.own<core::LaparoscopyCues>().fold = true;
             QVERIFY(Closing(each, true).after({open, closed}).contains(QStringLiteral("fold")));
             return;
         }
@@ -125,7 +135,7 @@ private slots:
         QVERIFY(Closing(assessed, true).after(missed).contains(QStringLiteral("12 mm")));
         QVERIFY(Closing(assessed).after({atTube(1.0, kClosed_rad, 0.002), atTube(4.0, kClosed_rad, 0.002)}).isEmpty());
         haptics::DisplayState blind = atTube(1.1, kClosed_rad, 0.012); // nothing is told of what is hidden
-        blind.laparoscopy.objectShown = false;
+        blind.exercise.own<core::LaparoscopyCues>().objectShown = false;
         QVERIFY(Closing(assessed, true).after({atTube(1.0, kOpen_rad, 0.012), blind}).isEmpty());
     }
 
@@ -146,7 +156,7 @@ private:
     /// One without a fold whose one instrument takes hold of what lies there.
     const catalogue::ExerciseLevel& level(const char* exercise, bool feedback) {
         for (const catalogue::ExerciseLevel& each : m_catalogue->find(exercise)->levels) {
-            const auto* tube = std::get_if<simulation::ElasticTubeParameters>(&each.parameters);
+            const auto* tube = each.parameters.find<simulation::ElasticTubeParameters>();
             if (each.feedback == feedback && !(tube && tube->hasFold()))
                 return each;
         }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/force_bar.h"
 #include "desktop/training/grasp_panel.h"
-#include "desktop/training/grasp_words.h"
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/target_bar.h"
+#include "session_report/tool_words.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -23,7 +27,7 @@ haptics::DisplayState pulling(double tension_N) {
     state.tool[0].tissue[0] = -tension_N;
     state.tool[1].tissue[0] = tension_N;
     state.tool[0].p_WProxy_m = {0.0312, -0.004, 0.05};
-    core::LaparoscopyCues& cues = state.laparoscopy;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
     cues.present = cues.tube = cues.objectShown = cues.tensionShown = true;
     cues.grips = 2;
     cues.gripHeldBy = {2, 1, 0};
@@ -44,31 +48,27 @@ private slots:
     void everyStepHasItsOwnWords() {
         simulation::ElasticTubeParameters tube;
         simulation::ObjectHandlingParameters handling;
-        Grasping atTube;
-        atTube.tube = &tube;
-        Grasping atObjects;
-        atObjects.handling = &handling;
         std::set<QString> said;
         for (int step = 0; step <= core::kLastLaparoscopyStep; ++step) {
             core::LaparoscopyCues cues;
             cues.step = static_cast<LaparoscopyStep>(step);
             for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
                 tube.task = task;
-                QVERIFY(!stepText(cues, atTube).isEmpty());
+                QVERIFY(!tubeGrasping(tube, {}).step(cues).isEmpty());
             }
-            QVERIFY(!stepText(cues, atObjects).isEmpty());
-            said.insert(stepText(cues, atTube));
+            QVERIFY(!handlingGrasping(handling, {}).step(cues).isEmpty());
+            said.insert(tubeGrasping(tube, {}).step(cues));
         }
         QCOMPARE(said.size(), std::size_t(10)); // of a transfer: one each
         core::LaparoscopyCues torn;
         torn.torn = true;
-        QVERIFY(stepText(torn, atTube).contains(QStringLiteral("torn")));
+        QVERIFY(tubeGrasping(tube, {}).step(torn).contains(QStringLiteral("torn")));
     }
 
     void everyValueIsShown() {
         simulation::ElasticTubeParameters tube;
         tube.task = TubeTask::twoHanded;
-        GraspPanel panel(m_theme, QLocale::c(), allCues(), graspingAt(tube));
+        GraspPanel panel(m_theme, QLocale::c(), allCues(), tubeGrasping(tube, {}));
         panel.show(pulling(1.12), {});
         QCOMPARE(find<TargetBar>(panel, "training.tension_bar")->words(), QStringLiteral("1.12 N, in the band"));
         QVERIFY(find<ForceBar>(panel, "training.force_bar_0") && find<ForceBar>(panel, "training.force_bar_1"));
@@ -84,11 +84,11 @@ private slots:
         simulation::ElasticTubeParameters tube;
         tube.task = TubeTask::twoHanded;
         tube.foldStiffness_N_per_m = 25.0;
-        GraspPanel panel(m_theme, QLocale::c(), allCues(), graspingAt(tube));
+        GraspPanel panel(m_theme, QLocale::c(), allCues(), tubeGrasping(tube, {}));
         haptics::DisplayState state = pulling(1.12);
         state.tools = 3;
         state.tool[2].tissue[1] = -0.8;
-        core::LaparoscopyCues& cues = state.laparoscopy;
+        core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
         cues.fold = cues.foldOpen = cues.retractionShown = true;
         cues.foldHeldBy = 4;
         cues.retraction_N = 0.8;
@@ -99,7 +99,7 @@ private slots:
         QVERIFY(find<ForceBar>(panel, "training.force_bar_2") && find<QLabel>(panel, "training.tool_2_3"));
         QVERIFY(find<QLabel>(panel, "training.held")->text().contains(QStringLiteral("fold")));
         simulation::ElasticTubeParameters without;
-        GraspPanel other(m_theme, QLocale::c(), allCues(), graspingAt(without));
+        GraspPanel other(m_theme, QLocale::c(), allCues(), tubeGrasping(without, {}));
         QVERIFY(!find<TargetBar>(other, "training.retraction_bar"));
     }
 
@@ -123,9 +123,9 @@ private slots:
 
     void aLevelWithoutCuesTellsNothing() {
         simulation::ObjectHandlingParameters handling;
-        GraspPanel panel(m_theme, QLocale::c(), {}, graspingAt(handling));
+        GraspPanel panel(m_theme, QLocale::c(), {}, handlingGrasping(handling, {}));
         haptics::DisplayState state = pulling(1.12);
-        state.laparoscopy.tube = false;
+        state.exercise.own<core::LaparoscopyCues>().tube = false;
         panel.show(state, {});
         QVERIFY(panel.findChildren<TargetBar*>().isEmpty() && panel.findChildren<ForceBar*>().isEmpty());
         QVERIFY(panel.findChildren<LivePlot*>().isEmpty() && panel.findChildren<QProgressBar*>().isEmpty());
@@ -138,23 +138,13 @@ private slots:
         simulation::ObjectHandlingParameters handling;
         core::LaparoscopyCues cues;
         cues.bodies = 3;
-        QVERIFY(heldText(cues, graspingAt(handling), QLocale::c()).contains(QStringLiteral("nothing")));
+        QVERIFY(handlingGrasping(handling, {}).held(cues, QLocale::c()).contains(QStringLiteral("nothing")));
         cues.body[1].heldBy = 1;
-        QVERIFY(heldText(cues, graspingAt(handling), QLocale::c()).contains(QStringLiteral("object 2 of 3")));
-        QVERIFY(instrumentName(0, 2) != instrumentName(1, 2));
+        QVERIFY(handlingGrasping(handling, {}).held(cues, QLocale::c()).contains(QStringLiteral("object 2 of 3")));
+        QVERIFY(session_report::instrumentName(0, 2) != session_report::instrumentName(1, 2));
     }
 
 private:
-    static Grasping graspingAt(const simulation::ElasticTubeParameters& tube) {
-        Grasping grasping;
-        grasping.tube = &tube;
-        return grasping;
-    }
-    static Grasping graspingAt(const simulation::ObjectHandlingParameters& handling) {
-        Grasping grasping;
-        grasping.handling = &handling;
-        return grasping;
-    }
     static session::LevelCues allCues() {
         session::LevelCues cues;
         cues.object = cues.tool = cues.arrow = cues.bars = cues.numbers = cues.plots = true;

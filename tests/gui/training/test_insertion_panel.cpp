@@ -64,7 +64,7 @@ private:
 };
 
 void TestInsertionPanel::stagesInWords() {
-    core::EndoscopeCues cues;
+    simulation::EndoscopeCues cues;
     cues.stage = ProcedureStage::insertion;
     cues.depth_m = 0.0324;
     StageTelling telling{true, true, 0.08};
@@ -95,7 +95,7 @@ void TestInsertionPanel::stagesInWords() {
 }
 
 void TestInsertionPanel::progressOnlyWhereItMayBeTold() {
-    core::EndoscopeCues cues;
+    simulation::EndoscopeCues cues;
     cues.stage = ProcedureStage::insertion;
     cues.depth_m = 0.02;
     QCOMPARE(stageProgress(cues, {true, false, 0.08}), 0.25);
@@ -111,8 +111,8 @@ void TestInsertionPanel::everyValueIsShown() {
     InsertionPanel panel(m_theme, m_locale, {.bars = true, .numbers = true, .plots = true, .guidance = true}, p);
     const Posed posed = posedAt(p, 0.05, 0.001 * Vec3::UnitX(), 0.1, 0.0);
     haptics::DisplayState state = stateOf(posed, {p.pose.vectorToW(Vec3(0.5, 0.25, -1.0)), p.pose.vectorToW(Vec3(0.02, 0.0, 0.0))});
-    state.endoscope.stage = ProcedureStage::insertion;
-    state.endoscope.depth_m = 0.05;
+    state.exercise.own<simulation::EndoscopeCues>().stage = ProcedureStage::insertion;
+    state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
     session::LiveSample sample;
     sample.t_s = 1.0;
     sample.phase = core::TrialPhase::running;
@@ -141,9 +141,9 @@ void TestInsertionPanel::aLevelWithoutCuesTellsNothing() {
     const simulation::UrethraInsertionParameters p;
     InsertionPanel panel(m_theme, m_locale, {.object = true}, p);
     haptics::DisplayState state = stateOf(posedAt(p, 0.05, 0.001 * Vec3::UnitX()), {Vec3(9.0, 9.0, 9.0), Vec3(1.0, 1.0, 1.0)});
-    state.endoscope.stage = ProcedureStage::insertion;
-    state.endoscope.depth_m = 0.05;
-    state.endoscope.dwell = 0.5;
+    state.exercise.own<simulation::EndoscopeCues>().stage = ProcedureStage::insertion;
+    state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
+    state.exercise.own<simulation::EndoscopeCues>().dwell = 0.5;
     panel.show(state, {});
     QVERIFY(panel.findChildren<ForceBar*>().isEmpty());
     QVERIFY(panel.findChildren<SignedBar*>().isEmpty());

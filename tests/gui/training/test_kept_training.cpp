@@ -14,6 +14,9 @@
 #include "support/drawing_outline.h"
 #include "support/kept_text.h"
 #include "support/screen_outline.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <QProgressBar>
 
@@ -24,7 +27,7 @@ using namespace chiron;
 namespace {
 
 /// What each panel needs of a moment; each shows what its level lets it show.
-haptics::DisplayState working() {
+haptics::DisplayState working(const QString& exercise) {
     haptics::DisplayState state;
     state.now_ns = 4'000'000'000;
     state.tools = core::kMaxTools;
@@ -45,46 +48,54 @@ haptics::DisplayState working() {
     state.phase = core::TrialPhase::running;
     state.timeLeft_s = 12.3;
     state.started = state.objectShown = true;
-    state.endoscope.present = state.endoscope.pictureShown = state.endoscope.guided = true;
-    state.endoscope.stage = core::ProcedureStage::insertion;
-    state.endoscope.depth_m = 0.0612;
-    state.endoscope.landmarks = 5;
-    state.laparoscopy.present = state.laparoscopy.objectShown = state.laparoscopy.tube = true;
-    state.laparoscopy.step = core::LaparoscopyStep::hold;
-    state.laparoscopy.dwell = 0.41;
-    state.laparoscopy.grips = 2;
-    state.laparoscopy.gripHeldBy = {0, 1, 0};
-    state.laparoscopy.bodies = 3;
-    state.laparoscopy.body[1].heldBy = 1;
-    state.laparoscopy.restLength_m = 0.045;
-    state.laparoscopy.stretch_m = 0.0137;
-    state.laparoscopy.tensionShown = state.laparoscopy.squeezeShown = state.laparoscopy.retractionShown = true;
-    state.laparoscopy.tension_N = 1.17;
-    state.laparoscopy.bandLow_N = 1.05;
-    state.laparoscopy.bandHigh_N = 1.35;
-    state.laparoscopy.squeeze_N = {1.3, 0.4, 0.0, 0.0};
-    state.laparoscopy.squeezeLimit_N = 2.0;
-    state.laparoscopy.retraction_N = 0.72;
-    state.laparoscopy.retractionLow_N = 0.6;
-    state.laparoscopy.retractionHigh_N = 1.0;
-    core::PalpationCues& felt = state.palpation;
-    felt.present = felt.bandShown = felt.coverageShown = felt.squeezeShown = true;
-    felt.asksSize = felt.asksHardness = felt.asksConfidence = true;
-    felt.finding[0] = {true, {0.01, 0.02, 0.0}, 0.006, 4, 3};
-    felt.finding[2] = {true, {-0.01, 0.01, 0.0}, 0.0, 0, 0};
-    felt.selected = 0;
-    felt.coverage = 0.374;
-    felt.bandLow_N = 0.8;
-    felt.bandHigh_N = 2.5;
-    felt.depth_m = {0.0041, 0.0023, 0.0, 0.0};
-    felt.lean_rad = {0.31, 0.62, 0.0, 0.0};
-    felt.squeeze_N = {0.9, 0.2};
+    if (exercise == "urethra_insertion") {
+        auto& scope = state.exercise.own<simulation::EndoscopeCues>();
+        scope.present = scope.pictureShown = scope.guided = true;
+        scope.stage = core::ProcedureStage::insertion;
+        scope.depth_m = 0.0612;
+        scope.landmarks = 5;
+    }
+    if (exercise == "elastic_tube" || exercise == "object_handling") {
+        auto& grasp = state.exercise.own<core::LaparoscopyCues>();
+        grasp.present = grasp.objectShown = grasp.tube = true;
+        grasp.step = core::LaparoscopyStep::hold;
+        grasp.dwell = 0.41;
+        grasp.grips = 2;
+        grasp.gripHeldBy = {0, 1, 0};
+        grasp.bodies = 3;
+        grasp.body[1].heldBy = 1;
+        grasp.restLength_m = 0.045;
+        grasp.stretch_m = 0.0137;
+        grasp.tensionShown = grasp.squeezeShown = grasp.retractionShown = true;
+        grasp.tension_N = 1.17;
+        grasp.bandLow_N = 1.05;
+        grasp.bandHigh_N = 1.35;
+        grasp.squeeze_N = {1.3, 0.4, 0.0, 0.0};
+        grasp.squeezeLimit_N = 2.0;
+        grasp.retraction_N = 0.72;
+        grasp.retractionLow_N = 0.6;
+        grasp.retractionHigh_N = 1.0;
+    }
+    if (exercise == "palpation") {
+        auto& felt = state.exercise.own<simulation::PalpationCues>();
+        felt.present = felt.bandShown = felt.coverageShown = felt.squeezeShown = true;
+        felt.asksSize = felt.asksHardness = felt.asksConfidence = true;
+        felt.finding[0] = {true, {0.01, 0.02, 0.0}, 0.006, 4, 3};
+        felt.finding[2] = {true, {-0.01, 0.01, 0.0}, 0.0, 0, 0};
+        felt.selected = 0;
+        felt.coverage = 0.374;
+        felt.bandLow_N = 0.8;
+        felt.bandHigh_N = 2.5;
+        felt.depth_m = {0.0041, 0.0023, 0.0, 0.0};
+        felt.lean_rad = {0.31, 0.62, 0.0, 0.0};
+        felt.squeeze_N = {0.9, 0.2};
+    }
     return state;
 }
 
 /// The next trial, over every limit, with what went wrong.
-haptics::DisplayState overLimits() {
-    haptics::DisplayState state = working();
+haptics::DisplayState overLimits(const QString& exercise) {
+    haptics::DisplayState state = working(exercise);
     state.now_ns += 60'000'000;
     for (haptics::ToolDisplay& tool : state.tool) {
         for (double& f : tool.tissue)
@@ -96,43 +107,61 @@ haptics::DisplayState overLimits() {
     state.trial = 2;
     state.timeLeft_s = 3.0;
     state.lateTicks = 3;
-    state.endoscope.stage = core::ProcedureStage::inspection;
-    state.endoscope.landmarksSeen = 0b101;
-    state.endoscope.dwell = 0.5;
-    state.endoscope.depth_m = 0.151;
-    state.laparoscopy.step = core::LaparoscopyStep::carry;
-    state.laparoscopy.gripHeldBy = {2, 1, 0};
-    state.laparoscopy.foldHeldBy = 4;
-    state.laparoscopy.body[1].heldBy = 2;
-    state.laparoscopy.dwell = 1.3;
-    state.laparoscopy.tension_N = 1.93;
-    state.laparoscopy.squeeze_N = {0.2, 2.6, 0.0, 0.0};
-    state.laparoscopy.retraction_N = 1.4;
-    state.palpation.finding[0].present = false;
-    state.palpation.finding[2].radius_m = 0.0093;
-    state.palpation.finding[2].confidence = 5;
-    state.palpation.selected = 2;
-    state.palpation.leanSaturated = 0b10;
-    state.palpation.coverage = 0.998;
-    state.palpation.squeeze_N = {0.3, 4.4};
+    if (exercise == "urethra_insertion") {
+        auto& scope = state.exercise.own<simulation::EndoscopeCues>();
+        scope.stage = core::ProcedureStage::inspection;
+        scope.landmarksSeen = 0b101;
+        scope.dwell = 0.5;
+        scope.depth_m = 0.151;
+    }
+    if (exercise == "elastic_tube" || exercise == "object_handling") {
+        auto& grasp = state.exercise.own<core::LaparoscopyCues>();
+        grasp.step = core::LaparoscopyStep::carry;
+        grasp.gripHeldBy = {2, 1, 0};
+        grasp.foldHeldBy = 4;
+        grasp.body[1].heldBy = 2;
+        grasp.dwell = 1.3;
+        grasp.tension_N = 1.93;
+        grasp.squeeze_N = {0.2, 2.6, 0.0, 0.0};
+        grasp.retraction_N = 1.4;
+    }
+    if (exercise == "palpation") {
+        auto& felt = state.exercise.own<simulation::PalpationCues>();
+        felt.finding[0].present = false;
+        felt.finding[2].radius_m = 0.0093;
+        felt.finding[2].confidence = 5;
+        felt.selected = 2;
+        felt.leanSaturated = 0b10;
+        felt.coverage = 0.998;
+        felt.squeeze_N = {0.3, 4.4};
+    }
     return state;
 }
 
 /// Between two trials: nothing is shown, and samples were lost.
-haptics::DisplayState between() {
+haptics::DisplayState between(const QString& exercise) {
     haptics::DisplayState state;
     state.now_ns = 9'000'000'000;
     state.trial = 2;
     state.phase = core::TrialPhase::between;
     state.paused = true;
     state.droppedFrames = 2;
-    state.endoscope.present = true;
-    state.endoscope.stage = core::ProcedureStage::completed;
-    state.endoscope.landmarks = 5;
-    state.endoscope.landmarksSeen = 0b11111;
-    state.laparoscopy.present = true;
-    state.laparoscopy.step = core::LaparoscopyStep::done;
-    state.palpation.present = true;
+    if (exercise == "urethra_insertion") {
+        auto& scope = state.exercise.own<simulation::EndoscopeCues>();
+        scope.present = true;
+        scope.stage = core::ProcedureStage::completed;
+        scope.landmarks = 5;
+        scope.landmarksSeen = 0b11111;
+    }
+    if (exercise == "elastic_tube" || exercise == "object_handling") {
+        auto& grasp = state.exercise.own<core::LaparoscopyCues>();
+        grasp.present = true;
+        grasp.step = core::LaparoscopyStep::done;
+    }
+    if (exercise == "palpation") {
+        auto& felt = state.exercise.own<simulation::PalpationCues>();
+        felt.present = true;
+    }
     return state;
 }
 
@@ -212,7 +241,8 @@ private slots:
         take("as it is made");
         const QLocale& locale = m_desktop->context.locale();
         double from_s = 0.0;
-        for (const auto& [moment, state] : {std::pair{"working", working()}, {"over the limits", overLimits()}, {"between", between()}, {"working again", working()}}) {
+        const QString exercise = plan[QStringLiteral("exercise")].toString();
+        for (const auto& [moment, state] : {std::pair{"working", working(exercise)}, {"over the limits", overLimits(exercise)}, {"between", between(exercise)}, {"working again", working(exercise)}}) {
             const auto samples = samplesOf(state, from_s);
             from_s += 3.0;
             for (auto* info : screen->findChildren<QFrame*>())

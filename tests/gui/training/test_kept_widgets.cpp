@@ -24,6 +24,7 @@
 #include "support/kept_pictures.h"
 #include "support/kept_text.h"
 #include "support/paint_outline.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QStandardItemModel>
 #include <QTableView>
@@ -64,10 +65,10 @@ Made palpationMap(const Theme& theme, const QLocale& locale) {
     for (int i = 0; i < 30; ++i)
         map.press({-0.03 + 0.002 * i, 0.01 * std::sin(0.4 * i)}, 0.25 * i);
     report::PalpationMapView view;
-    view.kind = core::SurfaceMapKind::force;
+    view.kind = simulation::SurfaceMapKind::force;
     view.lumps = {{0.010, 0.005, 0.006, 0.005, 3, true}, {-0.020, -0.015, 0.004, 0.004, 5, false}};
-    view.findings = {{1, 0.012, 0.004, 0.006, core::FindingOutcome::hit, true}, {2, 0.030, -0.020, 0.0, core::FindingOutcome::falseAlarm, false},
-                     {3, -0.030, 0.020, 0.005, core::FindingOutcome::open, false}};
+    view.findings = {{1, 0.012, 0.004, 0.006, simulation::FindingOutcome::hit, true}, {2, 0.030, -0.020, 0.0, simulation::FindingOutcome::falseAlarm, false},
+                     {3, -0.030, 0.020, 0.005, simulation::FindingOutcome::open, false}};
     auto widget = std::make_unique<PalpationMapView>(plotThemeOf(theme, locale));
     widget->setMinimumSize(theme.px(560), theme.px(380));
     widget->show(map, view);
@@ -165,7 +166,7 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
         mark.kind = kind;
         track.marks.push_back(mark);
     }
-    scrubber->setTrack(track, simulation::SphereApexParameters{});
+    scrubber->setTrack(track, "sphere_apex");
     scrubber->setComments({25.0});
     scrubber->setPosition(14.0);
     all[QStringLiteral("scrubber")] = std::move(scrubber);
@@ -178,7 +179,7 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
             all[QStringLiteral("picture_%1_%2").arg(QString::fromStdString(exercise.id)).arg(level.number)] =
                 std::make_unique<ExercisePicture>(theme, level, QSize(theme.px(240), theme.px(150)));
     catalogue::ExerciseLevel dimpled = *catalogue.find("sphere_apex", 1); // seen, as a level of one's own may have it
-    std::get<simulation::SphereApexParameters>(dimpled.parameters).dimpleDepth_m = 0.002;
+    dimpled.parameters.as<simulation::SphereApexParameters>().dimpleDepth_m = 0.002;
     all[QStringLiteral("picture_dimple_seen")] = std::make_unique<ExercisePicture>(theme, dimpled, QSize(theme.px(240), theme.px(150)));
     for (const bool hooked : {false, true}) {
         PlacesSetup setup;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "app/exercises/palpation/desktop/lean_dial.h"
 #include "desktop/training/live_plot.h"
 #include "app/exercises/palpation/desktop/palpation_map.h"
@@ -10,6 +10,7 @@
 #include "desktop/training/sound_sign.h"
 #include "desktop/training/target_bar.h"
 #include "simulation/palpation/lean.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -50,10 +51,10 @@ struct Bench {
         });
         state.tools = parameters.tools();
         state.phase = core::TrialPhase::running;
-        state.palpation.present = true;
-        state.palpation.asksSize = parameters.asksSize;
-        state.palpation.asksHardness = parameters.asksHardness;
-        state.palpation.asksConfidence = parameters.asksConfidence;
+        state.exercise.own<simulation::PalpationCues>().present = true;
+        state.exercise.own<simulation::PalpationCues>().asksSize = parameters.asksSize;
+        state.exercise.own<simulation::PalpationCues>().asksHardness = parameters.asksHardness;
+        state.exercise.own<simulation::PalpationCues>().asksConfidence = parameters.asksConfidence;
         answer();
     }
     void mark() {
@@ -61,8 +62,8 @@ struct Bench {
         answer();
     }
     void answer() {
-        state.palpation.finding = book.list();
-        state.palpation.selected = book.selected();
+        state.exercise.own<simulation::PalpationCues>().finding = book.list();
+        state.exercise.own<simulation::PalpationCues>().selected = book.selected();
         panel.show(state, {});
     }
     template <class W> W* find(const char* name) { return panel.findChild<W*>(QLatin1String(name)); }
@@ -72,7 +73,7 @@ struct Bench {
     Theme theme = Theme::load(ThemeName::light, 1.0).value();
     simulation::PalpationParameters parameters;
     PalpationPanel panel;
-    core::FindingsBook book;
+    simulation::FindingsBook book;
     haptics::DisplayState state;
     std::vector<std::uint16_t> sent;
 };
@@ -93,7 +94,7 @@ private slots:
         bench.find<RatingRow>("training.confidence")->findChild<QPushButton*>(QStringLiteral("5"))->click();
         bench.find<SizeRow>("training.size")->findChild<QPushButton*>(QStringLiteral("larger"))->click();
         bench.find<SizeRow>("training.size")->findChild<QPushButton*>(QStringLiteral("larger"))->click();
-        const core::Finding said = bench.book.list()[0];
+        const simulation::Finding said = bench.book.list()[0];
         QCOMPARE(int(said.hardness), 4);
         QCOMPARE(int(said.confidence), 5);
         QCOMPARE(said.radius_m, 0.0055);
@@ -201,13 +202,13 @@ private slots:
         Bench bench(two);
         bench.state.tool[0].tissue[2] = 1.2;
         bench.state.tool[1].displayPose = {1.15, 0.3, -0.1};
-        bench.state.palpation.bandShown = true;
-        bench.state.palpation.bandLow_N = 0.8;
-        bench.state.palpation.bandHigh_N = 2.5;
-        bench.state.palpation.coverage = 0.427;
-        bench.state.palpation.lean_rad[1] = 0.7;
-        bench.state.palpation.depth_m[1] = 0.0034;
-        bench.state.palpation.leanSaturated = 2;
+        bench.state.exercise.own<simulation::PalpationCues>().bandShown = true;
+        bench.state.exercise.own<simulation::PalpationCues>().bandLow_N = 0.8;
+        bench.state.exercise.own<simulation::PalpationCues>().bandHigh_N = 2.5;
+        bench.state.exercise.own<simulation::PalpationCues>().coverage = 0.427;
+        bench.state.exercise.own<simulation::PalpationCues>().lean_rad[1] = 0.7;
+        bench.state.exercise.own<simulation::PalpationCues>().depth_m[1] = 0.0034;
+        bench.state.exercise.own<simulation::PalpationCues>().leanSaturated = 2;
         for (int frame = 0; frame < 12; ++frame)
             bench.answer();
         QCOMPARE(bench.find<TargetBar>("training.force_bar_0")->words(), QStringLiteral("1.20 N, in the band"));

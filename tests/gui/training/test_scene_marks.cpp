@@ -5,6 +5,8 @@
 #include "desktop/training/scene_feed.h"
 #include "gui/training/training_bench.h"
 #include "session/level_cues.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QtTest>
 #include <set>
@@ -53,10 +55,10 @@ private slots:
         for (const catalogue::ExerciseLevel& level : all.find("palpation")->levels) {
             QCOMPARE(on("palpation", level.number).contains("lump_answer"), level.feedback);
             QCOMPARE(on("palpation", level.number).contains("lump"), level.number == 1);
-            QCOMPARE(on("palpation", level.number).contains("tool_rings"), std::get<simulation::PalpationParameters>(level.parameters).tools() > 1);
+            QCOMPARE(on("palpation", level.number).contains("tool_rings"), level.parameters.as<simulation::PalpationParameters>().tools() > 1);
         }
         for (const catalogue::ExerciseLevel& level : all.find("elastic_tube")->levels)
-            QCOMPARE(on("elastic_tube", level.number).contains("tool_rings"), std::get<simulation::ElasticTubeParameters>(level.parameters).tools() > 1);
+            QCOMPARE(on("elastic_tube", level.number).contains("tool_rings"), level.parameters.as<simulation::ElasticTubeParameters>().tools() > 1);
         for (const catalogue::ExerciseLevel& level : all.find("urethra_insertion")->levels)
             QCOMPARE(on("urethra_insertion", level.number).contains("lumen_ring"), session::cuesOf(level, false).guidance);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "gui/training/training_bench.h"
 #include "support/settled.h"
 
@@ -59,7 +60,7 @@ public:
         hold(Qt::Key_Up, error > 0.02);
         hold(Qt::Key_Down, error < -0.02);
     }
-    ProcedureStage stage() { return m_bench.state().endoscope.stage; }
+    ProcedureStage stage() { return m_bench.state().exercise.of<simulation::EndoscopeCues>().stage; }
 
 private:
     TrainingBench& m_bench;
@@ -69,7 +70,7 @@ private:
 };
 
 const simulation::UrethraInsertionParameters& parametersOf(TrainingBench& bench, int level) {
-    return std::get<simulation::UrethraInsertionParameters>(bench.desktop.site.catalogue().find("urethra_insertion", level)->parameters);
+    return bench.desktop.site.catalogue().find("urethra_insertion", level)->parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 } // namespace
@@ -145,7 +146,7 @@ void TestUrethraTraining::startAgainBringsItBack() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.screen() && bench.screen()->feed() && bench.screen()->feed()->training().sessionId() > first, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(std::abs(bench.state().tool[0].p_WT_m[1] - start[1]) < 1e-5);
-    QVERIFY(bench.state().endoscope.stage == ProcedureStage::outside);
+    QVERIFY(bench.state().exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::outside);
     QVERIFY(bench.desktop.find<QCheckBox>(QStringLiteral("training.depth_of_field"))->isChecked());
 }
 
@@ -180,7 +181,7 @@ void TestUrethraTraining::theUnguidedLevelTellsNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     KeyPilot pilot(bench, parametersOf(bench, 5));
     pilot.hold(Qt::Key_W, true);
-    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion && bench.state().endoscope.depth_m > 0.01), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((pilot.steer(), pilot.stage() == ProcedureStage::insertion && bench.state().exercise.of<simulation::EndoscopeCues>().depth_m > 0.01), kPatience_ms);
     pilot.hold(Qt::Key_W, false);
     const session::LevelCues cues = session::cuesOf(*bench.desktop.site.catalogue().find("urethra_insertion", 5), false);
     QVERIFY(!cues.numbers && !cues.guidance && !cues.overview);
@@ -202,7 +203,7 @@ void TestUrethraTraining::demonstrated() {
     bench.train(plan);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
     QVERIFY(bench.text("training.device").contains(QStringLiteral("five-bar")));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state().endoscope.stage == ProcedureStage::insertion, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.state().exercise.of<simulation::EndoscopeCues>().stage == ProcedureStage::insertion, kPatience_ms);
     QVERIFY(bench.desktop.find<desktop::ForceBar>(QStringLiteral("training.lateral_bar")));
 }
 

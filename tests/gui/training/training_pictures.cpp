@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of a session's states: training_pictures FOLDER [LOOK ...]. Needs a display; nothing is asserted.
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "gui/training/training_bench.h"
 #include "support/patience.h"
 
@@ -88,7 +89,7 @@ void takeUrethra(TrainingBench& bench, Album& album) {
                      {QStringLiteral("device"), QStringLiteral("demonstration")}, {QStringLiteral("operator"), QLatin1String(who)}});
     };
     const auto until = [&bench](core::ProcedureStage stage, double depth_m) {
-        (void)QTest::qWaitFor([&] { return bench.state().endoscope.stage >= stage && bench.state().endoscope.depth_m >= depth_m; }, kPatience_ms);
+        (void)QTest::qWaitFor([&] { return bench.state().exercise.of<simulation::EndoscopeCues>().stage >= stage && bench.state().exercise.of<simulation::EndoscopeCues>().depth_m >= depth_m; }, kPatience_ms);
     };
     train(3, "novice");
     until(core::ProcedureStage::insertion, 0.05);

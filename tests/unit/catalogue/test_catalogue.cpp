@@ -3,6 +3,7 @@
 #include "catalogue/catalogue.h"
 #include "core/units.h"
 #include "support/content_copy.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -31,7 +32,7 @@ auto fields(const SphereApexParameters& p) {
 }
 
 const SphereApexParameters& parametersOf(const ExerciseLevel& level) {
-    return std::get<SphereApexParameters>(level.parameters);
+    return level.parameters.as<SphereApexParameters>();
 }
 
 QJsonObject json(const std::string& text) {

@@ -4,6 +4,7 @@
 #include "catalogue/schema.h"
 #include "core/languages.h"
 #include "support/content_copy.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,7 +26,7 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(const ExerciseLevel& level) { return std::get<Parameters>(level.parameters); }
+const Parameters& parametersOf(const ExerciseLevel& level) { return level.parameters.as<Parameters>(); }
 
 /// Every number of the struct but the object's.
 std::vector<double> numbers(const Parameters& p) {

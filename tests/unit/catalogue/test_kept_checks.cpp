@@ -14,6 +14,7 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "catalogue/whole_file.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -280,7 +281,7 @@ void TestKeptChecks::comparedObjects() {
         simulation::ComparisonParameters other = good;
         change(other);
         Problems problems;
-        checkComparison(other, QStringLiteral("$"), problems);
+        checkComparison(ExerciseParameters(other), QStringLiteral("$"), problems);
         out.say(QLatin1String(name), said(problems).toStdString());
     };
     for (const int places : {0, 1, 3, 4})

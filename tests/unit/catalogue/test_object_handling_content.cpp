@@ -2,6 +2,7 @@
 #include "catalogue/catalogue.h"
 #include "core/languages.h"
 #include "support/content_copy.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -22,7 +23,7 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(int number) { return std::get<Parameters>(shipped().find("object_handling", number)->parameters); }
+const Parameters& parametersOf(int number) { return shipped().find("object_handling", number)->parameters.as<Parameters>(); }
 
 const QString kFolder = QStringLiteral("exercises/object_handling/levels/");
 
@@ -34,7 +35,7 @@ class TestObjectHandlingContent : public QObject {
 private slots:
     void levelsAreWhatTheySay() {
         for (const ExerciseLevel& level : shipped().find("object_handling")->levels) {
-            const Parameters& p = std::get<Parameters>(level.parameters);
+            const Parameters& p = level.parameters.as<Parameters>();
             for (const std::string& language : core::languageIds())
                 QVERIFY(level.title.contains(language) && level.objective.contains(language) && level.measured.contains(language));
             QCOMPARE(p.task == HandlingTask::weigh, level.number == 3);

@@ -24,7 +24,7 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(int number) { return std::get<Parameters>(shipped().find("palpation", number)->parameters); }
+const Parameters& parametersOf(int number) { return shipped().find("palpation", number)->parameters.as<Parameters>(); }
 
 bool hasCue(const ExerciseLevel& level, const char* cue) {
     return std::find(level.cues.begin(), level.cues.end(), cue) != level.cues.end();
@@ -42,7 +42,7 @@ private slots:
         const auto& levels = shipped().find("palpation")->levels;
         QCOMPARE(levels.size(), std::size_t{5});
         for (const ExerciseLevel& level : levels) {
-            const Parameters& p = std::get<Parameters>(level.parameters);
+            const Parameters& p = level.parameters.as<Parameters>();
             for (const std::string& language : core::languageIds())
                 QVERIFY(level.title.contains(language) && level.objective.contains(language) && level.measured.contains(language));
             QCOMPARE(hasCue(level, "object"), level.number == 1);
@@ -115,8 +115,8 @@ private slots:
         for (const ExerciseLevel& level : shipped().find("palpation")->levels) {
             const auto again = fromResolvedJson(level.resolvedJson);
             QVERIFY2(again, again ? "" : again.error().message.c_str());
-            const Parameters& p = std::get<Parameters>(again->parameters);
-            const Parameters& q = std::get<Parameters>(level.parameters);
+            const Parameters& p = again->parameters.as<Parameters>();
+            const Parameters& q = level.parameters.as<Parameters>();
             QCOMPARE(p.tissue.layers.size(), q.tissue.layers.size());
             QCOMPARE(p.tissue.regions.size(), q.tissue.regions.size());
             QCOMPARE(p.kinds.size(), q.kinds.size());

@@ -6,6 +6,7 @@
 #include "catalogue/schema.h"
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -165,7 +166,7 @@ void TestStudyContent::aSmallestForceIsPartOfTheDesign() {
     parameters = comparisonOf(with->conditions[0], with->trial);
     QCOMPARE(parameters->probeAtLeast_N, 0.3);
     const ExerciseLevel level = comparisonLevel(*parameters, "study", "a"); // as it is stored with a session, and read for its replay
-    QCOMPARE(std::get<simulation::ComparisonParameters>(level.parameters).probeAtLeast_N, 0.3);
+    QCOMPARE(level.parameters.as<simulation::ComparisonParameters>().probeAtLeast_N, 0.3);
     psychophysics::TrialRules rules = with->trial;
     rules.mustTouchAll = false;
     QCOMPARE(comparisonOf(with->conditions[0], rules)->probeAtLeast_N, 0.0); // nothing has to be touched

@@ -3,6 +3,9 @@
 #include "catalogue/catalogue.h"
 #include "core/fp_environment.h"
 #include "support/content_copy.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "simulation/geometry/urethra/urethra_centreline.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -33,7 +36,7 @@ simulation::UrethraInsertionParameters parametersOf(const QString& tissue) {
     const auto catalogue = Catalogue::load(copy.directory());
     if (!catalogue)
         qFatal("%s", catalogue.error().message.c_str());
-    return std::get<simulation::UrethraInsertionParameters>(catalogue->find("urethra_insertion", 4)->parameters);
+    return catalogue->find("urethra_insertion", 4)->parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 Resistance resistanceOf(const simulation::UrethraInsertionParameters& p, double speed_m_per_s) {

@@ -3,6 +3,8 @@
 #include "catalogue/catalogue.h"
 #include "core/units.h"
 #include "support/content_copy.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -25,7 +27,7 @@ const Catalogue& shipped() {
     return *catalogue;
 }
 
-const Parameters& parametersOf(const ExerciseLevel& level) { return std::get<Parameters>(level.parameters); }
+const Parameters& parametersOf(const ExerciseLevel& level) { return level.parameters.as<Parameters>(); }
 
 QJsonObject json(const std::string& text) { return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object(); }
 

@@ -2,7 +2,7 @@
 #include "core/base_mounting.h"
 #include "core/clock.h"
 #include "core/contact_bits.h"
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/fp_environment.h"
 #include "core/haptic_frame.h"
 #include "core/least_squares.h"
@@ -12,6 +12,8 @@
 #include "core/units.h"
 #include "core/visible_cues.h"
 #include "support/cue_numbers.h"
+#include "core/procedure_stage.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QtTest>
 #include <bit>
@@ -19,6 +21,10 @@
 #include <cmath>
 
 using namespace chiron::core;
+using chiron::simulation::Finding;
+using chiron::simulation::FindingsBook;
+using chiron::simulation::kMaxFindings;
+using chiron::simulation::kMaxShownLumps;
 
 class TestCore : public QObject {
     Q_OBJECT
@@ -220,7 +226,7 @@ void TestCore::nothingIsShownUnlessSaid() {
     for (const BodyCue& body : LaparoscopyCues{}.body)
         QCOMPARE(body.q_W, (std::array<double, 4>{1.0, 0.0, 0.0, 0.0}));
     QCOMPARE(std::count(numbers.begin(), numbers.end(), -1.0), std::ptrdiff_t{1});
-    QCOMPARE(PalpationCues{}.selected, -1);
+    QCOMPARE(chiron::simulation::PalpationCues{}.selected, -1);
     const HapticFrame frame;
     QVERIFY(frame.tools == 0 && frame.header.index == 0 && frame.header.now_ns == 0 && frame.header.events == 0 && frame.header.guards == 0 && frame.header.trial == 0);
     QVERIFY(frame.header.heartbeatAge_ms == 0 && frame.header.phase == TrialPhase::idle && frame.header.force == ForceState::off && frame.header.paused == 0 && frame.header.reserved == 0);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/haptic_bench.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QtTest>
 
@@ -268,12 +270,12 @@ private slots:
             return bench.loop->display().latest();
         };
         const haptics::DisplayState none = shownOf({});
-        QVERIFY(!none.objectShown && !none.endoscope.present && !none.laparoscopy.present && !none.palpation.present);
+        QVERIFY(!none.objectShown && !none.exercise.holds<simulation::PalpationCues>() && !none.exercise.of<simulation::PalpationCues>().present);
         QVERIFY(none.objectRadius_m == 0.0 && none.timeLeft_s == 0.0 && none.trial == 7 && none.events == core::event_bits::kMarked);
         core::VisibleCues cues;
         cues.objectShown = true;
         const haptics::DisplayState object = shownOf(cues);
-        QVERIFY(object.objectShown && !object.endoscope.present && !object.laparoscopy.present && !object.palpation.present);
+        QVERIFY(object.objectShown);
         cues = {};
         cues.p_WObject = Vec3(0.01, -0.02, 0.03);
         cues.objectRadius_m = 0.04;
@@ -281,15 +283,16 @@ private slots:
         const haptics::DisplayState placed = shownOf(cues);
         QVERIFY((placed.p_WObject_m == std::array<double, 3>{0.01, -0.02, 0.03}));
         QVERIFY(placed.objectRadius_m == 0.04 && placed.timeLeft_s == 5.5 && !placed.objectShown);
-        cues = {};
-        cues.endoscope.present = true;
-        QVERIFY(shownOf(cues).endoscope.present && !shownOf(cues).laparoscopy.present);
-        cues = {};
-        cues.laparoscopy.present = true;
-        QVERIFY(shownOf(cues).laparoscopy.present && !shownOf(cues).palpation.present);
-        cues = {};
-        cues.palpation.present = true;
-        QVERIFY(shownOf(cues).palpation.present && !shownOf(cues).endoscope.present);
+        cues = {}; // an exercise's own, whole and as no other's
+        cues.exercise.own<simulation::PalpationCues>().present = true;
+        cues.exercise.own<simulation::PalpationCues>().squeeze_N = {0.5, 1.5};
+        const haptics::DisplayState own = shownOf(cues);
+        QVERIFY(own.exercise.of<simulation::PalpationCues>().present && own.exercise.of<simulation::PalpationCues>().squeeze_N[1] == 1.5);
+        QVERIFY(!own.exercise.holds<core::LaparoscopyCues>() && !own.exercise.of<core::LaparoscopyCues>().present);
+        cues.exercise.own<core::LaparoscopyCues>().stretch_m = 0.01; // another's takes its place
+        const haptics::DisplayState other = shownOf(cues);
+        QVERIFY(other.exercise.of<core::LaparoscopyCues>().stretch_m == 0.01 && !other.exercise.of<core::LaparoscopyCues>().present);
+        QVERIFY(!other.exercise.of<simulation::PalpationCues>().present);
     }
 
     void partsThatDoNotFitAreRefused() {

@@ -22,6 +22,13 @@ using tests::NumberLines;
 
 namespace {
 
+/// What an exercise would show.
+struct OwnCues {
+    double first = 0.0;
+    double second = 0.0;
+    double third = 0.0;
+};
+
 constexpr int kTicks = 3600, kBlock = 150;
 
 /// Walls at z = 0 of each tool's start, and in every field something that goes with tick and tool.
@@ -64,12 +71,7 @@ public:
         cues.objectShown = now.index() % 2 == 0;
         cues.p_WObject = Vec3(0.01, 0.02, 1e-5 * n);
         cues.objectRadius_m = 0.02;
-        cues.endoscope.present = true;
-        cues.endoscope.depth_m = 1e-4 * n;
-        cues.laparoscopy.present = true;
-        cues.laparoscopy.stretch_m = 2e-4 * n;
-        cues.palpation.present = true;
-        cues.palpation.coverage = 3e-4 * n;
+        cues.exercise.own<OwnCues>() = {1e-4 * n, 2e-4 * n, 3e-4 * n};
     }
 
 private:
@@ -116,7 +118,7 @@ std::vector<double> numbersOf(const haptics::DisplayState& s) {
     std::vector<double> out{static_cast<double>(s.tick), static_cast<double>(s.now_ns) * 1e-6, static_cast<double>(s.tools), static_cast<double>(s.force), static_cast<double>(s.waitsFor),
                             static_cast<double>(s.guards), static_cast<double>(s.guardsSeen), s.gain, s.forceReady ? 1.0 : 0.0, static_cast<double>(s.trial), static_cast<double>(s.phase),
                             static_cast<double>(s.events), s.timeLeft_s, s.started ? 1.0 : 0.0, s.paused ? 1.0 : 0.0, s.ended ? 1.0 : 0.0, s.objectShown ? 1.0 : 0.0, s.objectRadius_m,
-                            s.endoscope.depth_m, s.laparoscopy.stretch_m, s.palpation.coverage, s.energySupplied_J, s.energyStored_J, static_cast<double>(s.lateTicks),
+                            s.exercise.of<OwnCues>().first, s.exercise.of<OwnCues>().second, s.exercise.of<OwnCues>().third, s.energySupplied_J, s.energyStored_J, static_cast<double>(s.lateTicks),
                             static_cast<double>(s.skippedDeadlines), static_cast<double>(s.droppedFrames)};
     addAll(out, s.p_WObject_m);
     for (const haptics::ToolDisplay& tool : s.tool) {

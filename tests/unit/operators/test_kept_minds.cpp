@@ -13,6 +13,10 @@
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"
 #include "simulation/palpation/tissue_surface.h"
+#include "core/procedure_stage.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QtTest>
 
@@ -158,7 +162,7 @@ void TestKeptMinds::canal() {
     Hand& hand = hands[0];
     core::Random random(8);
     core::VisibleCues cues;
-    core::EndoscopeCues& scope = cues.endoscope;
+    simulation::EndoscopeCues& scope = cues.exercise.own<simulation::EndoscopeCues>();
     scope.present = true;
     scope.landmarks = 2;
     double dwell_s = 0.0, held_s = 0.0;
@@ -248,7 +252,7 @@ void TestKeptMinds::tube() {
         const auto inW = [&](std::size_t i) { return Vec3(hands[i].p + Vec3(briefing.places[i].origin_m[0], 0.0, 0.0)); };
         const Programme programme{.trial_s = 14.0, .trials = 2};
         core::VisibleCues cues;
-        core::LaparoscopyCues& screen = cues.laparoscopy;
+        core::LaparoscopyCues& screen = cues.exercise.own<core::LaparoscopyCues>();
         screen.present = screen.objectShown = screen.tube = true;
         screen.restLength_m = 0.06;
         std::array<Vec3, 3> grips{Vec3(-0.03, 0.0, 0.005), Vec3(0.0, 0.0, 0.01), Vec3(0.03, 0.0, 0.008)};
@@ -343,7 +347,7 @@ void TestKeptMinds::objects() {
         hand.p = Vec3(0.0, 0.0, 0.06);
         const Programme programme{.trial_s = task.trial_s, .trials = 2};
         core::VisibleCues cues;
-        core::LaparoscopyCues& screen = cues.laparoscopy;
+        core::LaparoscopyCues& screen = cues.exercise.own<core::LaparoscopyCues>();
         screen.present = screen.objectShown = screen.targetShown = true;
         screen.bodies = task.bodies;
         screen.p_WTarget = {0.01, 0.035, 0.0};
@@ -420,7 +424,7 @@ void TestKeptMinds::tissue() {
             hands[i].p = Vec3(0.018 * static_cast<double>(i), 0.0, 0.04);
         const Programme programme{.trial_s = 45.0, .trials = 2};
         core::VisibleCues cues;
-        core::PalpationCues& screen = cues.palpation;
+        simulation::PalpationCues& screen = cues.exercise.own<simulation::PalpationCues>();
         screen.present = true;
         screen.asksSize = screen.asksHardness = true;
         screen.bandShown = true;

@@ -45,7 +45,7 @@ mechanisms::HandPerception pulling() {
     mechanisms::HandPerception real;
     real.p_DT = {0.01, 0.02, 0.03};
     real.f_T_D = {0.3, -0.2, -0.9};
-    core::LaparoscopyCues& screen = real.cues.laparoscopy;
+    core::LaparoscopyCues& screen = real.cues.exercise.own<core::LaparoscopyCues>();
     screen.present = screen.objectShown = screen.tube = true;
     screen.restLength_m = 0.045;
     screen.stretch_m = 0.015;
@@ -119,8 +119,8 @@ void TestLaparoscopyPerception::noisesHaveTheirSize() {
 void TestLaparoscopyPerception::hiddenIsNotSeen() {
     const GraspPerceptionSettings s;
     auto real = pulling();
-    real.cues.laparoscopy.objectShown = false;
-    real.cues.laparoscopy.tensionShown = real.cues.laparoscopy.squeezeShown = false;
+    real.cues.exercise.own<core::LaparoscopyCues>().objectShown = false;
+    real.cues.exercise.own<core::LaparoscopyCues>().tensionShown = real.cues.exercise.own<core::LaparoscopyCues>().squeezeShown = false;
     double place2 = 0.0;
     for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
         GraspSenses senses(s, 0, {}, seed);

@@ -196,7 +196,7 @@ void TestPalpationBench::sizeIsHeardInTheReport() {
         PalpationBench bench(p, settingsOf("expert"), kFirst);
         for (int trial = 0; trial < repeated(12, 2); ++trial) {
             const auto lumps = support::drawLumps(p, {radius, 0.012, 10.0, 5}, 1, random);
-            for (const core::Finding& finding : bench.run({lumps, {}}).findings) {
+            for (const simulation::Finding& finding : bench.run({lumps, {}}).findings) {
                 if (!finding.present)
                     continue;
                 QVERIFY(finding.radius_m >= 0.001 && finding.radius_m <= 0.03);

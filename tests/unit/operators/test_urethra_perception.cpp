@@ -3,6 +3,7 @@
 #include "modules/exercises/urethra_insertion/operators/endoscope_reach.h"
 #include "modules/exercises/urethra_insertion/operators/endoscope_senses.h"
 #include "modules/exercises/urethra_insertion/operators/way_memory.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QtTest>
 #include <cmath>
@@ -27,11 +28,11 @@ namespace {
 mechanisms::HandPerception still(double pitch, double yaw) {
     mechanisms::HandPerception real;
     real.q_DT = mechanisms::SphericalJoint({pitch, yaw, 0.0}).orientation_DT();
-    real.cues.endoscope.pictureShown = true;
-    real.cues.endoscope.guided = true;
-    real.cues.endoscope.depth_m = 0.05;
-    real.cues.endoscope.toLumen_T = {-0.1, 0.2, -std::sqrt(1.0 - 0.05)}; // left and up
-    real.cues.endoscope.lumenDistance_m = 0.03;
+    real.cues.exercise.own<simulation::EndoscopeCues>().pictureShown = true;
+    real.cues.exercise.own<simulation::EndoscopeCues>().guided = true;
+    real.cues.exercise.own<simulation::EndoscopeCues>().depth_m = 0.05;
+    real.cues.exercise.own<simulation::EndoscopeCues>().toLumen_T = {-0.1, 0.2, -std::sqrt(1.0 - 0.05)}; // left and up
+    real.cues.exercise.own<simulation::EndoscopeCues>().lumenDistance_m = 0.03;
     return real;
 }
 
@@ -74,7 +75,7 @@ void TestUrethraPerception::noisesHaveTheirSize() {
         real.f_T_D = -2.0 * mechanisms::SphericalJoint({0.3, 0.0, 0.0}).view_D();
         EndoscopeSenses senses(s, seed);
         const EndoscopePercept felt = nextLook(senses, real);
-        real.cues.endoscope.guided = false;
+        real.cues.exercise.own<simulation::EndoscopeCues>().guided = false;
         EndoscopeSenses unguided(s, seed);
         const double truth = std::atan2(0.2, std::sqrt(1.0 - 0.05));
         pitch2 += std::pow(felt.pitch_rad - 0.3, 2);
@@ -91,13 +92,13 @@ void TestUrethraPerception::noisesHaveTheirSize() {
 void TestUrethraPerception::hiddenIsNotSeen() {
     EndoscopeSenses senses({}, 1);
     auto real = still(0.0, 0.0);
-    real.cues.endoscope.landmarkShown = true;
-    real.cues.endoscope.toLandmark_T = {0.0, 0.01, -0.05};
+    real.cues.exercise.own<simulation::EndoscopeCues>().landmarkShown = true;
+    real.cues.exercise.own<simulation::EndoscopeCues>().toLandmark_T = {0.0, 0.01, -0.05};
     QVERIFY(nextLook(senses, real).landmark.seen);
-    real.cues.endoscope.toLumen_T = {}; // wall alone
+    real.cues.exercise.own<simulation::EndoscopeCues>().toLumen_T = {}; // wall alone
     QVERIFY(!nextLook(senses, real).lumen.seen);
-    real.cues.endoscope.toLumen_T = {0.0, 0.0, -1.0};
-    real.cues.endoscope.pictureShown = false;
+    real.cues.exercise.own<simulation::EndoscopeCues>().toLumen_T = {0.0, 0.0, -1.0};
+    real.cues.exercise.own<simulation::EndoscopeCues>().pictureShown = false;
     const EndoscopePercept& dark = nextLook(senses, real);
     QVERIFY(!dark.lumen.seen && !dark.landmark.seen);
 }

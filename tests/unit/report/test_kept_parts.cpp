@@ -9,6 +9,12 @@
 #include "session_report/exercise_section.h"
 #include "support/kept_figures.h"
 #include "unit/scoring/drawn_traces.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <QtTest>
 
@@ -101,7 +107,7 @@ QStringList partsOf(const SessionTrace& trace, const catalogue::ExerciseLevel& l
     return out.lines;
 }
 
-catalogue::ExerciseLevel levelOf(const char* exercise, catalogue::ExerciseParameters parameters) {
+template <class Parameters> catalogue::ExerciseLevel levelOf(const char* exercise, Parameters parameters) {
     catalogue::ExerciseLevel level;
     level.exercise = exercise;
     level.parameters = std::move(parameters);

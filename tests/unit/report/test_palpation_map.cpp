@@ -7,8 +7,8 @@
 
 using namespace chiron;
 using namespace chiron::report;
-using core::FindingOutcome;
-using core::SurfaceMapKind;
+using simulation::FindingOutcome;
+using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::MapBands;
 using simulation::SurfaceMap;

@@ -5,6 +5,7 @@
 
 #include "core/random.h"
 #include "scoring/trace.h"
+#include "core/report_word.h"
 
 #include <algorithm>
 #include <cmath>

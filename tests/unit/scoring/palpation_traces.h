@@ -2,8 +2,9 @@
 // Trials of a palpation that were made up, as a recording tells them.
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "scoring/trace.h"
+#include "core/report_word.h"
 
 #include <cstddef>
 #include <string>

@@ -45,7 +45,7 @@ private slots:
         const PalpationAnswer answer = answerOf(trial);
         QCOMPARE(answer.reports.size(), std::size_t{9});
         QCOMPARE(answer.reports.front().t_s, 1.0);
-        const core::Finding& first = answer.findings.list()[0];
+        const simulation::Finding& first = answer.findings.list()[0];
         QVERIFY(first.present && answer.findings.done() && !answer.findings.has(1));
         QCOMPARE(first.p_W[1], 0.002);
         QCOMPARE(first.radius_m, 0.0075);

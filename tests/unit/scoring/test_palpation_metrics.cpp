@@ -9,6 +9,7 @@
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
+#include "core/report_word.h"
 
 #include <QtTest>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "frames.h"
 #include "session/playback_track.h"
 

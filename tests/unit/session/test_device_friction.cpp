@@ -36,7 +36,7 @@ session::SessionSetup onMechanism() {
 
 /// The tissue's force on the endoscope at the bladder neck, advanced at 10 mm/s.
 Vec3 forceAtTheNeck(const session::SessionSetup& setup) {
-    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.level.parameters);
+    const auto& p = setup.level.parameters.as<simulation::UrethraInsertionParameters>();
     const auto scene = kind().makeScene(setup);
     const simulation::UrethraCentreline line(p.anatomy);
     simulation::SceneInput in;

@@ -4,6 +4,7 @@
 #include "app/exercises/palpation/session/detection_record.h"
 #include "app/exercises/palpation/session/palpation_record.h"
 #include "simulation/palpation/tissue_surface.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QtTest>
 #include <cmath>

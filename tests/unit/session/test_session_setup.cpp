@@ -3,6 +3,9 @@
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"
 #include "simulation/palpation/tissue_surface.h"
 #include "support/session_fixture.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "core/laparoscopy_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QtTest>
 
@@ -143,7 +146,7 @@ void TestSessionSetup::whatCannotBeFeltIsShown() {
     setup.level = *catalogue->find(exercise.toStdString(), level);
     const auto kind = session::exerciseKind(exercise.toStdString());
     core::Vec3 at(0.0, 0.0, 0.004);
-    if (const auto* p = std::get_if<simulation::PalpationParameters>(&setup.level.parameters)) // 2 mm in the tissue
+    if (const auto* p = setup.level.parameters.find<simulation::PalpationParameters>()) // 2 mm in the tissue
         at = simulation::TissueSurface(p->tissue.shape).pointAt({0.0, 0.0}) - core::Vec3(0.0, 0.0, 0.002);
     for (const bool felt : {true, false}) {
         setup.devices.front().rendersForce = felt;
@@ -157,8 +160,8 @@ void TestSessionSetup::whatCannotBeFeltIsShown() {
         realtime::TickSource ticks;
         for (int n = 0; n < 3; ++n)
             scene->respond(ticks.next(0), in, out);
-        const core::PalpationCues& cues = out.cues.palpation;
-        const bool bars = exercise == "palpation" ? cues.bandShown : out.cues.laparoscopy.squeezeShown;
+        const simulation::PalpationCues& cues = out.cues.exercise.of<simulation::PalpationCues>();
+        const bool bars = exercise == "palpation" ? cues.bandShown : out.cues.exercise.of<core::LaparoscopyCues>().squeezeShown;
         QCOMPARE(bars, !felt);
         QCOMPARE(cues.lumps, 0); // hidden either way
         if (exercise == "palpation")

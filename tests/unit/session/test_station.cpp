@@ -7,6 +7,7 @@
 #include "session/exercise_kind.h"
 #include "session/station.h"
 #include "simulation/palpation/tissue_surface.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QtTest>
 #include <cmath>
@@ -284,7 +285,7 @@ private slots:
         QVERIFY(kind.has_value());
         int levels = 0;
         for (const catalogue::ExerciseLevel& level : catalogue->find("palpation")->levels) {
-            const simulation::TissueSurface surface(std::get<simulation::PalpationParameters>(level.parameters).tissue.shape);
+            const simulation::TissueSurface surface(level.parameters.as<simulation::PalpationParameters>().tissue.shape);
             for (const session::WorkspaceChoice& choice : {session::WorkspaceChoice{}, session::WorkspaceChoice{.scale = 2.0, .origin_m = {0.01, -0.02, 0.005}},
                                                            session::WorkspaceChoice{.scale = 0.5, .leftHanded = true}}) {
                 auto station = session::keyboardMouseStation(choice, **kind, level);

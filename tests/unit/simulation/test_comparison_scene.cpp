@@ -3,6 +3,7 @@
 
 #include "core/fp_environment.h"
 #include "core/units.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QtTest>
 
@@ -172,7 +173,7 @@ void TestComparisonScene::allThatIsDrawnOfARingTakesHold() {
             for (const Vec3& way : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8), Vec3(0, -0.6, 0.8), Vec3(0, 0, 0)}) {
                 ComparisonDriver d(p);
                 d.startRunning();
-                const core::BodyCue& drawn = d.out.cues.laparoscopy.body[static_cast<std::size_t>(place)];
+                const core::BodyCue& drawn = d.out.cues.exercise.of<core::LaparoscopyCues>().body[static_cast<std::size_t>(place)];
                 QCOMPARE(drawn.radius_m, zone.radius_m);
                 QCOMPARE(drawn.p_W[2], zone.height_m);
                 const Vec3 centre = d.at(place, zone.height_m);
@@ -329,10 +330,10 @@ void TestComparisonScene::limitsOfATrial() {
     d.startRunning();
     d.tool().p_WT = d.at(1, -0.002);
     d.ticks(498);
-    QVERIFY(d.force().norm() > 0.5 && d.out.cues.laparoscopy.objectShown);
+    QVERIFY(d.force().norm() > 0.5 && d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown);
     d.ticks(4);
     QCOMPARE(d.force().norm(), 0.0);
-    QVERIFY(!d.out.cues.laparoscopy.objectShown && d.out.phase == core::TrialPhase::running);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown && d.out.phase == core::TrialPhase::running);
     d.ticks(300);
     QVERIFY((d.events & bits::kTimedOut) != 0 && d.out.phase == core::TrialPhase::between);
 }

@@ -45,12 +45,12 @@ void TestElasticTubeScene::flowOfTrials() {
     TubeDriver d(tubeExercise(TubeTask::hold));
     d.tick();
     QCOMPARE(d.out.phase, core::TrialPhase::idle);
-    QVERIFY(!d.out.cues.laparoscopy.tube);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().tube);
     d.in.started = true;
     d.tick();
     QCOMPARE(d.out.phase, core::TrialPhase::ready);
     QVERIFY(d.out.events & bits::kSceneChanged);
-    QVERIFY(d.out.cues.laparoscopy.tube);
+    QVERIFY(d.out.cues.exercise.of<core::LaparoscopyCues>().tube);
     d.ticks(100);
     QCOMPARE(d.out.phase, core::TrialPhase::ready); // until force is armed
     d.in.forceReady = true;
@@ -176,7 +176,7 @@ void TestElasticTubeScene::afterATrialThePullFades() {
     }
     QVERIFY(d.largestStep_N < 0.01);
     QVERIFY(d.force(0) == Vec3::Zero());
-    QVERIFY(!d.out.cues.laparoscopy.tube);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().tube);
 }
 
 void TestElasticTubeScene::whatIsOffIsOff_data() {
@@ -206,7 +206,7 @@ void TestElasticTubeScene::whatIsOffIsOff() {
         d.moveTo(0, d.tool(0).p_WT + Vec3(0.0, 0.0, task == TubeTask::hold ? trial.target_N / 60.0 : 0.4 * p.restLength_m));
         d.ticks(100);
         QCOMPARE(d.step(), Step::hold); // what is recorded does not depend on what is shown
-        const core::LaparoscopyCues& cues = d.out.cues.laparoscopy;
+        const core::LaparoscopyCues& cues = d.out.cues.exercise.of<core::LaparoscopyCues>();
         QVERIFY(cues.present);
         QCOMPARE(cues.tube, object);
         QCOMPARE(cues.objectShown, object);

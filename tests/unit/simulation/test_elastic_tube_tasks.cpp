@@ -45,8 +45,8 @@ void TestElasticTubeTasks::holdInTheBand() {
     d.grasp(0, 1);
     QCOMPARE(d.step(), Step::stretch);
     const double target_N = d.scene.trials()[0].target_N;
-    QCOMPARE(d.out.cues.laparoscopy.bandLow_N, target_N - d.p.band_N);
-    QCOMPARE(d.out.cues.laparoscopy.bandHigh_N, target_N + d.p.band_N);
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bandLow_N, target_N - d.p.band_N);
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bandHigh_N, target_N + d.p.band_N);
     d.moveTo(0, placeOfTension(d, target_N - d.p.band_N - 0.02));
     QCOMPARE(d.step(), Step::stretch);
     d.moveTo(0, placeOfTension(d, target_N));
@@ -91,10 +91,10 @@ void TestElasticTubeTasks::leavingTheBandBreaksTheHold() {
 void TestElasticTubeTasks::stretchToTheMark() {
     TubeDriver d(tubeExercise(TubeTask::stretch));
     d.startRunning();
-    QVERIFY(d.out.cues.laparoscopy.targetShown);
-    QCOMPARE(d.out.cues.laparoscopy.bandHigh_N, 0.0); // a task without a target tension
+    QVERIFY(d.out.cues.exercise.of<core::LaparoscopyCues>().targetShown);
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bandHigh_N, 0.0); // a task without a target tension
     d.grasp(0, 1);
-    const auto& mark = d.out.cues.laparoscopy.p_WTarget;
+    const auto& mark = d.out.cues.exercise.of<core::LaparoscopyCues>().p_WTarget;
     d.moveTo(0, {mark[0], mark[1], mark[2]});
     QCOMPARE(d.step(), Step::hold);
     QVERIFY(std::abs(d.quantity(TubeQuantity::stretch_m) - 0.4 * d.p.restLength_m) < 1e-9);
@@ -106,7 +106,7 @@ void TestElasticTubeTasks::stretchToTheMark() {
 void TestElasticTubeTasks::twoHands() {
     TubeDriver d(tubeExercise(TubeTask::twoHanded));
     d.startRunning();
-    QVERIFY(!d.out.cues.laparoscopy.gripAnchored[0]);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().gripAnchored[0]);
     d.grasp(0, 1);
     QCOMPARE(d.step(), Step::grasp); // one end is not enough
     d.grasp(1, 0);
@@ -141,13 +141,13 @@ ElasticTubeParameters behindAFold() {
 }
 
 Vec3 edgeOf(const TubeDriver& d) {
-    const auto& at = d.out.cues.laparoscopy.p_WFoldEdge;
+    const auto& at = d.out.cues.exercise.of<core::LaparoscopyCues>().p_WFoldEdge;
     return {at[0], at[1], at[2]};
 }
 
 /// Where the fold's edge is when it is drawn back with this pull.
 Vec3 drawnBack(const TubeDriver& d, double pull_N) {
-    const auto& at = d.out.cues.laparoscopy.p_WFoldBase;
+    const auto& at = d.out.cues.exercise.of<core::LaparoscopyCues>().p_WFoldBase;
     const double length_m = tissueFoldShape(d.p, d.scene.trials()[d.out.trial]).length_m;
     return Vec3(at[0], at[1], at[2]) + (length_m + pull_N / d.p.foldStiffness_N_per_m) * Vec3(0.0, 0.8, 0.6);
 }
@@ -170,7 +170,7 @@ void TestElasticTubeTasks::aFoldIsHeldBack() {
     d.tool(2).p_WT = edgeOf(d);
     d.tick();
     d.close(2);
-    QCOMPARE(d.out.cues.laparoscopy.foldHeldBy, std::uint8_t{4});
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().foldHeldBy, std::uint8_t{4});
     d.moveTo(2, drawnBack(d, 0.55));
     QCOMPARE(d.quantity(TubeQuantity::foldOpen), 0.0);
     d.moveTo(2, drawnBack(d, 0.8));
@@ -263,7 +263,7 @@ void TestElasticTubeTasks::transferFromHandToHand() {
     d.ticks(800);
     QVERIFY(d.force(0) == Vec3::Zero()); // ... and who let go feels nothing more
     QVERIFY2(d.largestStep_N < 0.05, qPrintable(QString::number(d.largestStep_N)));
-    const auto& at = d.out.cues.laparoscopy.p_WTarget;
+    const auto& at = d.out.cues.exercise.of<core::LaparoscopyCues>().p_WTarget;
     for (int i = 0; i < 40 && d.step() != Step::hold; ++i) { // sees where the end is and leads it there
         const Vec3 off = Vec3(at[0], at[1], at[2]) - d.place(2);
         d.moveTo(1, d.tool(1).p_WT + 0.5 * off);
@@ -307,7 +307,7 @@ void TestElasticTubeTasks::tearing() {
     d.tick();
     QVERIFY(d.out.events & bits::kFailed);
     QVERIFY(d.events & bits::kDamaged);
-    QVERIFY(d.out.cues.laparoscopy.torn);
+    QVERIFY(d.out.cues.exercise.of<core::LaparoscopyCues>().torn);
     QCOMPARE(int(d.out.contact[0]), int(core::contact_bits::kYielded | core::contact_bits::kThrough));
     const double torn_N = d.force(0).norm();
     QVERIFY(torn_N > 2.0);

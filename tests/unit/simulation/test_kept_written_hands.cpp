@@ -90,7 +90,7 @@ QStringList told(const Case& c) {
                 tool.q_WT = core::Quat::FromTwoVectors(-Vec3::UnitZ(), axis.normalized()) * core::Quat(Eigen::AngleAxisd(0.3 * std::sin(0.001 * tick), Vec3::UnitZ()));
                 tool.buttons = 0;
             } else {
-                const core::LaparoscopyCues& l = out.cues.laparoscopy;
+                const core::LaparoscopyCues& l = out.cues.exercise.of<core::LaparoscopyCues>();
                 if (tick % kPhase_ticks == 0) {
                     Vec3 at = c.where(out.trial) + Vec3(0.004 * round, -0.003 * round, 0.0);
                     if (l.bodies > 0)

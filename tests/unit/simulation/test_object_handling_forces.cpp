@@ -73,7 +73,7 @@ void TestObjectHandlingForces::squeezeFollowsTheLaw() {
     const double expected = stiffening > 0.0 ? 300.0 / stiffening * std::expm1(stiffening * depth_m) : 300.0 * depth_m;
     QCOMPARE(d.q(q::kHeld), 1.0);
     QVERIFY(isNear(d.q(q::kSqueeze), expected, 1e-9));
-    QVERIFY(isNear(d.out.cues.laparoscopy.body[0].squeeze_m, 2.0 * depth_m, 1e-12));
+    QVERIFY(isNear(d.out.cues.exercise.of<core::LaparoscopyCues>().body[0].squeeze_m, 2.0 * depth_m, 1e-12));
 }
 
 void TestObjectHandlingForces::openJawsGoRoundWithoutForce() {

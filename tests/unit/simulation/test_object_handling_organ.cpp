@@ -129,7 +129,7 @@ void TestObjectHandlingOrgan::withoutItsOrganNothingIsThere() {
     d.observe = [&](HandlingDriver& now) { largest_N = std::max(largest_N, now.force().norm()); };
     d.moveTo(Vec3(0.0, 0.0, -0.010), 1.0);
     QCOMPARE(largest_N, 0.0);
-    QCOMPARE(d.out.cues.laparoscopy.bodies, 0);
+    QCOMPARE(d.out.cues.exercise.of<core::LaparoscopyCues>().bodies, 0);
     d.ticks(1500);
     QCOMPARE(d.events & bits::kTimedOut, bits::kTimedOut);
     QCOMPARE(d.events & bits::kCompleted, 0U);

@@ -17,7 +17,7 @@ namespace q = handling_quantity;
 
 namespace {
 
-LaparoscopyStep stepOf(const HandlingDriver& d) { return d.out.cues.laparoscopy.step; }
+LaparoscopyStep stepOf(const HandlingDriver& d) { return d.out.cues.exercise.of<core::LaparoscopyCues>().step; }
 
 /// From grasped to let go in the target.
 void carryToTarget(HandlingDriver& d, double height_m = 0.045) {
@@ -82,7 +82,7 @@ void TestObjectHandlingTask::trialsFollowOneAnother() {
     QCOMPARE(d.out.phase, TrialPhase::running); // the last tick still has the object
     QCOMPARE(d.tick().phase, TrialPhase::between);
     QCOMPARE(d.force().norm(), 0.0);
-    QVERIFY(!d.out.cues.laparoscopy.objectShown);
+    QVERIFY(!d.out.cues.exercise.of<core::LaparoscopyCues>().objectShown);
     d.ticks(20);
     QCOMPARE(d.out.phase, TrialPhase::ready);
     QCOMPARE(d.out.trial, std::uint16_t{1});
@@ -286,7 +286,7 @@ void TestObjectHandlingTask::cuesFollowTheLevel() {
             HandlingDriver d(p);
             d.startRunning();
             d.graspObject();
-            const core::LaparoscopyCues& shown = d.out.cues.laparoscopy;
+            const core::LaparoscopyCues& shown = d.out.cues.exercise.of<core::LaparoscopyCues>();
             QVERIFY(shown.present);
             QCOMPARE(shown.objectShown, object);
             QCOMPARE(shown.targetShown, object);

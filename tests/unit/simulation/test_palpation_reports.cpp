@@ -38,8 +38,8 @@ void TestPalpationReports::aMarkIsAFindingAndEndsNothing() {
     QVERIFY((d.told[0].p_W - Vec3(0.011, -0.007, 0.0)).norm() < 1e-9); // on the surface
     QCOMPARE(d.out.phase, TrialPhase::running);
     QVERIFY(!(d.events & bits::kMarked));
-    QVERIFY(d.out.cues.palpation.finding[0].present);
-    QCOMPARE(d.out.cues.palpation.selected, 0);
+    QVERIFY(d.out.cues.exercise.of<simulation::PalpationCues>().finding[0].present);
+    QCOMPARE(d.out.cues.exercise.of<simulation::PalpationCues>().selected, 0);
     d.in.tools.tools[0].buttons = core::kButtonMark; // held: once
     d.ticks(100);
     QCOMPARE(d.told.size(), std::size_t{2});
@@ -88,7 +88,7 @@ void TestPalpationReports::reportsFindOneAnother() {
     QCOMPARE(int(found[1].confidence), 2);
     QVERIFY(std::abs(found[1].p_W[0] + 0.01) < 1e-9);
     // Who reads the recording has the same book.
-    core::FindingsBook read;
+    simulation::FindingsBook read;
     for (const ToldReport& report : d.told) {
         if (report.field == ReportField::found)
             read.place(report.finding, {report.p_W.x(), report.p_W.y(), report.p_W.z()});
@@ -125,10 +125,10 @@ void TestPalpationReports::whatMeansNothingIsNotTold() {
         d.in.mark = true;
         d.ticks(20);
     }
-    QCOMPARE(d.told.size(), core::kMaxFindings);
+    QCOMPARE(d.told.size(), simulation::kMaxFindings);
     d.command(ReportField::hardness, 6);
     d.ticks(20);
-    QCOMPARE(d.told.size(), core::kMaxFindings);
+    QCOMPARE(d.told.size(), simulation::kMaxFindings);
     d.in.reports = 1000; // whoever says so many: no more than there are
     d.ticks(20);
     QCOMPARE(d.out.phase, TrialPhase::running);

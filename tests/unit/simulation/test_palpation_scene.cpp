@@ -86,7 +86,7 @@ void TestPalpationScene::coverageIsOfTheTrial() {
     d.ticks(10);
     const double pad = 3.14159 * 0.005 * 0.005 / (0.08 * 0.08);
     QVERIFY(std::abs(d.out.quantities[q::kCoverage] - pad) < 0.25 * pad); // whole cells
-    QCOMPARE(d.out.cues.palpation.coverage, d.out.quantities[q::kCoverage]);
+    QCOMPARE(d.out.cues.exercise.of<simulation::PalpationCues>().coverage, d.out.quantities[q::kCoverage]);
     d.at(0, 0.01, 0.01, 0.01);
     d.command(ReportField::done, 0);
     d.ticks(40);
@@ -158,7 +158,7 @@ void TestPalpationScene::cuesAreTheLevels() {
     p.asksSize = true;
     PalpationDriver shown(p);
     shown.startRunning();
-    const core::PalpationCues& all = shown.out.cues.palpation;
+    const simulation::PalpationCues& all = shown.out.cues.exercise.of<simulation::PalpationCues>();
     QVERIFY(all.present && all.asksSize && !all.asksHardness && all.asksConfidence);
     QCOMPARE(all.lumps, 1);
     const Lump& lump = shown.trial().lump[0];
@@ -171,7 +171,7 @@ void TestPalpationScene::cuesAreTheLevels() {
     hidden.startRunning();
     hidden.at(0, 0.0, 0.0, -0.003);
     hidden.tick();
-    const core::PalpationCues& none = hidden.out.cues.palpation;
+    const simulation::PalpationCues& none = hidden.out.cues.exercise.of<simulation::PalpationCues>();
     QVERIFY(none.present && !none.bandShown && !none.coverageShown);
     QCOMPARE(none.lumps, 0);
     QCOMPARE(none.lump[0].radius_m, 0.0);
@@ -233,7 +233,7 @@ void TestPalpationScene::catchTrialsFeelAlikeEverywhere() {
         ++seed;
     PalpationDriver d(p, seed);
     d.startRunning();
-    QCOMPARE(d.out.cues.palpation.lumps, 0);
+    QCOMPARE(d.out.cues.exercise.of<simulation::PalpationCues>().lumps, 0);
     const auto pressAt = [&](double x_m, double y_m) {
         d.at(0, x_m, y_m, 0.01);
         d.tick();

@@ -300,8 +300,8 @@ void TestTissuePinch::thePadFeelsIt() {
     const double squeeze = d.out.quantities[q::kSqueeze];
     QVERIFY2(squeeze > 1.0, qPrintable(QString::number(squeeze)));
     QVERIFY(std::abs(d.out.display[0].normalForce_N - pressed - squeeze) < 1e-12);
-    QCOMPARE(d.out.cues.palpation.squeeze_N[0], squeeze);
-    QVERIFY(d.out.cues.palpation.squeezeShown);
+    QCOMPARE(d.out.cues.exercise.of<simulation::PalpationCues>().squeeze_N[0], squeeze);
+    QVERIFY(d.out.cues.exercise.of<simulation::PalpationCues>().squeezeShown);
     d.at(0, 0.030, 0.030, 0.010); // out of it
     d.tick();
     QCOMPARE(d.out.quantities[q::kSqueeze], 0.0);

@@ -90,7 +90,7 @@ void TestUrethraPicture::lumenIsSeenAhead() {
     d.startRunning();
     for (double s = -0.030; s < 0.150; s += 0.0013) {
         d.at(s, 9); // long enough for a new look
-        const core::EndoscopeCues& cues = d.out.cues.endoscope;
+        const simulation::EndoscopeCues& cues = d.out.cues.exercise.of<simulation::EndoscopeCues>();
         const Vec3 to = vectorOf(cues.toLumen_T);
         QVERIFY2(std::abs(to.norm() - 1.0) < 1e-9, qPrintable(QString::number(s)));
         QVERIFY(to.z() < -0.8);             // ahead: the camera looks along −z
@@ -104,8 +104,8 @@ void TestUrethraPicture::lumenIsSeenAhead() {
     }
     // A canal of constant curvature κ and radius r is seen as far as a chord stays in it: √(8 r/κ), here 28 mm and a step.
     d.at(0.0101, 9);
-    QVERIFY2(d.out.cues.endoscope.lumenDistance_m > 0.020 && d.out.cues.endoscope.lumenDistance_m < 0.040,
-             qPrintable(QString::number(d.out.cues.endoscope.lumenDistance_m)));
+    QVERIFY2(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m > 0.020 && d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m < 0.040,
+             qPrintable(QString::number(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m)));
 }
 
 void TestUrethraPicture::lumenIsNotSeenThroughTheWall() {
@@ -115,13 +115,13 @@ void TestUrethraPicture::lumenIsNotSeenThroughTheWall() {
     const CentrelinePoint at = line.at(0.060);
     d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 1.2 * Vec3::UnitX()); // 50° aside, the picture is 35° wide
     d.ticks(9);
-    QVERIFY(d.out.cues.endoscope.pictureShown);
-    QCOMPARE(vectorOf(d.out.cues.endoscope.toLumen_T).norm(), 0.0);
-    QCOMPARE(d.out.cues.endoscope.lumenDistance_m, 0.0);
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
+    QCOMPARE(vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T).norm(), 0.0);
+    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().lumenDistance_m, 0.0);
     d.tool() = endoscopeAt(d.p.pose, at.p_A, at.t_A + 0.5 * Vec3::UnitX()); // 27° aside: at the picture's edge, to the left
     d.ticks(9);
-    QVERIFY(vectorOf(d.out.cues.endoscope.toLumen_T).norm() > 0.99);
-    QVERIFY(d.out.cues.endoscope.toLumen_T[0] > 0.3); // x̂ is to the patient's right, the picture's left
+    QVERIFY(vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T).norm() > 0.99);
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T[0] > 0.3); // x̂ is to the patient's right, the picture's left
 }
 
 void TestUrethraPicture::cuesFollowTheLevel() {
@@ -130,7 +130,7 @@ void TestUrethraPicture::cuesFollowTheLevel() {
     Driver blind(p);
     blind.startRunning();
     blind.at(0.160, 10);
-    const core::EndoscopeCues& none = blind.out.cues.endoscope;
+    const simulation::EndoscopeCues& none = blind.out.cues.exercise.of<simulation::EndoscopeCues>();
     QVERIFY(none.present && !none.pictureShown && !none.guided && !none.landmarkShown);
     QCOMPARE(vectorOf(none.toLumen_T).norm() + vectorOf(none.toLandmark_T).norm() + none.lumenDistance_m, 0.0);
     QVERIFY(std::abs(none.depth_m - 0.160) < 1e-6); // the marks on the shaft are there
@@ -138,7 +138,7 @@ void TestUrethraPicture::cuesFollowTheLevel() {
     Driver seeing(p);
     seeing.startRunning();
     seeing.at(0.160, 10);
-    QVERIFY(seeing.out.cues.endoscope.pictureShown && !seeing.out.cues.endoscope.guided);
+    QVERIFY(seeing.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown && !seeing.out.cues.exercise.of<simulation::EndoscopeCues>().guided);
     QVERIFY(!seeing.out.cues.objectShown);
 }
 
@@ -146,13 +146,13 @@ void TestUrethraPicture::landmarkCueIsWhereTheLandmarkIs() {
     Driver d(wholeProcedure());
     d.startRunning();
     d.at(0.160, 10);
-    QVERIFY(d.out.cues.endoscope.landmarkShown);
-    const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * vectorOf(d.out.cues.endoscope.toLandmark_T);
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarkShown);
+    const Vec3 seen_W = d.tool().p_WT + d.tool().q_WT * vectorOf(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T);
     const std::array<double, 3> landmark = procedurePlan(d.p).landmark_A[0];
     QVERIFY((d.p.pose.pointToA(seen_W) - vectorOf(landmark)).norm() < 1e-9);
-    QVERIFY(d.out.cues.endoscope.toLandmark_T[0] < 0.0); // the patient's right lies to the left in the picture
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().toLandmark_T[0] < 0.0); // the patient's right lies to the left in the picture
     d.at(0.120, 10);
-    QVERIFY(!d.out.cues.endoscope.landmarkShown); // back in the canal
+    QVERIFY(!d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarkShown); // back in the canal
 }
 
 QTEST_APPLESS_MAIN(TestUrethraPicture)

@@ -43,7 +43,7 @@ void TestUrethraScene::waitsForStartAndForce() {
     d.at(0.060, 50);
     QCOMPARE(d.out.phase, TrialPhase::idle);
     QCOMPARE(norm(d.out.tissue.tools[0]), 0.0); // no patient before the start
-    QVERIFY(d.out.cues.endoscope.present && !d.out.cues.endoscope.pictureShown);
+    QVERIFY(d.out.cues.exercise.of<simulation::EndoscopeCues>().present && !d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
     d.in.started = true;
     d.tick();
     QCOMPARE(d.out.phase, TrialPhase::ready);
@@ -53,7 +53,7 @@ void TestUrethraScene::waitsForStartAndForce() {
     QCOMPARE(d.out.phase, TrialPhase::ready);
     QCOMPARE(d.out.cues.timeLeft_s, 120.0);
     QVERIFY(d.out.storedEnergy_J > 0.0); // the canal is squeezed: the supervisor sees it
-    QCOMPARE(d.out.cues.endoscope.stage, ProcedureStage::outside);
+    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage, ProcedureStage::outside);
     d.in.forceReady = true;
     d.tick();
     QCOMPARE(d.out.phase, TrialPhase::running);
@@ -64,20 +64,20 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
     Driver d(wholeProcedure());
     d.startRunning();
     IdealProcedure hand(d.p);
-    std::vector<ProcedureStage> stages{d.out.cues.endoscope.stage};
+    std::vector<ProcedureStage> stages{d.out.cues.exercise.of<simulation::EndoscopeCues>().stage};
     int seen = 0;
     int changed = 0;
     double deepest_m = 0.0;
     while ((d.out.events & (bits::kCompleted | bits::kTimedOut)) == 0) {
         QVERIFY(d.source.executed() < 60'000);
-        d.tool() = hand.next(d.out.cues.endoscope.stage, d.scene.procedure().nextLandmark());
+        d.tool() = hand.next(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage, d.scene.procedure().nextLandmark());
         d.tick();
         if ((d.out.events & bits::kStageChanged) != 0) {
             ++changed;
-            stages.push_back(d.out.cues.endoscope.stage);
+            stages.push_back(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage);
         }
         seen += (d.out.events & bits::kLandmarkSeen) != 0;
-        deepest_m = std::max(deepest_m, d.out.cues.endoscope.depth_m);
+        deepest_m = std::max(deepest_m, d.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m);
         QCOMPARE(d.out.phase, TrialPhase::running);
     }
     QVERIFY((d.out.events & bits::kCompleted) != 0);
@@ -85,7 +85,7 @@ void TestUrethraScene::idealPathWalksThroughTheStages() {
     QVERIFY((stages == std::vector{ProcedureStage::outside, ProcedureStage::insertion, ProcedureStage::inspection,
                                    ProcedureStage::withdrawal, ProcedureStage::completed}));
     QCOMPARE(seen, 2);
-    QCOMPARE(d.out.cues.endoscope.landmarksSeen, 3u);
+    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().landmarksSeen, 3u);
     QVERIFY(std::abs(deepest_m - procedurePlan(d.p).goal_m) < 1e-4);
     d.tick();
     QCOMPARE(d.out.phase, TrialPhase::finished);
@@ -130,7 +130,7 @@ void TestUrethraScene::pauseStopsClockAndProcedure() {
     d.at(0.060, 98); // 99 ticks of the trial
     d.in.paused = true;
     d.at(0.155, 1000);
-    QCOMPARE(d.out.cues.endoscope.stage, ProcedureStage::insertion); // moved while paused: no progress
+    QCOMPARE(d.out.cues.exercise.of<simulation::EndoscopeCues>().stage, ProcedureStage::insertion); // moved while paused: no progress
     QVERIFY(std::abs(d.out.cues.timeLeft_s - 0.401) < 1e-12);
     QVERIFY(d.out.storedEnergy_J > 0.0); // contact answers; the supervisor ramps
     QCOMPARE(d.out.events, 0u);
@@ -153,7 +153,7 @@ void TestUrethraScene::nothingIsTouchedAfterTheEnd() {
     QCOMPARE(d.out.events, bits::kFinished | bits::kContactEnded);
     QCOMPARE(norm(d.out.tissue.tools[0]), 0.0);
     QCOMPARE(d.out.storedEnergy_J, 0.0);
-    QVERIFY(!d.out.cues.endoscope.pictureShown);
+    QVERIFY(!d.out.cues.exercise.of<simulation::EndoscopeCues>().pictureShown);
 }
 
 void TestUrethraScene::contactBeginsWithTheBeak() {
@@ -197,10 +197,10 @@ void TestUrethraScene::rotatedSceneIsTheSame() {
         QVERIFY((f_A - f_B).norm() < 1e-9 && (t_A - t_B).norm() < 1e-11);
         QCOMPARE(a.out.events, b.out.events);
         // Which point of the lumen is the farthest is a choice between points: now and then rounding makes another one.
-        otherChoice += (vectorOf(a.out.cues.endoscope.toLumen_T) - vectorOf(b.out.cues.endoscope.toLumen_T)).norm() > 1e-9;
+        otherChoice += (vectorOf(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T) - vectorOf(b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T)).norm() > 1e-9;
     }
     QVERIFY2(otherChoice < 40, qPrintable(QString::number(otherChoice)));
-    QVERIFY(a.out.cues.endoscope.depth_m > 0.15);
+    QVERIFY(a.out.cues.exercise.of<simulation::EndoscopeCues>().depth_m > 0.15);
 }
 
 // Left and right are alike: a pose mirrored in the plane of symmetry gives the mirrored wrench.
@@ -269,14 +269,14 @@ void TestUrethraScene::sameInputsSameOutputs() {
     IdealProcedure first(a.p, 0.050);
     IdealProcedure second(b.p, 0.050);
     for (int n = 0; n < 9000; ++n) {
-        a.tool() = first.next(a.out.cues.endoscope.stage, a.scene.procedure().nextLandmark());
-        b.tool() = second.next(b.out.cues.endoscope.stage, b.scene.procedure().nextLandmark());
+        a.tool() = first.next(a.out.cues.exercise.of<simulation::EndoscopeCues>().stage, a.scene.procedure().nextLandmark());
+        b.tool() = second.next(b.out.cues.exercise.of<simulation::EndoscopeCues>().stage, b.scene.procedure().nextLandmark());
         a.tick();
         b.tick();
         QCOMPARE(a.out.events, b.out.events);
         QVERIFY(a.out.tissue.tools[0].force == b.out.tissue.tools[0].force);
         QVERIFY(a.out.tissue.tools[0].torque == b.out.tissue.tools[0].torque);
-        QVERIFY(a.out.cues.endoscope.toLumen_T == b.out.cues.endoscope.toLumen_T);
+        QVERIFY(a.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T == b.out.cues.exercise.of<simulation::EndoscopeCues>().toLumen_T);
     }
 }
 

@@ -55,7 +55,7 @@ struct TubeDriver {
     }
     core::ToolState& tool(int i) { return in.tools.tools[static_cast<std::size_t>(i)]; }
     Vec3 place(int node) const {
-        const auto& at = out.cues.laparoscopy.p_WGrip[static_cast<std::size_t>(node)];
+        const auto& at = out.cues.exercise.of<core::LaparoscopyCues>().p_WGrip[static_cast<std::size_t>(node)];
         return {at[0], at[1], at[2]};
     }
     Vec3 force(int i) const { return out.tissue.tools[static_cast<std::size_t>(i)].force; }

@@ -10,6 +10,7 @@
 #include <Qt3DCore/QEntity>
 #include <Qt3DRender/QLayer>
 #include <memory>
+#include <optional>
 
 namespace chiron::scene3d {
 
@@ -34,6 +35,8 @@ public:
     virtual bool drawsTools() const { return false; }
     /// The bar of the force on the tools.
     virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
+    /// The bar beside it; empty: there is none.
+    virtual std::optional<SecondBar> secondBar(const SceneState&) const { return std::nullopt; }
     /// The picture's size in device pixels, and device pixels a logical one: for what lies in the picture itself.
     virtual void setPicture(const QSize& size_px, double ratio) { (void)size_px, (void)ratio; }
     /// Translucent parts go on this layer, which is drawn after the field.

@@ -2,7 +2,6 @@
 #include "desktop/scene3d/plugin/scene_stage.h"
 
 #include "desktop/scene3d/camera_fit.h"
-#include "desktop/scene3d/laparoscopy_dial.h"
 #include "desktop/scene3d/gauge_painter.h"
 #include "desktop/scene3d/parts/drape_mesh.h"
 
@@ -129,7 +128,7 @@ void SceneStage::show(const SceneState& state) {
     ghost.present = ghost.present && !m_content->drawsTools();
     m_ghost->show(ghost, entersLeft(0, several, m_setup.leftHanded));
     showForce(state);
-    showSecond(state.laparoscopy);
+    showSecond(state);
     m_note->show(state.note);
 }
 
@@ -142,9 +141,10 @@ void SceneStage::showForce(const SceneState& state) {
     m_gauge->show(largestForce_N(state));
 }
 
-void SceneStage::showSecond(const core::LaparoscopyCues& cues) {
-    const std::optional<GaugeDial> dial = laparoscopyDial(m_setup, cues);
-    const bool shown = dial && dialShown(cues);
+void SceneStage::showSecond(const SceneState& state) {
+    const std::optional<SecondBar> bar = m_content->secondBar(state);
+    const std::optional<GaugeDial> dial = bar ? std::optional(bar->dial) : std::nullopt;
+    const bool shown = bar && bar->shown;
     if (shown != m_dialShown || !(dial == m_dial)) { // once a trial: the face is painted again
         m_dialShown = shown;
         m_dial = dial;
@@ -152,7 +152,7 @@ void SceneStage::showSecond(const core::LaparoscopyCues& cues) {
         aim();
     }
     if (shown)
-        m_second->show(dialValue_N(cues));
+        m_second->show(bar->value_N);
 }
 
 void SceneStage::placeSecond() {

@@ -36,7 +36,7 @@ private:
     void makeDrape();
     void aim();
     void showForce(const SceneState& state);
-    void showSecond(const core::LaparoscopyCues& cues);
+    void showSecond(const SceneState& state);
     void placeSecond();
 
     SceneSetup m_setup;

@@ -2,6 +2,8 @@
 #include "app/exercises/comparison/scene/flat_comparison.h"
 
 #include "desktop/scene2d/laparoscopy/flat_floor.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "core/laparoscopy_cues.h"
 
 #include <QPainter>
 #include <QRadialGradient>
@@ -31,7 +33,7 @@ QRectF FlatComparison::rangeSide_mm() const { return FlatFloor::rangeSide_mm(84.
 
 void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
     FlatFloor::paint(painter, panel, setup);
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (!cues.present || !cues.objectShown)
         return;
     for (int i = 0; i < cues.bodies; ++i) {

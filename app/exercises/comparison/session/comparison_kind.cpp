@@ -13,7 +13,7 @@ namespace chiron::session {
 namespace {
 
 const simulation::ComparisonParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::ComparisonParameters>(level.parameters);
+    return level.parameters.as<simulation::ComparisonParameters>();
 }
 
 /// One object: the middle place. What is felt is in the recorded quantities.

@@ -2,6 +2,7 @@
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 
 #include "app/exercises/elastic_tube/desktop/tube_picture.h"
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "desktop/debrief/part_widgets.h"
@@ -70,15 +71,16 @@ QStringList tubeFacts(const simulation::ElasticTubeParameters& p, const QLocale&
 } // namespace
 
 std::unique_ptr<LevelPicture> ElasticTubeFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
-    return std::make_unique<TubePicture>(std::get<simulation::ElasticTubeParameters>(level.parameters), frame);
+    return std::make_unique<TubePicture>(level.parameters.as<simulation::ElasticTubeParameters>(), frame);
 }
 
 QStringList ElasticTubeFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
-    return tubeFacts(std::get<simulation::ElasticTubeParameters>(level.parameters), locale);
+    return tubeFacts(level.parameters.as<simulation::ElasticTubeParameters>(), locale);
 }
 
 std::unique_ptr<LivePart> ElasticTubeFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
-    return std::make_unique<GraspPart>(level, std::move(around));
+    const auto& p = level.parameters.as<simulation::ElasticTubeParameters>();
+    return std::make_unique<GraspPart>(tubeGrasping(p, session::levelLimits(level)), level.feedback, std::move(around));
 }
 
 QString ElasticTubeFace::debriefTitle() const { return DebriefPartTexts::tr("How the tube was held and stretched"); }
@@ -92,7 +94,7 @@ DebriefReading ElasticTubeFace::readDebrief(const catalogue::ExerciseLevel& leve
 }
 
 std::unique_ptr<PlaybackLayer> ElasticTubeFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
-    return std::make_unique<TubeLayer>(std::get<simulation::ElasticTubeParameters>(setup.level.parameters), setup.seed);
+    return std::make_unique<TubeLayer>(setup.level.parameters.as<simulation::ElasticTubeParameters>(), setup.seed);
 }
 
 } // namespace chiron::desktop

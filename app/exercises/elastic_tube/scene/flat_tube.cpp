@@ -88,7 +88,7 @@ QRectF FlatTube::rangeSide_mm() const {
 
 void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
     FlatFloor::paint(painter, panel, setup);
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (!cues.present || !cues.objectShown)
         return;
     const TubeCurve curve = TubeCurve::of(cues, m_parameters.radius_m);

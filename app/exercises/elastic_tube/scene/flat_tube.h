@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exercises/elastic_tube/scene/tension_bar.h"
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
 #include "desktop/scene3d/scene_setup.h"
@@ -22,6 +23,9 @@ public:
     QRectF rangeAbove_mm() const override;
     QRectF rangeSide_mm() const override;
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
+    std::optional<SecondBar> secondBar(const SceneState& state) const override {
+        return tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    }
     double groundHeight_m(const SceneState&, double, double) const override { return 0.0; }
 
 private:

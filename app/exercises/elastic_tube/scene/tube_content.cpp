@@ -15,7 +15,7 @@ const OrganLook kTube{{1.0F, 0.80F, 0.72F, 0.65F}, {0.97F, 0.66F, 0.60F, 0.9F}};
 }
 
 TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
-    : m_parameters(std::get<simulation::ElasticTubeParameters>(setup.parameters)),
+    : m_parameters(setup.parameters.as<simulation::ElasticTubeParameters>()),
       m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
     m_tube = new Part({}, m_abdomen->organ(kTube, m_abdomen), m_abdomen);
     m_fold = new Part({}, m_abdomen->organ(kFold, m_abdomen), m_abdomen);
@@ -40,14 +40,14 @@ void TubeContent::putTranslucent(Qt3DRender::QLayer* layer) {
 }
 
 void TubeContent::change(const SceneSetup& setup) {
-    m_parameters = std::get<simulation::ElasticTubeParameters>(setup.parameters);
+    m_parameters = setup.parameters.as<simulation::ElasticTubeParameters>();
     m_abdomen->change(setup);
     m_target->change(setup);
 }
 
 void TubeContent::show(const SceneState& state) {
     m_abdomen->show(state);
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     const bool shown = cues.present && cues.objectShown && cues.tube;
     for (Part* part : {m_tube, m_marks, m_shade})
         part->setEnabled(shown);

@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/abdomen/abdomen.h"
 #include "desktop/scene3d/abdomen/target_marks.h"
+#include "app/exercises/elastic_tube/scene/tension_bar.h"
 #include "app/exercises/elastic_tube/scene/tube_curve.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 
@@ -21,6 +22,9 @@ public:
     double planeHeight_m() const override { return 0.0; }
     double roomAbove_m() const override;
     bool isDraped() const override { return false; }
+    std::optional<SecondBar> secondBar(const SceneState& state) const override {
+        return tensionBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    }
     void putTranslucent(Qt3DRender::QLayer* layer) override;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 using simulation::TubeTask;
 
 const simulation::ElasticTubeParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::ElasticTubeParameters>(level.parameters);
+    return level.parameters.as<simulation::ElasticTubeParameters>();
 }
 
 /// Arming takes 2 s and a person may first have to let go; beyond this a scripted run is stuck.
@@ -71,6 +71,8 @@ std::vector<core::QuantityDescription> ElasticTubeKind::quantities(const catalog
 std::unique_ptr<simulation::IScene> ElasticTubeKind::makeScene(const SessionSetup& setup) const {
     return std::make_unique<simulation::ElasticTubeScene>(parametersOf(setup.level), setup.seed);
 }
+
+simulation::YieldLaw ElasticTubeKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
 
 core::Result<ScriptedTrainee> ElasticTubeKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                             std::uint64_t seed) const {

@@ -17,6 +17,7 @@ public:
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
     core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,

@@ -2,6 +2,7 @@
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
 
 #include "app/exercises/object_handling/desktop/handling_picture.h"
+#include "app/exercises/object_handling/desktop/handling_grasping.h"
 #include "app/exercises/object_handling/desktop/handling_layer.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
 #include "desktop/debrief/part_widgets.h"
@@ -52,15 +53,16 @@ QStringList handlingFacts(const simulation::ObjectHandlingParameters& p, const Q
 } // namespace
 
 std::unique_ptr<LevelPicture> ObjectHandlingFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
-    return std::make_unique<HandlingPicture>(std::get<simulation::ObjectHandlingParameters>(level.parameters), frame);
+    return std::make_unique<HandlingPicture>(level.parameters.as<simulation::ObjectHandlingParameters>(), frame);
 }
 
 QStringList ObjectHandlingFace::levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const {
-    return handlingFacts(std::get<simulation::ObjectHandlingParameters>(level.parameters), locale);
+    return handlingFacts(level.parameters.as<simulation::ObjectHandlingParameters>(), locale);
 }
 
 std::unique_ptr<LivePart> ObjectHandlingFace::livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const {
-    return std::make_unique<GraspPart>(level, std::move(around));
+    const auto& p = level.parameters.as<simulation::ObjectHandlingParameters>();
+    return std::make_unique<GraspPart>(handlingGrasping(p, session::levelLimits(level)), level.feedback, std::move(around));
 }
 
 QString ObjectHandlingFace::debriefTitle() const { return DebriefPartTexts::tr("How each object was held and set down"); }
@@ -74,7 +76,7 @@ DebriefReading ObjectHandlingFace::readDebrief(const catalogue::ExerciseLevel& l
 }
 
 std::unique_ptr<PlaybackLayer> ObjectHandlingFace::playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace&) const {
-    return std::make_unique<HandlingLayer>(std::get<simulation::ObjectHandlingParameters>(setup.level.parameters), setup.seed);
+    return std::make_unique<HandlingLayer>(setup.level.parameters.as<simulation::ObjectHandlingParameters>(), setup.seed);
 }
 
 } // namespace chiron::desktop

@@ -55,7 +55,7 @@ QRectF FlatHandling::rangeSide_mm() const { return FlatFloor::rangeSide_mm(84.0)
 
 void FlatHandling::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
     FlatFloor::paint(painter, panel, setup);
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     if (!cues.present || !cues.objectShown)
         return;
     if (cues.targetShown)

@@ -55,7 +55,7 @@ core::Vec3 jawsOf(const core::BodyCue& body, const SceneState& state) {
 } // namespace
 
 HandlingContent::HandlingContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
-    : m_parameters(std::get<simulation::ObjectHandlingParameters>(setup.parameters)),
+    : m_parameters(setup.parameters.as<simulation::ObjectHandlingParameters>()),
       m_abdomen(new Abdomen(light, fieldRadius_m(), parent)) {
     auto* skin = m_abdomen->organ(kOvary, m_abdomen);
     for (Part*& body : m_body) {
@@ -94,7 +94,7 @@ void HandlingContent::putTranslucent(Qt3DRender::QLayer* layer) {
 }
 
 void HandlingContent::change(const SceneSetup& setup) {
-    m_parameters = std::get<simulation::ObjectHandlingParameters>(setup.parameters);
+    m_parameters = setup.parameters.as<simulation::ObjectHandlingParameters>();
     m_abdomen->change(setup);
     m_target->change(setup);
 }
@@ -103,11 +103,11 @@ void HandlingContent::show(const SceneState& state) {
     m_abdomen->show(state);
     showOrgan(state);
     showBodies(state);
-    showDish(state.laparoscopy);
+    showDish(state.exercise.of<core::LaparoscopyCues>());
 }
 
 void HandlingContent::showBodies(const SceneState& state) {
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     TriangleMesh shade;
     for (std::size_t i = 0; i < m_body.size(); ++i) {
         const bool shown = cues.present && cues.objectShown && static_cast<int>(i) < cues.bodies;

@@ -4,6 +4,7 @@
 #include "desktop/scene3d/abdomen/abdomen.h"
 #include "desktop/scene3d/abdomen/target_marks.h"
 #include "app/exercises/object_handling/scene/organ_bed.h"
+#include "app/exercises/object_handling/scene/squeeze_bar.h"
 #include "desktop/scene3d/plugin/scene_content.h"
 
 #include <array>
@@ -23,6 +24,9 @@ public:
     double planeHeight_m() const override { return 0.0; }
     double roomAbove_m() const override { return 0.070; }
     bool isDraped() const override { return false; }
+    std::optional<SecondBar> secondBar(const SceneState& state) const override {
+        return squeezeBar(m_parameters, state.exercise.of<core::LaparoscopyCues>());
+    }
     void putTranslucent(Qt3DRender::QLayer* layer) override;
 
 private:

@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/drawn_tool.h"
 #include "simulation/geometry/mesh/make_mesh.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ std::vector<Dent> organDents(const simulation::ObjectHandlingParameters& paramet
     for (const ToolView& tool : state.tool)
         if (tool.present)
             addDent(dents, parameters, drawnTip(tool), Dent::kBaseReach_m);
-    const core::LaparoscopyCues& cues = state.laparoscopy;
+    const core::LaparoscopyCues& cues = state.exercise.of<core::LaparoscopyCues>();
     for (int i = 0; i < cues.bodies && cues.objectShown; ++i) {
         const core::BodyCue& body = cues.body[static_cast<std::size_t>(i)];
         addDent(dents, parameters, {body.p_W[0], body.p_W[1], body.p_W[2] - body.radius_m}, 1.4 * body.radius_m);

@@ -15,7 +15,7 @@ namespace chiron::session {
 namespace {
 
 const simulation::ObjectHandlingParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::ObjectHandlingParameters>(level.parameters);
+    return level.parameters.as<simulation::ObjectHandlingParameters>();
 }
 
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
@@ -63,6 +63,8 @@ std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionS
     parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
     return std::make_unique<simulation::ObjectHandlingScene>(parameters, setup.seed);
 }
+
+simulation::YieldLaw ObjectHandlingKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
 
 core::Result<ScriptedTrainee> ObjectHandlingKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                               std::uint64_t seed) const {

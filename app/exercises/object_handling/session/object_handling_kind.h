@@ -13,6 +13,7 @@ public:
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
     core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping> places, std::string_view mechanism,

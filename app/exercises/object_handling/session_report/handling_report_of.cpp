@@ -3,6 +3,7 @@
 
 #include "curriculum/exercises/object_handling/scoring/handling_samples.h"
 #include "session_report/trial_values.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <string>
 

@@ -6,6 +6,7 @@
 #include "app/exercises/palpation/desktop/size_row.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
+#include "core/report_word.h"
 
 #include <QHBoxLayout>
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace {
 constexpr std::array<int, 13> kKeys{Qt::Key_1,    Qt::Key_2,     Qt::Key_3, Qt::Key_4, Qt::Key_5,      Qt::Key_Plus, Qt::Key_Equal,
                                     Qt::Key_Minus, Qt::Key_V, Qt::Key_N, Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_D};
 
-bool same(const core::PalpationCues& a, const core::PalpationCues& b) {
+bool same(const simulation::PalpationCues& a, const simulation::PalpationCues& b) {
     for (std::size_t i = 0; i < a.finding.size(); ++i) {
-        const core::Finding &x = a.finding[i], &y = b.finding[i];
+        const simulation::Finding &x = a.finding[i], &y = b.finding[i];
         if (x.present != y.present || x.radius_m != y.radius_m || x.hardness != y.hardness || x.confidence != y.confidence)
             return false;
     }
@@ -30,7 +31,7 @@ bool same(const core::PalpationCues& a, const core::PalpationCues& b) {
 
 std::span<const int> FindingsBox::keys() { return kKeys; }
 
-FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const core::PalpationCues& asks, double padRadius_m, QWidget* parent)
+FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks, double padRadius_m, QWidget* parent)
     : QWidget(parent), m_locale(locale), m_cues(asks) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -39,7 +40,7 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const core::
     addRatings(theme, padRadius_m);
     addEnd(theme);
     keysTo(asks.asksHardness);
-    core::PalpationCues none = asks;
+    simulation::PalpationCues none = asks;
     none.selected = -1;
     m_cues.selected = 0; // so that the first look is news
     show(none);
@@ -118,7 +119,7 @@ void FindingsBox::addEnd(const Theme& theme) {
     layout()->addWidget(m_done);
 }
 
-void FindingsBox::show(const core::PalpationCues& cues) {
+void FindingsBox::show(const simulation::PalpationCues& cues) {
     if (same(cues, m_cues))
         return;
     const int before = findingCount(m_cues);
@@ -141,7 +142,7 @@ void FindingsBox::show(const core::PalpationCues& cues) {
 
 void FindingsBox::showSelected() {
     const bool any = anySelected();
-    const core::Finding said = any ? m_cues.finding[static_cast<std::size_t>(m_cues.selected)] : core::Finding{};
+    const simulation::Finding said = any ? m_cues.finding[static_cast<std::size_t>(m_cues.selected)] : simulation::Finding{};
     m_about->setText(any ? findingText(m_cues.selected, m_cues, m_locale) : findingCount(m_cues) > 0 ? tr("No finding is selected.") : QString());
     m_takeBack->setVisible(any);
     if (m_size)
@@ -202,7 +203,7 @@ void FindingsBox::keysTo(bool hardness) {
 }
 
 void FindingsBox::selectNext() {
-    const int all = static_cast<int>(core::kMaxFindings);
+    const int all = static_cast<int>(simulation::kMaxFindings);
     for (int i = 1; i <= all; ++i) {
         const int next = (m_cues.selected + i + all) % all;
         if (!m_cues.finding[static_cast<std::size_t>(next)].present)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/theme/theme.h"
+#include "core/report_word.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -23,9 +24,9 @@ class SizeRow;
 class FindingsBox final : public QWidget {
     Q_OBJECT
 public:
-    FindingsBox(const Theme& theme, const QLocale& locale, const core::PalpationCues& asks, double padRadius_m, QWidget* parent = nullptr);
+    FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks, double padRadius_m, QWidget* parent = nullptr);
 
-    void show(const core::PalpationCues& cues);
+    void show(const simulation::PalpationCues& cues);
     void setRunning(bool running); ///< false: between trials, paused or over; the session takes nothing then
     /// A key of kKeys: digits rate, + and − size, V changes what digits rate, N selects the next, Delete takes back, D is done.
     bool key(int key);
@@ -47,8 +48,8 @@ private:
     bool anySelected() const { return m_cues.selected >= 0; }
 
     QLocale m_locale;
-    core::PalpationCues m_cues;
-    std::array<QPushButton*, core::kMaxFindings> m_chips{};
+    simulation::PalpationCues m_cues;
+    std::array<QPushButton*, simulation::kMaxFindings> m_chips{};
     QLabel* m_none = nullptr;
     QLabel* m_about = nullptr;
     QPushButton* m_takeBack = nullptr;

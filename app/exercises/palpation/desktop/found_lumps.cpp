@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/found_lumps.h"
 
+#include "app/exercises/palpation/scene/palpation_overlay.h"
+
 #include <algorithm>
 
 namespace chiron::desktop {
 
 void FoundLumps::follow(const haptics::DisplayState& state) {
-    m_palpates = state.palpation.present;
-    m_findings = state.palpation.finding;
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
+    m_palpates = cues.present;
+    m_findings = cues.finding;
 }
 
 // Matched as scoring matches them.
@@ -16,7 +19,7 @@ std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObjec
     truth.hitRadius_m = 0.0; // each lump's own reach is its radius here
     for (const session::TrialLump& lump : object.lumps)
         truth.lumps.push_back({.place_W = lump.p_WAbove, .radius_m = lump.reach_m});
-    core::FindingsBook book;
+    simulation::FindingsBook book;
     for (std::size_t i = 0; i < findings.size(); ++i)
         if (findings[i].present)
             book.place(static_cast<int>(i), findings[i].p_W);
@@ -48,20 +51,21 @@ QString FoundLumps::words(const session::TrialObject& truth, const QLocale& loca
 void FoundLumps::show(const session::TrialObject& truth, scene3d::SceneState& drawn) const {
     const std::vector<session::TrialLump>& lumps = truth.lumps;
     const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_kept);
-    core::PalpationCues& cues = drawn.palpation;
+    auto& cues = drawn.exercise.own<simulation::PalpationCues>();
+    auto& overlay = drawn.overlay.own<scene3d::PalpationOverlay>();
     cues.present = true;
     cues.finding = m_kept;
     cues.selected = -1;
     cues.lumps = static_cast<int>(std::min(lumps.size(), cues.lump.size()));
-    drawn.lumpsMissed = 0;
+    overlay.lumpsMissed = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(cues.lumps); ++i) {
         const core::Vec3& p_W = lumps[i].p_WCentre;
         cues.lump[i] = {{p_W.x(), p_W.y(), p_W.z()}, lumps[i].radius_m};
         if (!scoring::foundBy(matches, static_cast<int>(i)))
-            drawn.lumpsMissed = static_cast<std::uint8_t>(drawn.lumpsMissed | 1U << i);
+            overlay.lumpsMissed = static_cast<std::uint8_t>(overlay.lumpsMissed | 1U << i);
     }
     for (const scoring::FindingMatch& match : matches)
-        drawn.outcome[static_cast<std::size_t>(match.finding)] = match.hit() ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm;
+        overlay.outcome[static_cast<std::size_t>(match.finding)] = match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
 }
 
 } // namespace chiron::desktop

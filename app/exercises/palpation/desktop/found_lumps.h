@@ -19,7 +19,7 @@ public:
     void show(const session::TrialObject& truth, scene3d::SceneState& drawn) const override;
 
 private:
-    using Findings = std::array<core::Finding, core::kMaxFindings>;
+    using Findings = std::array<simulation::Finding, simulation::kMaxFindings>;
 
     static std::vector<scoring::FindingMatch> matches(const session::TrialObject& object, const Findings& findings);
 

@@ -23,7 +23,7 @@ constexpr int kMapHeight_px = 330;
 
 QString mm(double metres, const QLocale& locale) { return locale.toString(qRound(1e3 * metres)); }
 
-QString saidOf(const core::Finding& said, const scoring::LumpTruth& lump, const simulation::PalpationParameters& level, const QLocale& locale) {
+QString saidOf(const simulation::Finding& said, const scoring::LumpTruth& lump, const simulation::PalpationParameters& level, const QLocale& locale) {
     QStringList parts;
     if (level.asksSize)
         parts << Words::tr("stated size %1, true size %2").arg(sizeText(said.radius_m, locale), sizeText(lump.radius_m, locale));
@@ -40,7 +40,7 @@ QString lumpLine(std::size_t i, const session::PalpationTrialRecord& record, con
     const scoring::FindingMatch* match = scoring::foundBy(record.answer.matches, static_cast<int>(i));
     if (!match)
         return Words::tr("Lump %1 (%2, %3 mm deep): missed").arg(number, sizeText(lump.radius_m, locale), mm(lump.depth_m, locale));
-    const core::Finding& said = record.answer.findings.list()[static_cast<std::size_t>(match->finding)];
+    const simulation::Finding& said = record.answer.findings.list()[static_cast<std::size_t>(match->finding)];
     const QString found = Words::tr("Lump %1: found, finding %2, %3 mm from its centre").arg(number, locale.toString(match->finding + 1), mm(match->distance_m, locale));
     const QString more = saidOf(said, lump, level, locale);
     return more.isEmpty() ? found : Words::tr("%1; %2").arg(found, more);
@@ -116,8 +116,8 @@ void PalpationBox::choose(int index) {
     const session::PalpationTrialRecord& record = m_records[static_cast<std::size_t>(index)];
     m_words->setText(palpationSummary(record, m_locale));
     m_lumps->setText(palpationLines(record, m_level, m_locale).join(QLatin1Char('\n')));
-    m_coverage->show(record.map, mapViewOf(record, m_level, core::SurfaceMapKind::coverage));
-    m_force->show(record.map, mapViewOf(record, m_level, core::SurfaceMapKind::force));
+    m_coverage->show(record.map, mapViewOf(record, m_level, simulation::SurfaceMapKind::coverage));
+    m_force->show(record.map, mapViewOf(record, m_level, simulation::SurfaceMapKind::force));
 }
 
 } // namespace chiron::desktop

@@ -39,7 +39,7 @@ void PalpationLayer::turn(std::string_view key, bool on) {
     else if (key == kWholeTrial)
         m_look.wholeTrial = on;
     else if (key == kForceMap)
-        m_look.map = on ? core::SurfaceMapKind::force : core::SurfaceMapKind::coverage;
+        m_look.map = on ? simulation::SurfaceMapKind::force : simulation::SurfaceMapKind::coverage;
 }
 
 void PalpationLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView&, double t_s) {
@@ -53,7 +53,7 @@ QString PalpationLayer::readout(const session::PlaybackTrack& track, const sessi
                                 const QLocale& locale) const {
     if (!m_replay)
         return trialReadout(view, locale);
-    const core::PalpationCues cues = m_replay->cuesAt(track, t_s, false);
+    const simulation::PalpationCues cues = m_replay->cuesAt(track, t_s, false);
     std::size_t hardest = 0; // of several fingers the one that presses hardest
     for (std::size_t i = 1; i < view.tools.size(); ++i)
         if (view.tools[i].tissue_N.norm() > view.tools[hardest].tissue_N.norm())

@@ -6,7 +6,7 @@
 namespace chiron::desktop {
 
 report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level,
-                                   core::SurfaceMapKind kind) {
+                                   simulation::SurfaceMapKind kind) {
     report::PalpationMapView view;
     view.kind = kind;
     view.bands = session::mapBandsOf(level);
@@ -19,9 +19,9 @@ report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record, 
         view.lumps.push_back({lump.place_W.x(), lump.place_W.y(), lump.depth_m, lump.radius_m, lump.hardness, found});
     }
     for (const scoring::FindingMatch& match : answer.matches) {
-        const core::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
+        const simulation::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
         view.findings.push_back({match.finding + 1, finding.p_W[0], finding.p_W[1], finding.radius_m,
-                                 match.hit() ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm, false});
+                                 match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm, false});
     }
     return view;
 }

@@ -11,7 +11,7 @@ namespace chiron::desktop {
 
 /// What is drawn over the map of a recorded trial: truth, findings and what became of them. Pure.
 report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level,
-                                   core::SurfaceMapKind kind);
+                                   simulation::SurfaceMapKind kind);
 
 /// A map of the searched surface on the screen, read aloud in words. GUI thread.
 class PalpationMapView final : public QWidget {

@@ -7,6 +7,7 @@
 #include "app/exercises/palpation/desktop/palpation_words.h"
 #include "desktop/training/target_bar.h"
 #include "desktop/widgets/kit.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -24,8 +25,8 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kLeanLimit_deg = 30.0; // of the platform (P3)
 constexpr double kLeanAxis_deg = 60.0;
 
-core::PalpationCues asksOf(const simulation::PalpationParameters& level) {
-    core::PalpationCues asks;
+simulation::PalpationCues asksOf(const simulation::PalpationParameters& level) {
+    simulation::PalpationCues asks;
     asks.asksSize = level.asksSize;
     asks.asksHardness = level.asksHardness;
     asks.asksConfidence = level.asksConfidence;
@@ -156,10 +157,11 @@ void PalpationPanel::addPlots() {
 }
 
 void PalpationPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     for (const session::LiveSample& sample : samples)
         m_worked_ms += sample.paused || sample.phase == core::TrialPhase::idle ? 0 : 1;
-    if (state.palpation.present)
-        m_findings->show(state.palpation);
+    if (cues.present)
+        m_findings->show(cues);
     m_findings->setRunning(state.phase == core::TrialPhase::running && !state.paused && !state.ended);
     showFingers(state);
     if (m_cues.plots)
@@ -169,13 +171,13 @@ void PalpationPanel::show(const haptics::DisplayState& state, std::span<const se
     if (m_cues.numbers)
         showNumbers(state);
     if (m_coverage)
-        m_coverage->setText(tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * state.palpation.coverage))));
+        m_coverage->setText(tr("Searched: %1 %").arg(m_locale.toString(static_cast<int>(100.0 * cues.coverage))));
     showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 
 void PalpationPanel::showFingers(const haptics::DisplayState& state) {
-    const core::PalpationCues& cues = state.palpation;
+    const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
     for (std::size_t i = 0; i < m_force.size(); ++i) {
         m_force[i]->setBand(cues.bandShown ? cues.bandLow_N : 0.0, cues.bandShown ? cues.bandHigh_N : 0.0);
         m_force[i]->setValue(std::hypot(state.tool[i].tissue[0], state.tool[i].tissue[1], state.tool[i].tissue[2]));
@@ -189,7 +191,7 @@ void PalpationPanel::showFingers(const haptics::DisplayState& state) {
 }
 
 void PalpationPanel::showNumbers(const haptics::DisplayState& state) {
-    const core::PalpationCues& cues = state.palpation;
+    const simulation::PalpationCues& cues = state.exercise.of<simulation::PalpationCues>();
     const auto text = [this](double value, int decimals) { return m_locale.toString(value + 0.0, 'f', decimals); };
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].number[0]->setText(text(state.tool[i].displayPose[0], 2));
@@ -201,15 +203,16 @@ void PalpationPanel::showNumbers(const haptics::DisplayState& state) {
 }
 
 void PalpationPanel::addSamples(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     for (const session::LiveSample& sample : samples)
         m_forcePlot->add(sample.t_s, static_cast<double>(sample.tissueNorm_N));
-    if (state.palpation.bandShown)
-        m_forcePlot->setBand(state.palpation.bandLow_N, state.palpation.bandHigh_N);
+    if (cues.bandShown)
+        m_forcePlot->setBand(cues.bandLow_N, cues.bandHigh_N);
     m_forcePlot->update();
     if (!m_leanPlot)
         return;
     if (!samples.empty())
-        m_leanPlot->add(samples.back().t_s, state.palpation.lean_rad[0] * kDegrees);
+        m_leanPlot->add(samples.back().t_s, cues.lean_rad[0] * kDegrees);
     m_leanPlot->update();
 }
 

@@ -2,6 +2,7 @@
 #include "app/exercises/palpation/desktop/palpation_part.h"
 
 #include "app/exercises/palpation/desktop/palpation_panel.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/training/finger_control.h"
 #include "desktop/training/training_words.h"
 
@@ -88,9 +89,14 @@ void PalpationPart::show(const haptics::DisplayState& state, std::span<const ses
     if (!m_map)
         return;
     m_map->take(state.trial, samples);
-    drawn.surfaceMap = &m_map->map();
-    drawn.surfaceMapStep = m_map->map().step();
-    drawn.mapKind = m_panel->showsForceMap() ? core::SurfaceMapKind::force : core::SurfaceMapKind::coverage;
+    auto& overlay = drawn.overlay.own<scene3d::PalpationOverlay>();
+    overlay.map = &m_map->map();
+    overlay.mapStep = m_map->map().step();
+    overlay.mapKind = m_panel->showsForceMap() ? simulation::SurfaceMapKind::force : simulation::SurfaceMapKind::coverage;
+}
+
+double PalpationPart::lean_rad(const haptics::DisplayState& state, std::size_t tool) const {
+    return state.exercise.of<simulation::PalpationCues>().lean_rad[tool];
 }
 
 } // namespace chiron::desktop

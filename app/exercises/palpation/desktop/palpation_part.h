@@ -28,6 +28,7 @@ public:
     bool key(int key) override;
     std::vector<LiveCommand> commands() const override;
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples, scene3d::SceneState& drawn) override;
+    double lean_rad(const haptics::DisplayState& state, std::size_t tool) const override;
 
 private:
     const simulation::PalpationParameters& m_level;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_replay.h"
 
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "curriculum/exercises/palpation/scoring/findings_trace.h"
 
@@ -26,8 +27,8 @@ const session::PalpationTrialRecord* PalpationReplay::record(int trial) const {
     return found == m_records.end() ? nullptr : &*found;
 }
 
-core::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const {
-    core::PalpationCues cues;
+simulation::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const {
+    simulation::PalpationCues cues;
     cues.present = true;
     cues.asksSize = m_level.asksSize;
     cues.asksHardness = m_level.asksHardness;
@@ -48,7 +49,7 @@ core::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track,
     const session::PalpationTrialRecord* now = record(track.moments[moment].trial);
     if (!now)
         return cues;
-    const core::FindingsBook book = scoring::findingsAfter(now->answer.reports, t_s);
+    const simulation::FindingsBook book = scoring::findingsAfter(now->answer.reports, t_s);
     cues.finding = book.list();
     cues.selected = book.selected();
     if (truth)
@@ -56,7 +57,7 @@ core::PalpationCues PalpationReplay::cuesAt(const session::PlaybackTrack& track,
     return cues;
 }
 
-void PalpationReplay::addTruth(const session::PalpationTrialRecord& record, core::PalpationCues& cues) const {
+void PalpationReplay::addTruth(const session::PalpationTrialRecord& record, simulation::PalpationCues& cues) const {
     for (const scoring::LumpTruth& lump : record.answer.truth.lumps) {
         if (cues.lumps >= static_cast<int>(cues.lump.size()))
             return;
@@ -67,15 +68,16 @@ void PalpationReplay::addTruth(const session::PalpationTrialRecord& record, core
 
 // What became of a finding is said of those that were still there at the end, in the place where they were.
 void PalpationReplay::addOutcomes(const session::PalpationTrialRecord& record, scene3d::SceneState& state) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
+    auto& overlay = state.overlay.own<scene3d::PalpationOverlay>();
     for (const scoring::FindingMatch& match : record.answer.matches) {
         const auto i = static_cast<std::size_t>(match.finding);
-        if (i < state.outcome.size() && state.palpation.finding[i].present &&
-            state.palpation.finding[i].p_W == record.answer.findings.list()[i].p_W)
-            state.outcome[i] = match.hit() ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm;
+        if (i < overlay.outcome.size() && cues.finding[i].present && cues.finding[i].p_W == record.answer.findings.list()[i].p_W)
+            overlay.outcome[i] = match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm;
     }
-    for (int lump = 0; lump < state.palpation.lumps; ++lump)
+    for (int lump = 0; lump < cues.lumps; ++lump)
         if (!scoring::foundBy(record.answer.matches, lump))
-            state.lumpsMissed = static_cast<std::uint8_t>(state.lumpsMissed | (1U << lump));
+            overlay.lumpsMissed = static_cast<std::uint8_t>(overlay.lumpsMissed | (1U << lump));
 }
 
 const simulation::SurfaceMap& PalpationReplay::mapAt(const session::PlaybackTrack& track, int trial, double t_s) {
@@ -98,20 +100,21 @@ const simulation::SurfaceMap& PalpationReplay::mapAt(const session::PlaybackTrac
 }
 
 void PalpationReplay::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look) {
-    state.palpation = cuesAt(track, t_s, look.truth);
-    state.mapKind = look.map;
+    state.exercise.own<simulation::PalpationCues>() = cuesAt(track, t_s, look.truth);
+    auto& overlay = state.overlay.own<scene3d::PalpationOverlay>();
+    overlay.mapKind = look.map;
     for (scene3d::ToolView& tool : state.tool)
         tool.drawnAtSurface = false; // a fingertip dents what it presses
     const int trial = track.moments[track.indexAt(t_s)].trial;
     const session::PalpationTrialRecord* now = record(trial);
     if (now && look.truth)
         addOutcomes(*now, state);
-    state.surfaceMap = now && look.wholeTrial ? &now->map : &mapAt(track, trial, t_s);
-    if (state.surfaceMap != m_last || state.surfaceMap->step() != m_lastStep)
+    overlay.map = now && look.wholeTrial ? &now->map : &mapAt(track, trial, t_s);
+    if (overlay.map != m_last || overlay.map->step() != m_lastStep)
         ++m_shown;
-    m_last = state.surfaceMap;
-    m_lastStep = state.surfaceMap->step();
-    state.surfaceMapStep = m_shown;
+    m_last = overlay.map;
+    m_lastStep = overlay.map->step();
+    overlay.mapStep = m_shown;
 }
 
 } // namespace chiron::desktop

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/scene3d/scene_state.h"
 #include "app/exercises/palpation/session/palpation_presses.h"
 #include "app/exercises/palpation/session/palpation_record.h"
@@ -18,7 +18,7 @@ namespace chiron::desktop {
 struct PalpationLook {
     bool truth = true;      ///< lumps, and what became of the findings
     bool wholeTrial = false; ///< the map of the whole trial, not up to this moment
-    core::SurfaceMapKind map = core::SurfaceMapKind::coverage;
+    simulation::SurfaceMapKind map = simulation::SurfaceMapKind::coverage;
 };
 
 /// What was found and searched at any moment of a recorded palpation, beside the truth. Maps follow the track's samples and go on
@@ -29,13 +29,13 @@ public:
 
     const session::PalpationTrialRecord* record(int trial) const; ///< null: no such trial was begun
     /// What is there at a moment, as the training screen would show it with every cue, and the truth as lumps where it is looked at.
-    core::PalpationCues cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const;
+    simulation::PalpationCues cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const;
     /// Puts it into the scene; its map stays valid until the next call.
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look);
     const simulation::PalpationParameters& level() const { return m_level; }
 
 private:
-    void addTruth(const session::PalpationTrialRecord& record, core::PalpationCues& cues) const;
+    void addTruth(const session::PalpationTrialRecord& record, simulation::PalpationCues& cues) const;
     static void addOutcomes(const session::PalpationTrialRecord& record, scene3d::SceneState& state);
     const simulation::SurfaceMap& mapAt(const session::PlaybackTrack& track, int trial, double t_s);
 

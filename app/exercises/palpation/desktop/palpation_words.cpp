@@ -12,7 +12,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(PalpationWords)
 };
 
-QStringList missingOf(const core::Finding& finding, const core::PalpationCues& cues) {
+QStringList missingOf(const simulation::Finding& finding, const simulation::PalpationCues& cues) {
     QStringList missing;
     if (cues.asksSize && finding.radius_m <= 0.0)
         missing << Words::tr("size");
@@ -51,8 +51,8 @@ QString sizeText(double radius_m, const QLocale& locale) {
     return radius_m > 0.0 ? Words::tr("%1 mm across").arg(locale.toString(qRound(2e3 * radius_m))) : Words::tr("not given");
 }
 
-QString findingText(int finding, const core::PalpationCues& cues, const QLocale& locale) {
-    const core::Finding& said = cues.finding[static_cast<std::size_t>(finding)];
+QString findingText(int finding, const simulation::PalpationCues& cues, const QLocale& locale) {
+    const simulation::Finding& said = cues.finding[static_cast<std::size_t>(finding)];
     QStringList parts;
     if (cues.asksSize)
         parts << (said.radius_m > 0.0 ? sizeText(said.radius_m, locale) : Words::tr("size not given"));
@@ -64,7 +64,7 @@ QString findingText(int finding, const core::PalpationCues& cues, const QLocale&
     return parts.isEmpty() ? Words::tr("Finding %1").arg(number) : Words::tr("Finding %1: %2").arg(number, parts.join(QStringLiteral(", ")));
 }
 
-QStringList missingRatings(const core::PalpationCues& cues, const QLocale& locale) {
+QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale& locale) {
     QStringList all;
     for (std::size_t i = 0; i < cues.finding.size(); ++i) {
         if (!cues.finding[i].present)
@@ -76,8 +76,8 @@ QStringList missingRatings(const core::PalpationCues& cues, const QLocale& local
     return all;
 }
 
-int findingCount(const core::PalpationCues& cues) {
-    return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const core::Finding& one) { return one.present; }));
+int findingCount(const simulation::PalpationCues& cues) {
+    return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const simulation::Finding& one) { return one.present; }));
 }
 
 } // namespace chiron::desktop

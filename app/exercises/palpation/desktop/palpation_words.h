@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "session_report/tool_words.h"
+#include "app/exercises/palpation/session_report/finger_words.h"
 
 #include <QLocale>
 #include <QString>
@@ -15,10 +16,10 @@ QString hardnessWord(int rating);   ///< 1 "soft" .. 5 "stony"; 0: "not said"
 QString confidenceWord(int rating); ///< 1 "a guess" .. 5 "certain"; 0: "not said"
 QString sizeText(double radius_m, const QLocale& locale); ///< "14 mm across"; 0: "not said"
 /// "Finding 2: 14 mm across, firm, sure", of what the level asks; parts not said are named as such.
-QString findingText(int finding, const core::PalpationCues& cues, const QLocale& locale);
+QString findingText(int finding, const simulation::PalpationCues& cues, const QLocale& locale);
 /// What is still to be said of the findings: "Finding 2: size, confidence", one each; empty when all is said.
-QStringList missingRatings(const core::PalpationCues& cues, const QLocale& locale);
-int findingCount(const core::PalpationCues& cues);
+QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale& locale);
+int findingCount(const simulation::PalpationCues& cues);
 using session_report::fingerName;
 
 } // namespace chiron::desktop

@@ -10,8 +10,8 @@
 
 namespace chiron::report {
 
-using core::FindingOutcome;
-using core::SurfaceMapKind;
+using simulation::FindingOutcome;
+using simulation::SurfaceMapKind;
 using simulation::MapBand;
 
 namespace {

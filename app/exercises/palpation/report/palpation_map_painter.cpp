@@ -8,8 +8,8 @@
 
 namespace chiron::report {
 
-using core::FindingOutcome;
-using core::SurfaceMapKind;
+using simulation::FindingOutcome;
+using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::SurfaceMap;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "report/plot_theme.h"
 #include "simulation/palpation/map_bands.h"
 #include "simulation/palpation/surface_map.h"
@@ -32,13 +32,13 @@ struct PalpationMapFinding {
     double x_m = 0.0;
     double y_m = 0.0;
     double radius_m = 0.0; ///< 0: not said
-    core::FindingOutcome outcome = core::FindingOutcome::open;
+    simulation::FindingOutcome outcome = simulation::FindingOutcome::open;
     bool selected = false;
 };
 
 /// What is drawn over a map.
 struct PalpationMapView {
-    core::SurfaceMapKind kind = core::SurfaceMapKind::coverage;
+    simulation::SurfaceMapKind kind = simulation::SurfaceMapKind::coverage;
     simulation::MapBands bands;
     int regionColumns = 3; ///< the units of detection
     int regionRows = 3;
@@ -67,7 +67,7 @@ private:
     struct LegendRow {
         enum class Sign { band, lumpFound, lumpMissed, finding } sign = Sign::band;
         simulation::MapBand band = simulation::MapBand::untouched;
-        core::FindingOutcome outcome = core::FindingOutcome::open;
+        simulation::FindingOutcome outcome = simulation::FindingOutcome::open;
         QString words;
     };
     struct Layout {

@@ -143,9 +143,9 @@ void paintPalpationMaps(QPainter& painter, const QRectF& box, const PalpationTri
     constexpr double kGap = 16.0;
     const double half = 0.5 * (box.width() - kGap);
     PalpationMapView view = trial.view;
-    for (const auto kind : {core::SurfaceMapKind::coverage, core::SurfaceMapKind::force}) {
+    for (const auto kind : {simulation::SurfaceMapKind::coverage, simulation::SurfaceMapKind::force}) {
         view.kind = kind;
-        const double left = kind == core::SurfaceMapKind::coverage ? box.left() : box.left() + half + kGap;
+        const double left = kind == simulation::SurfaceMapKind::coverage ? box.left() : box.left() + half + kGap;
         PalpationMapPainter(trial.map, view, theme).paint(painter, QRectF(left, box.top(), half, box.height()));
     }
 }

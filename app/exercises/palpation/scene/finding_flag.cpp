@@ -8,7 +8,7 @@
 
 namespace chiron::scene3d {
 
-using core::FindingOutcome;
+using simulation::FindingOutcome;
 
 void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& flag, const SceneSetup& setup) {
     const QPointF middle = box.center();

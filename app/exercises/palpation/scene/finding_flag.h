@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/scene3d/scene_setup.h"
 
 #include <QRectF>
@@ -14,7 +14,7 @@ namespace chiron::scene3d {
 /// selected one has a black-and-white frame of corners round it.
 struct FindingFlag {
     int number = 1; ///< as people see it
-    core::FindingOutcome outcome = core::FindingOutcome::open;
+    simulation::FindingOutcome outcome = simulation::FindingOutcome::open;
     bool selected = false;
 
     bool operator==(const FindingFlag&) const = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/scene/finding_pins.h"
 
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/parts/loft.h"
 
 #include <QtMath>
@@ -63,17 +64,18 @@ void FindingPins::change(const SceneSetup& setup) {
 }
 
 void FindingPins::show(const SceneState& state) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
         Pin& pin = m_pins[i];
-        const core::Finding& finding = state.palpation.finding[i];
-        const bool shown = state.palpation.present && finding.present;
+        const simulation::Finding& finding = cues.finding[i];
+        const bool shown = cues.present && finding.present;
         pin.root->setEnabled(shown);
         if (!shown)
             continue;
         const core::Vec3 place(finding.p_W[0], finding.p_W[1], finding.p_W[2]);
         pin.at->setTranslation(toMillimetres(place));
         pin.reach->at().setRotation(QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(m_surface.normalAt(place.head<2>()))));
-        const FindingFlag flag{static_cast<int>(i) + 1, state.outcome[i], state.palpation.selected == static_cast<int>(i)};
+        const FindingFlag flag{static_cast<int>(i) + 1, state.overlay.of<PalpationOverlay>().outcome[i], cues.selected == static_cast<int>(i)};
         if (pin.painted && pin.shown == flag)
             continue;
         pin.painted = true;

@@ -38,7 +38,7 @@ private:
     const simulation::TissueSurface& m_surface;
     SceneSetup m_setup;
     Qt3DRender::QParameter* m_stickTint;
-    std::array<Pin, core::kMaxFindings> m_pins;
+    std::array<Pin, simulation::kMaxFindings> m_pins;
 };
 
 } // namespace chiron::scene3d

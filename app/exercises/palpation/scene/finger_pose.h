@@ -5,6 +5,8 @@
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
 #include "simulation/palpation/tissue_surface.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +26,12 @@ inline constexpr double kMostRoll_rad = 20.0 * core::kPi / 180.0; ///< across th
 
 /// From the cues (they say how much, where the level shows it) and the tissue force (it says where to). `normal`: of the surface.
 inline FingerLean fingerLean(const SceneState& state, std::size_t tool, const core::Vec3& normal) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     FingerLean lean;
     const core::Vec3& force_N = state.tool[tool].force_N;
     const core::Vec3 lateral = force_N - force_N.dot(normal) * normal;
-    const double alpha_rad = state.palpation.lean_rad[tool];
-    if (!state.palpation.present || !(alpha_rad > 1e-3) || !(lateral.norm() > 1e-6))
+    const double alpha_rad = cues.lean_rad[tool];
+    if (!cues.present || !(alpha_rad > 1e-3) || !(lateral.norm() > 1e-6))
         return lean;
     lean.toward = lateral.normalized();
     lean.angle_rad = std::min(alpha_rad, kMostLean_rad);
@@ -38,13 +41,13 @@ inline FingerLean fingerLean(const SceneState& state, std::size_t tool, const co
         const double roll_rad = lean.angle_rad * std::abs(lean.toward.dot(across.normalized()));
         lean.angle_rad *= std::min(1.0, kMostRoll_rad / std::max(roll_rad, 1e-9));
     }
-    lean.saturated = (state.palpation.leanSaturated >> tool & 1) != 0;
+    lean.saturated = (cues.leanSaturated >> tool & 1) != 0;
     return lean;
 }
 
 /// Whether a finger belongs to a left hand: of two hands the second one, of one hand what the person is.
 inline bool isLeftHand(const SceneSetup& setup, std::size_t tool) {
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     if (!palpation || palpation->hands < 2)
         return setup.leftHanded;
     return static_cast<int>(tool) / std::max(1, palpation->fingers) % 2 == 1;
@@ -54,7 +57,7 @@ inline constexpr double kDrawnJaw_rad = 0.02; ///< a jaw that is closed further 
 
 /// Whether a finger is the first of a hand that can pinch.
 inline bool hasJaw(const SceneSetup& setup, std::size_t tool) {
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     return palpation && palpation->pinch && static_cast<int>(tool) % std::max(1, palpation->fingers) == 0;
 }
 
@@ -64,7 +67,7 @@ inline constexpr double kFadesOver_m = 0.003; ///< from the touch to there
 /// How opaque the hand of this finger is drawn, 0..1. A hand that touches is solid, as a gloved hand is; one whose fingers are all in the air
 /// is nearly glass, so that the tissue under and beyond it is seen, and with it where to go.
 inline double gloveOpacity(const SceneSetup& setup, const SceneState& state, const simulation::TissueSurface& surface, std::size_t tool) {
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     const std::size_t perHand = static_cast<std::size_t>(std::max(1, palpation ? palpation->fingers : 1));
     const std::size_t first = tool / perHand * perHand;
     double height_m = std::numeric_limits<double>::infinity();

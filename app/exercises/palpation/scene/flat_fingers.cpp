@@ -4,6 +4,8 @@
 #include "desktop/scene3d/drawn_tool.h"
 #include "app/exercises/palpation/scene/finger_mesh.h"
 #include "app/exercises/palpation/scene/finger_pose.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -44,7 +46,7 @@ void FlatFingers::paintOutline(const ToolView& tool, std::size_t index, const QC
     stroker.setCapStyle(Qt::RoundCap);
     stroker.setJoinStyle(Qt::RoundJoin);
     QPainterPath finger = stroker.createStroke(line).simplified();
-    if (!ghost && static_cast<int>(index) % std::max(1, std::get<simulation::PalpationParameters>(m_setup.parameters).fingers) == 0)
+    if (!ghost && static_cast<int>(index) % std::max(1, m_setup.parameters.as<simulation::PalpationParameters>().fingers) == 0)
         finger = finger.united(backOfHand(tool, index));
     QColor fill = glove;
     if (ghost)
@@ -76,7 +78,7 @@ QPainterPath FlatFingers::backOfHand(const ToolView& tool, std::size_t index) co
     QPainterPath hand = rope({at(24, -90, 56), at(26, -140, 74)}, 62.0);             // back of the hand
     hand = hand.united(rope({at(24, -150, 78), at(24, -226, 106)}, 58.0));           // wrist and cuff
     hand = hand.united(rope({at(6, -126, 60), at(-22, -72, 34), at(-20, -40, 28)}, 20.0)); // thumb
-    const int used = std::get<simulation::PalpationParameters>(m_setup.parameters).fingers;
+    const int used = m_setup.parameters.as<simulation::PalpationParameters>().fingers;
     for (int i = used; i < 4; ++i)
         hand = hand.united(rope({at(19.0 * i, -76.0 - 3.0 * i, 46), at(19.0 * i, -42.0 - 4.0 * i, 34)}, 18.0)); // folded fingers
     return hand;
@@ -131,7 +133,7 @@ void FlatFingers::paintDial(const SceneState& state, std::size_t index) const {
     if (length <= 1e-9)
         return;
     // The force arrow goes the same way as the needle, so the angle stands in figures on the other side.
-    const QString words = Words::tr("%1°").arg(QLocale().toString(state.palpation.lean_rad[index] * 180.0 / core::kPi, 'f', 0));
+    const QString words = Words::tr("%1°").arg(QLocale().toString(state.exercise.of<simulation::PalpationCues>().lean_rad[index] * 180.0 / core::kPi, 'f', 0));
     const QPointF place = middle - (radius + 18.0 * u) / length * way;
     const QRectF box(place - QPointF(16.0, 9.0) * u, QSizeF(32.0, 18.0) * u);
     m_painter.setPen(Qt::NoPen);
@@ -158,7 +160,7 @@ void FlatFingers::paintBlades(const ToolView& tool, std::size_t index) const {
     if (!hasJaw(m_setup, index) || !(tool.jaw_rad > kDrawnJaw_rad))
         return;
     const core::Quat q = tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
-    const double length = std::get<simulation::PalpationParameters>(m_setup.parameters).pinch->jawLength_m;
+    const double length = m_setup.parameters.as<simulation::PalpationParameters>().pinch->jawLength_m;
     const core::Vec3 joint(0.0, 0.0, length);
     for (const double side : {0.5, -0.5}) {
         const core::Vec3 tip = joint + length * core::Vec3(std::sin(side * tool.jaw_rad), 0.0, -std::cos(side * tool.jaw_rad));
@@ -171,8 +173,9 @@ void FlatFingers::paintBlades(const ToolView& tool, std::size_t index) const {
 
 /// Between the surface at rest and the pad, beside the finger.
 void FlatFingers::paintDepth(const SceneState& state, std::size_t index) const {
-    const double depth_mm = 1e3 * state.palpation.depth_m[index];
-    if (!state.palpation.present || !(depth_mm > 0.05))
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
+    const double depth_mm = 1e3 * cues.depth_m[index];
+    if (!cues.present || !(depth_mm > 0.05))
         return;
     const ToolView& tool = state.tool[index];
     const double u = m_panel.unit();

@@ -7,6 +7,7 @@
 #include "app/exercises/palpation/scene/map_legend.h"
 #include "app/exercises/palpation/scene/map_picture.h"
 #include "app/exercises/palpation/scene/tissue_mesh.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -175,20 +176,22 @@ void FlatPalpation::paintLines(QPainter& painter, const FlatPanel& panel, const 
 }
 
 void FlatPalpation::paintMap(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
-    if (!state.surfaceMap)
+    const auto& overlay = state.overlay.of<PalpationOverlay>();
+    if (!overlay.map)
         return;
     const core::Vec2 half = 1e3 * m_parameters.areaHalf_m;
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRectF(panel.at(-half.x(), half.y()), panel.at(half.x(), -half.y())), mapPicture(*state.surfaceMap, setup, state.mapKind));
+    painter.drawImage(QRectF(panel.at(-half.x(), half.y()), panel.at(half.x(), -half.y())), mapPicture(*overlay.map, setup, overlay.mapKind));
 }
 
 /// Below the surface, so translucent; one that nobody found has stripes and a broken edge.
 void FlatPalpation::paintLumps(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
-    for (int i = 0; state.palpation.present && i < state.palpation.lumps; ++i) {
-        const core::LumpCue& lump = state.palpation.lump[std::size_t(i)];
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
+    for (int i = 0; cues.present && i < cues.lumps; ++i) {
+        const simulation::LumpCue& lump = cues.lump[std::size_t(i)];
         const QPointF at = panel.project({lump.p_W[0], lump.p_W[1], lump.p_W[2]});
         const double radius = panel.pixels(1e3 * lump.radius_m);
-        const bool missed = (state.lumpsMissed >> i & 1) != 0;
+        const bool missed = (state.overlay.of<PalpationOverlay>().lumpsMissed >> i & 1) != 0;
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(110, 34, 52, 150));
         painter.drawEllipse(at, radius, radius);
@@ -203,9 +206,10 @@ void FlatPalpation::paintLumps(QPainter& painter, const FlatPanel& panel, const 
 }
 
 void FlatPalpation::paintFindings(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     const double u = panel.unit();
-    for (std::size_t i = 0; state.palpation.present && i < core::kMaxFindings; ++i) {
-        const core::Finding& finding = state.palpation.finding[i];
+    for (std::size_t i = 0; cues.present && i < simulation::kMaxFindings; ++i) {
+        const simulation::Finding& finding = cues.finding[i];
         if (!finding.present)
             continue;
         const QPointF foot = panel.project({finding.p_W[0], finding.p_W[1], finding.p_W[2]});
@@ -230,7 +234,7 @@ void FlatPalpation::paintFindings(QPainter& painter, const FlatPanel& panel, con
         }
         const double side = 34.0 * u;
         paintFindingFlag(painter, QRectF(head - QPointF(0.5 * side, 0.5 * side), QSizeF(side, side)),
-                         {static_cast<int>(i) + 1, state.outcome[i], state.palpation.selected == static_cast<int>(i)}, setup);
+                         {static_cast<int>(i) + 1, state.overlay.of<PalpationOverlay>().outcome[i], cues.selected == static_cast<int>(i)}, setup);
     }
 }
 
@@ -255,7 +259,7 @@ void FlatPalpation::paintSide(QPainter& painter, const FlatPanel& panel, const S
 }
 
 void FlatPalpation::paintLegend(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
-    if (!state.surfaceMap)
+    if (!state.overlay.of<PalpationOverlay>().map)
         return;
     const MapLegend legend = MapLegend::of(setup, state);
     const QRectF plot = panel.plot();

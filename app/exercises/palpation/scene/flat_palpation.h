@@ -29,7 +29,7 @@ public:
     QRectF rangeSide_mm() const override;
     bool drawsTools() const override { return true; }
     void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const override;
-    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.palpation); }
+    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.exercise.of<simulation::PalpationCues>()); }
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
     /// Where the side's cut goes: through the finger that presses deepest, else the first one, else the middle. m.

@@ -2,6 +2,7 @@
 #include "app/exercises/palpation/scene/map_legend.h"
 
 #include "app/exercises/palpation/scene/map_picture.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 
 #include <QCoreApplication>
 #include <QFont>
@@ -13,7 +14,7 @@
 
 namespace chiron::scene3d {
 
-using core::SurfaceMapKind;
+using simulation::SurfaceMapKind;
 using simulation::MapBand;
 
 namespace {
@@ -44,12 +45,14 @@ QColor tissueColour(TissueLook look) {
 MapLegend::MapLegend(const SceneSetup& setup, SurfaceMapKind kind, int percent) : m_setup(setup), m_kind(kind), m_percent(percent) {}
 
 MapLegend MapLegend::of(const SceneSetup& setup, const SceneState& state) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
+    const auto& overlay = state.overlay.of<PalpationOverlay>();
     double share = -1.0;
-    if (state.surfaceMap)
-        share = state.surfaceMap->coverage();
-    else if (state.palpation.coverageShown)
-        share = state.palpation.coverage;
-    return {setup, state.mapKind, share < 0.0 ? -1 : static_cast<int>(std::lround(100.0 * share))};
+    if (overlay.map)
+        share = overlay.map->coverage();
+    else if (cues.coverageShown)
+        share = cues.coverage;
+    return {setup, overlay.mapKind, share < 0.0 ? -1 : static_cast<int>(std::lround(100.0 * share))};
 }
 
 QFont MapLegend::font(double size, bool bold) const {
@@ -115,7 +118,7 @@ void MapLegend::paint(QPainter& painter) const {
 }
 
 void MapLegend::paintSwatch(QPainter& painter, const QRectF& box, MapBand band) const {
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&m_setup.parameters);
+    const auto* palpation = m_setup.parameters.find<simulation::PalpationParameters>();
     painter.save();
     painter.setClipRect(box);
     painter.fillRect(box, tissueColour(palpation ? tissueLookOf(palpation->tissue) : TissueLook::pad));

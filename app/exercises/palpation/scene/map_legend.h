@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "app/exercises/palpation/scene/tissue_look.h"
 #include "desktop/scene3d/scene_setup.h"
 #include "desktop/scene3d/scene_state.h"
@@ -21,7 +21,7 @@ namespace chiron::scene3d {
 /// from the upper left corner; the same in 3D and flat.
 class MapLegend {
 public:
-    MapLegend(const SceneSetup& setup, core::SurfaceMapKind kind, int percent);
+    MapLegend(const SceneSetup& setup, simulation::SurfaceMapKind kind, int percent);
     /// What a state asks for; `percent` < 0: it does not say.
     static MapLegend of(const SceneSetup& setup, const SceneState& state);
 
@@ -41,7 +41,7 @@ private:
     QFont font(double size, bool bold) const;
 
     SceneSetup m_setup;
-    core::SurfaceMapKind m_kind;
+    simulation::SurfaceMapKind m_kind;
     int m_percent;
 };
 

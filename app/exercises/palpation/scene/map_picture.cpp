@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/scene/map_picture.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +8,7 @@
 
 namespace chiron::scene3d {
 
-using core::SurfaceMapKind;
+using simulation::SurfaceMapKind;
 using simulation::MapBand;
 using simulation::SurfaceMap;
 
@@ -61,7 +62,7 @@ bool onRegionLine(int at, int size, int regions, int other) {
 } // namespace
 
 simulation::MapBands mapBandsOf(const SceneSetup& setup) {
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     return palpation ? simulation::MapBands{palpation->coverForce_N, palpation->bandLow_N, palpation->bandHigh_N, palpation->maximumForce_N}
                      : simulation::MapBands{};
 }
@@ -106,7 +107,7 @@ QImage mapPicture(const SurfaceMap& map, const SceneSetup& setup, SurfaceMapKind
     const QRgb over = plain(mapHatch(setup.colours, true));
     const QRgb edge = setup.colours.highContrast ? qRgba(0, 0, 0, 255) : qRgba(16, 26, 36, 230);
     const QRgb region = setup.colours.highContrast ? qRgba(0, 0, 0, 170) : qRgba(40, 20, 24, 110);
-    const auto* palpation = std::get_if<simulation::PalpationParameters>(&setup.parameters);
+    const auto* palpation = setup.parameters.find<simulation::PalpationParameters>();
     const int columns = palpation ? palpation->regionColumns : 1;
     const int rows = palpation ? palpation->regionRows : 1;
     QImage picture(kWide, kHigh, QImage::Format_ARGB32);

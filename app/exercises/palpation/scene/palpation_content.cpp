@@ -4,6 +4,7 @@
 #include "desktop/scene3d/drawn_tool.h"
 #include "app/exercises/palpation/scene/map_picture.h"
 #include "app/exercises/palpation/scene/tissue_mesh.h"
+#include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/scene3d/plugin/skin_texture.h"
 
 #include <QMatrix4x4>
@@ -43,7 +44,7 @@ Paint paintOf(TissueLook look) {
 } // namespace
 
 PalpationContent::PalpationContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
-    : m_setup(setup), m_parameters(std::get<simulation::PalpationParameters>(setup.parameters)), m_surface(m_parameters.tissue.shape), m_light(light),
+    : m_setup(setup), m_parameters(setup.parameters.as<simulation::PalpationParameters>()), m_surface(m_parameters.tissue.shape), m_light(light),
       m_root(parent), m_map(new PaintedFace(parent)), m_card(new MapCard(light, parent)), m_pins(new FindingPins(light, kElevation_rad, m_surface, m_parameters.hitRadius_m, parent)),
       m_ghost(new GhostFinger(light, parent)) {
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F);
@@ -145,9 +146,10 @@ void PalpationContent::change(const SceneSetup& setup) {
 }
 
 void PalpationContent::show(const SceneState& state) {
+    const auto& cues = state.exercise.of<simulation::PalpationCues>();
     const int tools = m_setup.cues.tool ? toolsOf(state) : 0;
-    const int lumps = state.palpation.present ? std::clamp(state.palpation.lumps, 0, static_cast<int>(core::kMaxShownLumps)) : 0;
-    const bool map = state.surfaceMap != nullptr;
+    const int lumps = cues.present ? std::clamp(cues.lumps, 0, static_cast<int>(simulation::kMaxShownLumps)) : 0;
+    const bool map = state.overlay.of<PalpationOverlay>().map != nullptr;
     const bool other = std::exchange(m_tools, tools) != tools || std::exchange(m_lumps, lumps) != lumps || m_mapShown != map;
     m_mapShown = map;
     if (other)
@@ -185,8 +187,8 @@ void PalpationContent::showTouch(const SceneState& state) {
 void PalpationContent::showLumps(const SceneState& state) {
     QMatrix4x4 lumps[2] = {QMatrix4x4() * 0.0F, QMatrix4x4() * 0.0F};
     for (int i = 0; i < m_lumps; ++i) {
-        const core::LumpCue& lump = state.palpation.lump[std::size_t(i)];
-        const bool missed = (state.lumpsMissed >> i & 1) != 0;
+        const simulation::LumpCue& lump = state.exercise.of<simulation::PalpationCues>().lump[std::size_t(i)];
+        const bool missed = (state.overlay.of<PalpationOverlay>().lumpsMissed >> i & 1) != 0;
         const core::Vec3 centre(lump.p_W[0], lump.p_W[1], lump.p_W[2]);
         const core::Vec3 above = m_surface.nearest(centre, centre.head<2>()).p_W; // where it is felt and marked: drawn at its depth, it would be seen beside that place
         lumps[i / 3].setColumn(i % 3, QVector4D(toMillimetres(above), float((missed ? -1e3 : 1e3) * lump.radius_m)));
@@ -196,13 +198,14 @@ void PalpationContent::showLumps(const SceneState& state) {
 }
 
 void PalpationContent::showMap(const SceneState& state) {
+    const auto& overlay = state.overlay.of<PalpationOverlay>();
     m_card->show(state, m_mapShown);
-    if (!m_mapShown || (m_mapPainted && m_mapStep == state.surfaceMapStep && m_mapKind == state.mapKind))
+    if (!m_mapShown || (m_mapPainted && m_mapStep == overlay.mapStep && m_mapKind == overlay.mapKind))
         return;
     m_mapPainted = true;
-    m_mapStep = state.surfaceMapStep;
-    m_mapKind = state.mapKind;
-    const QImage picture = mapPicture(*state.surfaceMap, m_setup, state.mapKind);
+    m_mapStep = overlay.mapStep;
+    m_mapKind = overlay.mapKind;
+    const QImage picture = mapPicture(*overlay.map, m_setup, overlay.mapKind);
     m_map->change(picture.size(), [picture](QPainter& painter) {
         painter.setCompositionMode(QPainter::CompositionMode_Source);
         painter.drawImage(0, 0, picture);

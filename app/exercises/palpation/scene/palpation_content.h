@@ -26,7 +26,7 @@ public:
     double roomAbove_m() const override;
     double elevation_rad() const override;
     bool drawsTools() const override { return true; }
-    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.palpation); }
+    GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.exercise.of<simulation::PalpationCues>()); }
     void putTranslucent(Qt3DRender::QLayer* layer) override;
     void putOver(Qt3DRender::QLayer* layer) override;
     void setPicture(const QSize& size_px, double ratio) override { m_card->setPicture(size_px, ratio); }
@@ -67,7 +67,7 @@ private:
     bool m_mapPainted = false;
     bool m_warm = false;
     std::uint32_t m_mapStep = 0;
-    core::SurfaceMapKind m_mapKind = core::SurfaceMapKind::coverage;
+    simulation::SurfaceMapKind m_mapKind = simulation::SurfaceMapKind::coverage;
 };
 
 } // namespace chiron::scene3d

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "desktop/scene3d/gauge_painter.h"
 
 namespace chiron::scene3d {
 
 /// The force bar with how hard to press, where the level shows it. Pure.
-inline GaugeDial forceDial(const SceneSetup& setup, const core::PalpationCues& cues) {
+inline GaugeDial forceDial(const SceneSetup& setup, const simulation::PalpationCues& cues) {
     GaugeDial dial = forceDial(setup);
     if (cues.present && cues.bandShown) {
         dial.bandLow_N = cues.bandLow_N;

@@ -4,6 +4,7 @@
 #include "curriculum/exercises/palpation/scoring/palpation_answer.h"
 #include "session/level_cues.h"
 #include "session/session_view.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
 
 #include <variant>
 
@@ -19,7 +20,7 @@ bool isWanted(const database::SessionSummary& summary, const DetectionQuery& que
 } // namespace
 
 bool tellsDetection(const catalogue::ExerciseLevel& level, const DetectionQuery& query) {
-    const auto* p = std::get_if<simulation::PalpationParameters>(&level.parameters);
+    const auto* p = level.parameters.find<simulation::PalpationParameters>();
     if (p == nullptr || p->control.forceOff || p->control.moveAfter_s > 0.0)
         return false;
     return query.level > 0 || !cuesOf(level, query.felt).object;

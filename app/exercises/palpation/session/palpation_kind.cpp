@@ -21,7 +21,7 @@ namespace chiron::session {
 namespace {
 
 const simulation::PalpationParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::PalpationParameters>(level.parameters);
+    return level.parameters.as<simulation::PalpationParameters>();
 }
 
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
@@ -147,6 +147,8 @@ std::unique_ptr<simulation::IScene> PalpationKind::makeScene(const SessionSetup&
     parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
     return std::make_unique<simulation::PalpationScene>(parameters, setup.seed);
 }
+
+simulation::YieldLaw PalpationKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
 
 core::Result<ScriptedTrainee> PalpationKind::makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                           std::uint64_t seed) const {

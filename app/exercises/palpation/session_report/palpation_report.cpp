@@ -12,7 +12,7 @@ namespace {
 using report::PalpationFindingRow;
 
 PalpationFindingRow rowOf(const scoring::PalpationAnswer& answer, const scoring::FindingMatch& match) {
-    const core::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
+    const simulation::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
     PalpationFindingRow row;
     row.kind = match.hit() ? PalpationFindingRow::Kind::hit : PalpationFindingRow::Kind::falseAlarm;
     row.number = match.finding + 1;
@@ -40,9 +40,9 @@ PalpationFindingRow missedRow(const scoring::LumpTruth& lump) {
 }
 
 report::PalpationMapFinding drawn(const scoring::PalpationAnswer& answer, const scoring::FindingMatch& match) {
-    const core::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
+    const simulation::Finding& finding = answer.findings.list()[static_cast<std::size_t>(match.finding)];
     return {match.finding + 1, finding.p_W[0], finding.p_W[1], finding.radius_m,
-            match.hit() ? core::FindingOutcome::hit : core::FindingOutcome::falseAlarm, false};
+            match.hit() ? simulation::FindingOutcome::hit : simulation::FindingOutcome::falseAlarm, false};
 }
 
 } // namespace
@@ -71,7 +71,7 @@ report::PalpationTrialReport palpationTrialOf(const session::PalpationTrialRecor
 }
 
 std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level) {
-    const auto* parameters = std::get_if<simulation::PalpationParameters>(&level.parameters);
+    const auto* parameters = level.parameters.find<simulation::PalpationParameters>();
     if (parameters == nullptr)
         return std::nullopt;
     const auto records = session::palpationRecord(trace, *parameters);

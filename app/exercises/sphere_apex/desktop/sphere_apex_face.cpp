@@ -41,7 +41,7 @@ public:
 } // namespace
 
 std::unique_ptr<LevelPicture> SphereApexFace::picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const {
-    return std::make_unique<ApexPicture>(std::get<simulation::SphereApexParameters>(level.parameters), frame);
+    return std::make_unique<ApexPicture>(level.parameters.as<simulation::SphereApexParameters>(), frame);
 }
 
 QStringList SphereApexFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }

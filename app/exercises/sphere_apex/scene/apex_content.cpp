@@ -4,6 +4,7 @@
 #include "desktop/scene3d/drawn_tool.h"
 #include "desktop/scene3d/plugin/skin_texture.h"
 #include "app/exercises/sphere_apex/scene/apex_mesh.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QMatrix4x4>
 #include <algorithm>
@@ -29,7 +30,7 @@ Qt3DRender::QParameter* ApexContent::parameter(const char* name, const QVariant&
 }
 
 ApexContent::ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent)
-    : m_parameters(std::get<simulation::SphereApexParameters>(setup.parameters)), m_setup(setup),
+    : m_parameters(setup.parameters.as<simulation::SphereApexParameters>()), m_setup(setup),
       m_surface(ApexSurface::of(m_parameters, SceneState{})), m_light(light) {
     m_dentPlace = parameter("dentPlace", QMatrix4x4() * 0.0F, parent);
     m_dentNormal = parameter("dentNormal", QMatrix4x4(), parent);
@@ -66,7 +67,7 @@ void ApexContent::warm() {
 
 void ApexContent::change(const SceneSetup& setup) {
     m_setup = setup;
-    m_parameters = std::get<simulation::SphereApexParameters>(setup.parameters);
+    m_parameters = setup.parameters.as<simulation::SphereApexParameters>();
     chooseLook();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "simulation/geometry/mesh/make_mesh.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
 #include "desktop/scene3d/triangle_mesh.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 namespace chiron::scene3d {
 

@@ -3,6 +3,7 @@
 
 #include "modules/exercises/sphere_apex/simulation/hemisphere_contact.h"
 #include "modules/exercises/sphere_apex/simulation/touched_dome.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ ApexSurface ApexSurface::of(const simulation::SphereApexParameters& parameters, 
     if (parameters.surface != simulation::ApexSurface::exact) {
         surface.mesh = simulation::apexDomeSource(parameters);
         // The dome is shown as a body that can be turned: its bumps lie elsewhere in each trial.
-        const auto& q = state.laparoscopy.body[0].q_W;
+        const auto& q = state.exercise.of<core::LaparoscopyCues>().body[0].q_W;
         surface.turn_rad = 2.0 * std::atan2(q[3], q[0]);
     }
     if (state.dimpleShown)

@@ -7,6 +7,7 @@
 #include "simulation/attributes/dimple.h"
 #include "simulation/geometry/hemisphere_on_plane.h"
 #include "simulation/geometry/mesh/mesh_source.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <optional>
 

@@ -4,6 +4,7 @@
 #include "desktop/scene2d/flat_content.h"
 #include "desktop/scene3d/scene_marks.h"
 #include "app/exercises/sphere_apex/scene/apex_surface.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 namespace chiron::scene3d {
 

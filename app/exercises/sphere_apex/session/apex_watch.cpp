@@ -32,7 +32,7 @@ core::Result<ApexWatch> ApexWatch::create(const catalogue::ExerciseLevel& level,
     if (!positions)
         return tl::unexpected(positions.error());
     ApexWatch watch(meterOf(design, !setup.felt()));
-    const auto& p = std::get<simulation::SphereApexParameters>(level.parameters);
+    const auto& p = level.parameters.as<simulation::SphereApexParameters>();
     watch.m_positions = std::move(*positions);
     watch.m_plan = simulation::planSphereApexTrials(p, seed);
     for (const simulation::SphereApexTrial& trial : watch.m_plan)

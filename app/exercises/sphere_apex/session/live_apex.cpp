@@ -21,7 +21,7 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
         const auto level = apexStudyLevel(study.design, each, 1);
         if (!level)
             return tl::unexpected(level.error());
-        stiffness = std::max(stiffness, std::get<simulation::SphereApexParameters>(level->parameters).stiffnessHigh_N_per_m);
+        stiffness = std::max(stiffness, level->parameters.as<simulation::SphereApexParameters>().stiffnessHigh_N_per_m);
     }
     return stiffness;
 }

@@ -20,7 +20,7 @@ namespace chiron::session {
 namespace {
 
 const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::SphereApexParameters>(level.parameters);
+    return level.parameters.as<simulation::SphereApexParameters>();
 }
 
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
@@ -86,6 +86,8 @@ void noteMisses(PlaybackTrack& track) {
 std::unique_ptr<simulation::IScene> SphereApexKind::makeScene(const SessionSetup& setup) const {
     return std::make_unique<simulation::SphereApexScene>(parametersOf(setup.level), setup.seed);
 }
+
+simulation::YieldLaw SphereApexKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
 
 core::Result<ScriptedTrainee> SphereApexKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
                                                           std::uint64_t seed) const {

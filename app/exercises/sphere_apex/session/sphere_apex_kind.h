@@ -10,6 +10,7 @@ class SphereApexKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "sphere_apex"; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
     std::vector<std::string> operatorNames() const override;

@@ -17,8 +17,8 @@ namespace {
 constexpr char kDepthOfField[] = "depth_of_field";
 
 /// The procedure at a moment, as far as a recording tells it.
-core::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
-    core::EndoscopeCues cues;
+simulation::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
+    simulation::EndoscopeCues cues;
     cues.present = true;
     cues.pictureShown = true;
     cues.guided = true;
@@ -48,7 +48,7 @@ void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackT
     if (!view.insertion)
         return;
     state.objectShown = true; // the endoscope's picture
-    state.endoscope = endoscopeOf(track, view, t_s);
+    state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(track, view, t_s);
 }
 
 QString InsertionLayer::readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const {

@@ -187,14 +187,14 @@ void InsertionPanel::show(const haptics::DisplayState& state, std::span<const se
         addSamples(samples);
     if (m_frame++ % kNumbersEvery_frames != 0)
         return;
-    showStage(state.endoscope);
+    showStage(state.exercise.of<simulation::EndoscopeCues>());
     if (m_cues.numbers)
         showNumbers(values);
     showLoop(state);
     m_elapsed->setText(InfoPanel::elapsedText(m_worked_ms / 1000));
 }
 
-void InsertionPanel::showStage(const core::EndoscopeCues& cues) {
+void InsertionPanel::showStage(const simulation::EndoscopeCues& cues) {
     m_stage->setText(stageText(cues, m_telling, m_locale));
     if (!m_progress)
         return;

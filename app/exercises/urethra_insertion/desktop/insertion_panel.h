@@ -38,7 +38,7 @@ private:
     void addPlots(const simulation::UrethraInsertionParameters& parameters);
     LivePlot* plot(const char* name, const QString& title, double top, std::optional<double> limit = {});
 
-    void showStage(const core::EndoscopeCues& cues);
+    void showStage(const simulation::EndoscopeCues& cues);
     void showForces(const InsertionValues& values);
     void showNumbers(const InsertionValues& values);
     void addSamples(std::span<const session::LiveSample> samples);

@@ -16,7 +16,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(StageWords)
 };
 
-QString inspectionText(const core::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale) {
+QString inspectionText(const simulation::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale) {
     const QString seen = locale.toString(landmarksSeen(cues));
     const QString all = locale.toString(cues.landmarks);
     if (telling.guidance && cues.dwell > 0.0)
@@ -37,9 +37,9 @@ QString stageTitle(ProcedureStage stage) {
     return {};
 }
 
-int landmarksSeen(const core::EndoscopeCues& cues) { return std::popcount(cues.landmarksSeen); }
+int landmarksSeen(const simulation::EndoscopeCues& cues) { return std::popcount(cues.landmarksSeen); }
 
-QString stageText(const core::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale) {
+QString stageText(const simulation::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale) {
     switch (cues.stage) {
     case ProcedureStage::outside: return Words::tr("Before the entrance: advance into the urethra");
     case ProcedureStage::insertion:
@@ -56,7 +56,7 @@ QString stageText(const core::EndoscopeCues& cues, const StageTelling& telling, 
     return {};
 }
 
-double stageProgress(const core::EndoscopeCues& cues, const StageTelling& telling) {
+double stageProgress(const simulation::EndoscopeCues& cues, const StageTelling& telling) {
     constexpr double kNothing = -1.0;
     switch (cues.stage) {
     case ProcedureStage::insertion:

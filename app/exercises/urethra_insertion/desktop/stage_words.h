@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QLocale>
 #include <QString>
@@ -20,11 +20,11 @@ struct StageTelling {
 };
 
 /// One sentence about what to do now; "Insertion: 32 of 97 mm" where numbers are shown.
-QString stageText(const core::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale);
+QString stageText(const simulation::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale);
 
 /// How much of the stage is done, 0..1; below 0 where nothing of it may be told or the stage has no measure.
-double stageProgress(const core::EndoscopeCues& cues, const StageTelling& telling);
+double stageProgress(const simulation::EndoscopeCues& cues, const StageTelling& telling);
 
-int landmarksSeen(const core::EndoscopeCues& cues); ///< how many
+int landmarksSeen(const simulation::EndoscopeCues& cues); ///< how many
 
 } // namespace chiron::desktop

@@ -28,6 +28,9 @@ public:
 
     InfoView* makePanel() override { return new InsertionPanel(around().theme, around().locale, around().cues, m_level); }
     double panelWidth_px() const override { return kWidePanel_px; }
+    void show(const haptics::DisplayState& state, std::span<const session::LiveSample>, scene3d::SceneState& drawn) override {
+        drawn.objectShown = state.exercise.of<simulation::EndoscopeCues>().present && around().cues.object; // what it looks at is its picture
+    }
 
 private:
     const simulation::UrethraInsertionParameters& m_level;

@@ -7,7 +7,7 @@ namespace chiron::scene3d {
 
 EndoscopeStage::EndoscopeStage(const SceneSetup& setup, QObject* surface)
     : m_setup(setup), m_root(new Qt3DCore::QEntity), m_light(m_root), m_graph(m_root, surface),
-      m_model(std::get<simulation::UrethraInsertionParameters>(setup.parameters), m_root),
+      m_model(setup.parameters.as<simulation::UrethraInsertionParameters>(), m_root),
       m_picture(m_model, m_light.effects, m_graph, m_root),
       m_landmarks(m_model.drawing(), m_light.effects, m_picture.bladder()),
       m_marks(m_light.effects, m_graph.marks(), m_root), m_notice(m_light.effects, m_graph.marks(), m_root),

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "app/exercises/urethra_insertion/scene/notice_painter.h"
 #include "simulation/geometry/urethra/urethra_wall.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -104,11 +105,11 @@ void FlatScopePicture::paintBladder(QPainter& painter, const SceneState& state) 
         painter.setBrush(kOrifice);
         if (landmarks[i].id.find("ureter") != std::string::npos)
             painter.drawEllipse(at, 0.6 * size, 0.2 * size);
-        if (!m_setup.cues.guidance || !state.endoscope.guided)
+        if (!m_setup.cues.guidance || !state.exercise.of<simulation::EndoscopeCues>().guided)
             continue;
         QPainterPath ring;
         ring.addEllipse(at, size, size);
-        if (i < 32 && (state.endoscope.landmarksSeen >> i & 1U) != 0) {
+        if (i < 32 && (state.exercise.of<simulation::EndoscopeCues>().landmarksSeen >> i & 1U) != 0) {
             ring.moveTo(at + QPointF(-0.4 * size, 0.0));
             ring.lineTo(at + QPointF(-0.1 * size, -0.35 * size));
             ring.lineTo(at + QPointF(0.45 * size, 0.4 * size));

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "desktop/scene3d/parts/flat_shapes.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 namespace chiron::scene3d {
 
@@ -66,9 +67,9 @@ void LandmarkMarks::change(const SceneSetup& setup) {
 }
 
 void LandmarkMarks::show(const SceneState& state) {
-    m_entity->setEnabled(m_guided && state.endoscope.guided);
+    m_entity->setEnabled(m_guided && state.exercise.of<simulation::EndoscopeCues>().guided);
     for (std::size_t i = 0; i < m_ticks.size(); ++i)
-        m_ticks[i]->setEnabled(i < 32 && (state.endoscope.landmarksSeen >> i & 1U) != 0);
+        m_ticks[i]->setEnabled(i < 32 && (state.exercise.of<simulation::EndoscopeCues>().landmarksSeen >> i & 1U) != 0);
 }
 
 } // namespace chiron::scene3d

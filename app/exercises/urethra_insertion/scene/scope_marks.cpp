@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/scene/scope_marks.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-void addGuidance(ScopeMarks& marks, const core::EndoscopeCues& cues, double fieldOfView_rad) {
+void addGuidance(ScopeMarks& marks, const simulation::EndoscopeCues& cues, double fieldOfView_rad) {
     const core::Vec3 way(cues.toLumen_T[0], cues.toLumen_T[1], cues.toLumen_T[2]);
     marks.dwell = std::clamp(cues.dwell, 0.0, 1.0);
     if (!(way.squaredNorm() > 0.25)) // a unit vector, or zero where no lumen is seen
@@ -32,8 +33,8 @@ ScopeMarks ScopeMarks::of(const SceneSetup& setup, const UrethraDrawing& drawing
     ScopeMarks marks;
     const ToolView& tool = state.tool[0];
     marks.pictureShown = setup.cues.object && state.objectShown && tool.present;
-    if (marks.pictureShown && setup.cues.guidance && state.endoscope.guided)
-        addGuidance(marks, state.endoscope, drawing.parameters().endoscope.fieldOfView_rad);
+    if (marks.pictureShown && setup.cues.guidance && state.exercise.of<simulation::EndoscopeCues>().guided)
+        addGuidance(marks, state.exercise.of<simulation::EndoscopeCues>(), drawing.parameters().endoscope.fieldOfView_rad);
     if (!setup.cues.arrow || !tool.present || !(tool.force_N.norm() > kLeast_N))
         return marks;
     const core::Vec3 force_T = drawing.axes_A(tool).transpose() * drawing.parameters().pose.vectorToA(tool.force_N);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 
-#include "core/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
 #include "scoring/trace_columns.h"

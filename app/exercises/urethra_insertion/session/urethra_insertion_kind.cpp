@@ -23,7 +23,7 @@ namespace chiron::session {
 namespace {
 
 const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
-    return std::get<simulation::UrethraInsertionParameters>(level.parameters);
+    return level.parameters.as<simulation::UrethraInsertionParameters>();
 }
 
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
@@ -61,6 +61,8 @@ std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const Sessio
         felt.forces = onDevice(felt.forces, setup.devices[0], setup.mappings[0]);
     return std::make_unique<simulation::UrethraInsertionScene>(felt);
 }
+
+simulation::YieldLaw UrethraInsertionKind::yieldLaw(const catalogue::ExerciseLevel& level) const { return parametersOf(level).yield; }
 
 core::Result<ScriptedTrainee> UrethraInsertionKind::makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
                                                           std::uint64_t seed) const {

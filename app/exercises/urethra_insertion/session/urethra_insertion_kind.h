@@ -15,6 +15,7 @@ public:
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
     /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
+    simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                std::uint64_t seed) const override;
     std::vector<std::string> operatorNames() const override;

@@ -2,10 +2,13 @@
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 
 #include "catalogue/resolved_level.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/attributes/object_attributes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -150,11 +153,11 @@ ExerciseParameters readComparison(const ObjectReader& parameters, const std::vec
         p.adjusts = parameters.boolean("adjusts");
     refuseUnknownKeys(parameters, known, QStringLiteral("a parameter of comparison"));
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 void checkComparison(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    const auto& p = std::get<Parameters>(parameters);
+    const auto& p = parameters.as<Parameters>();
     if (p.places < 1 || p.places > Parameters::kMaxPlaces)
         problems.push_back({memberPath(path, "places"), QString::number(p.places), QStringLiteral("1 to 3")});
     if (p.values.empty() || p.values.size() > 4096)

@@ -3,6 +3,8 @@
 
 #include "catalogue/object_reader.h"
 #include "psychophysics/study/study_design.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
+#include "simulation/attributes/object_attributes.h"
 
 #include <map>
 #include <string>

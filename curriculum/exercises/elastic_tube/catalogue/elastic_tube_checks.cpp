@@ -153,7 +153,7 @@ private:
 } // namespace
 
 void checkElasticTube(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    Checks(std::get<Parameters>(parameters), path, problems).all();
+    Checks(parameters.as<Parameters>(), path, problems).all();
 }
 
 } // namespace chiron::catalogue

@@ -4,8 +4,10 @@
 #include "catalogue/object_content.h"
 #include "catalogue/yield_content.h"
 #include "core/units.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -102,7 +104,7 @@ ExerciseParameters readElasticTube(const ObjectReader& parameters, const std::ve
         p.tube = readObject(parameters.object("tube"));
     refuseUnknownKeys(parameters);
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 } // namespace chiron::catalogue

@@ -150,7 +150,7 @@ private:
 } // namespace
 
 void checkObjectHandling(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    const auto& p = std::get<Parameters>(parameters);
+    const auto& p = parameters.as<Parameters>();
     checkObject(p.object, memberPath(path, "object"), problems);
     checkObject(p.bed, memberPath(path, "bed"), problems);
     checkYield(p.yield, p.maximumForce_N, path, problems);

@@ -4,8 +4,10 @@
 #include "catalogue/object_content.h"
 #include "catalogue/yield_content.h"
 #include "core/units.h"
+#include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -102,7 +104,7 @@ ExerciseParameters readObjectHandling(const ObjectReader& parameters, const std:
         p.bedMesh = readMesh(parameters.object("bed_mesh"));
     refuseUnknownKeys(parameters, knownKeys(), QStringLiteral("a parameter of object_handling"));
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 } // namespace chiron::catalogue

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/object_handling/scoring/handling_metrics.h"
+
 #include "core/units.h"
 #include "curriculum/exercises/object_handling/scoring/handling_samples.h"
 #include "scoring/metrics/metric_rows.h"

@@ -128,7 +128,7 @@ private:
 } // namespace
 
 void checkPalpation(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    const auto& p = std::get<Parameters>(parameters);
+    const auto& p = parameters.as<Parameters>();
     checkTissue(p.tissue, memberPath(path, "tissue"), problems);
     const Checks checks(p, path, problems);
     checks.numbers();

@@ -2,6 +2,10 @@
 #include "curriculum/exercises/palpation/catalogue/palpation_content.h"
 
 #include "catalogue/tissue_content.h"
+#include "simulation/palpation/tissue_pinch.h"
+#include "modules/exercises/palpation/simulation/palpation_parameters.h"
+
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -135,7 +139,7 @@ ExerciseParameters readPalpation(const ObjectReader& parameters, const std::vect
     p.control = readControl(parameters);
     refuseUnknownKeys(parameters, knownKeys(), QStringLiteral("a parameter of palpation"));
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 } // namespace chiron::catalogue

@@ -23,7 +23,7 @@ int regionAt(const PalpationTruth& truth, const core::Vec3& place_W) noexcept {
     return column < 0 || row < 0 ? FindingMatch::kNone : row * truth.regionColumns + column;
 }
 
-std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const core::FindingsBook& findings,
+std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                                        const std::vector<FindingMatch>& matches) {
     std::vector<DetectionRegion> regions(static_cast<std::size_t>(truth.regionColumns * truth.regionRows));
     for (const LumpTruth& lump : truth.lumps)

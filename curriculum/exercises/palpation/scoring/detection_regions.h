@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/signal_detection.h"
 #include "curriculum/exercises/palpation/scoring/finding_matches.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
@@ -25,7 +25,7 @@ int regionAt(const PalpationTruth& truth, const core::Vec3& place_W) noexcept;
 
 /// All regions of a trial. A finding that found a lump counts for the lump's region, wherever it lies itself; a false alarm for the
 /// lump-free region in which it lies: in a lump's region or outside the area it is none of any region's.
-std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const core::FindingsBook& findings,
+std::vector<DetectionRegion> regionsOf(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                                        const std::vector<FindingMatch>& matches);
 
 core::DetectionCounts countsOf(const std::vector<DetectionRegion>& regions) noexcept;

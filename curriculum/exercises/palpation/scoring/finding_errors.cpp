@@ -8,7 +8,7 @@ namespace chiron::scoring {
 
 namespace {
 
-const core::Finding& findingOf(const core::FindingsBook& findings, const FindingMatch& match) {
+const simulation::Finding& findingOf(const simulation::FindingsBook& findings, const FindingMatch& match) {
     return findings.list()[static_cast<std::size_t>(match.finding)];
 }
 
@@ -28,7 +28,7 @@ ErrorSum localisationErrors(const std::vector<FindingMatch>& matches) {
     return errors;
 }
 
-ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
     ErrorSum errors;
     for (const FindingMatch& match : matches) {
         const double said_m = findingOf(findings, match).radius_m;
@@ -40,7 +40,7 @@ ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findi
     return errors;
 }
 
-std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
     std::vector<double> radii_m;
     for (const FindingMatch& match : matches)
         if (match.hit() && findingOf(findings, match).radius_m > 0.0)
@@ -48,7 +48,7 @@ std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsB
     return radii_m;
 }
 
-std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const core::FindingsBook& findings,
+std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                                            const std::vector<FindingMatch>& matches) {
     std::vector<std::pair<int, int>> rated;
     for (const FindingMatch& match : matches)
@@ -57,7 +57,7 @@ std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const co
     return rated;
 }
 
-HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
+HardnessPairs hardnessPairs(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches) {
     return hardnessPairs(ratedHits(truth, findings, matches));
 }
 

@@ -17,13 +17,13 @@ struct ErrorSum {
 /// Distances of hits from their lumps' places, m.
 ErrorSum localisationErrors(const std::vector<FindingMatch>& matches);
 /// |reported − true radius| of hits whose size was said, m.
-ErrorSum sizeErrors(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
+ErrorSum sizeErrors(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
 /// The true radii of the hits whose size was said, m.
-std::vector<double> saidSizes(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
+std::vector<double> saidSizes(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
 /// True and said hardness of the hits that were rated, 1..5.
-std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const core::FindingsBook& findings, const std::vector<FindingMatch>& matches);
+std::vector<std::pair<int, int>> ratedHits(const PalpationTruth& truth, const simulation::FindingsBook& findings, const std::vector<FindingMatch>& matches);
 
 /// Pairs of lumps of different hardness that were found and rated.
 struct HardnessPairs {
@@ -34,7 +34,7 @@ struct HardnessPairs {
 };
 HardnessPairs hardnessPairs(const std::vector<std::pair<int, int>>& rated);
 /// Of one trial.
-HardnessPairs hardnessPairs(const PalpationTruth& truth, const core::FindingsBook& findings,
+HardnessPairs hardnessPairs(const PalpationTruth& truth, const simulation::FindingsBook& findings,
                             const std::vector<FindingMatch>& matches);
 
 } // namespace chiron::scoring

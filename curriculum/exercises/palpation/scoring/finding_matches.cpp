@@ -19,17 +19,17 @@ struct Pair {
 
 } // namespace
 
-core::Vec3 placeOf(const core::Finding& finding) noexcept { return {finding.p_W[0], finding.p_W[1], finding.p_W[2]}; }
+core::Vec3 placeOf(const simulation::Finding& finding) noexcept { return {finding.p_W[0], finding.p_W[1], finding.p_W[2]}; }
 
 const FindingMatch* foundBy(const std::vector<FindingMatch>& matches, int lump) noexcept {
     const auto found = std::find_if(matches.begin(), matches.end(), [lump](const FindingMatch& o) { return o.lump == lump; });
     return found == matches.end() ? nullptr : &*found;
 }
 
-std::vector<FindingMatch> matchesOf(const core::FindingsBook& findings, const PalpationTruth& truth) {
+std::vector<FindingMatch> matchesOf(const simulation::FindingsBook& findings, const PalpationTruth& truth) {
     std::vector<FindingMatch> matches;
     std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < core::kMaxFindings; ++i) {
+    for (std::size_t i = 0; i < simulation::kMaxFindings; ++i) {
         if (!findings.has(static_cast<int>(i)))
             continue;
         const core::Vec3 place_W = placeOf(findings.list()[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
 
 #include <vector>
@@ -24,11 +24,11 @@ struct FindingMatch {
 /// each lump once. Reach is the hit radius, or the lump's own radius where that is larger; distance is the straight line between the
 /// two places on the surface (within 12 mm and radii of curvature from 30 mm on at most 0.7 % shorter than along it). One match a
 /// finding, in the order of their numbers. Pairs at the same distance: lower finding, then lower lump.
-std::vector<FindingMatch> matchesOf(const core::FindingsBook& findings, const PalpationTruth& truth);
+std::vector<FindingMatch> matchesOf(const simulation::FindingsBook& findings, const PalpationTruth& truth);
 
 /// The match of the finding that found this lump, or null: missed.
 const FindingMatch* foundBy(const std::vector<FindingMatch>& matches, int lump) noexcept;
 
-core::Vec3 placeOf(const core::Finding& finding) noexcept; ///< W, m
+core::Vec3 placeOf(const simulation::Finding& finding) noexcept; ///< W, m
 
 } // namespace chiron::scoring

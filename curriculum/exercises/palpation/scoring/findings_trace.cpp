@@ -41,18 +41,18 @@ std::optional<TimedReport> reportAt(const Columns& columns, std::size_t i, doubl
     const auto value = whole(at(3), 0, core::kReportValueMask);
     if (!field || !value)
         return std::nullopt;
-    TimedReport report{t_s, static_cast<core::ReportField>(*field), core::FindingsBook::kNone, static_cast<unsigned>(*value),
+    TimedReport report{t_s, static_cast<core::ReportField>(*field), simulation::FindingsBook::kNone, static_cast<unsigned>(*value),
                        core::Vec3(at(4), at(5), at(6))};
     if (report.field == core::ReportField::done)
         return report;
-    const auto finding = whole(at(2), 0, static_cast<int>(core::kMaxFindings) - 1);
+    const auto finding = whole(at(2), 0, static_cast<int>(simulation::kMaxFindings) - 1);
     if (!finding || !report.place_W.allFinite())
         return std::nullopt;
     report.finding = *finding;
     return report;
 }
 
-void take(core::FindingsBook& book, const TimedReport& report) {
+void take(simulation::FindingsBook& book, const TimedReport& report) {
     switch (report.field) {
     case core::ReportField::found:
         book.place(report.finding, {report.place_W.x(), report.place_W.y(), report.place_W.z()});
@@ -95,8 +95,8 @@ std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial) {
     return out;
 }
 
-core::FindingsBook findingsAfter(std::span<const TimedReport> reports, double until_s) {
-    core::FindingsBook book;
+simulation::FindingsBook findingsAfter(std::span<const TimedReport> reports, double until_s) {
+    simulation::FindingsBook book;
     for (const TimedReport& report : reports)
         if (report.t_s <= until_s)
             take(book, report);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "core/geometry.h"
 #include "scoring/trace.h"
 
@@ -16,7 +16,7 @@ namespace chiron::scoring {
 struct TimedReport {
     double t_s = 0.0; ///< of the trace
     core::ReportField field = core::ReportField::found;
-    int finding = core::FindingsBook::kNone; ///< which it was about
+    int finding = simulation::FindingsBook::kNone; ///< which it was about
     unsigned value = 0;                      ///< as in the report word
     core::Vec3 place_W = core::Vec3::Zero(); ///< of the finding, on the surface, m
 };
@@ -32,7 +32,7 @@ struct ReportsOfTrial {
 std::optional<ReportsOfTrial> reportsOf(const TrialTrace& trial);
 
 /// The book after the reports until `until_s` (included).
-core::FindingsBook findingsAfter(std::span<const TimedReport> reports,
+simulation::FindingsBook findingsAfter(std::span<const TimedReport> reports,
                                  double until_s = std::numeric_limits<double>::infinity());
 
 } // namespace chiron::scoring

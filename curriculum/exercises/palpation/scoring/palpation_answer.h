@@ -17,7 +17,7 @@ namespace chiron::scoring {
 struct PalpationAnswer {
     PalpationTruth truth;
     std::vector<TimedReport> reports;
-    core::FindingsBook findings; ///< at the trial's end: what was taken back is not in it
+    simulation::FindingsBook findings; ///< at the trial's end: what was taken back is not in it
     std::vector<FindingMatch> matches;
     std::vector<DetectionRegion> regions;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
+
 #include "curriculum/exercises/palpation/scoring/roc_curve.h"
 #include "scoring/metrics/metric_rows.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/palpation/scoring/palpation_metrics.h"
+
 #include "scoring/metrics/recorded_values.h"
 #include "scoring/metrics/metric_rows.h"
 #include "curriculum/exercises/palpation/scoring/palpation_samples.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/palpation/scoring/palpation_truth.h"
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 
 #include <cmath>
 #include <string>
@@ -55,7 +55,7 @@ LumpTruth lumpOf(TruthReader& read, int number) {
     out.place_W = {read.number(lump + "x_m"), read.number(lump + "y_m"), read.number(lump + "z_m")};
     out.depth_m = read.number(lump + "depth_m");
     out.radius_m = read.atLeast(0.0, lump + "radius_m");
-    out.hardness = read.count(lump + "hardness", 0, static_cast<int>(core::FindingsBook::kHighestRating));
+    out.hardness = read.count(lump + "hardness", 0, static_cast<int>(simulation::FindingsBook::kHighestRating));
     return out;
 }
 
@@ -64,7 +64,7 @@ LumpTruth lumpOf(TruthReader& read, int number) {
 std::optional<PalpationTruth> palpationTruthOf(std::span<const NamedValue> truth) {
     TruthReader read(truth);
     PalpationTruth out;
-    const int lumps = read.count("lumps", 0, static_cast<int>(core::kMaxShownLumps));
+    const int lumps = read.count("lumps", 0, static_cast<int>(simulation::kMaxShownLumps));
     for (int i = 0; i < lumps; ++i)
         out.lumps.push_back(lumpOf(read, i));
     out.areaHalf_m = {read.atLeast(1e-6, "area_half_x_m"), read.atLeast(1e-6, "area_half_y_m")};

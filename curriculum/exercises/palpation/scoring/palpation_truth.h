@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "scoring/trace.h"
 
 #include <optional>
@@ -21,7 +21,7 @@ struct LumpTruth {
 
 /// What is true of one trial of a palpation (TrialTrace::truth). Area and regions: |x| ≤ half.x, |y| ≤ half.y round W's origin.
 struct PalpationTruth {
-    std::vector<LumpTruth> lumps; ///< at most core::kMaxShownLumps
+    std::vector<LumpTruth> lumps; ///< at most simulation::kMaxShownLumps
     core::Vec2 areaHalf_m{0.04, 0.04};
     int regionColumns = 3;
     int regionRows = 3;

@@ -2,6 +2,7 @@
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 
 #include "catalogue/resolved_level.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

@@ -4,6 +4,7 @@
 #include "catalogue/exercise.h"
 #include "core/result.h"
 #include "psychophysics/study/study_design.h"
+#include "modules/exercises/sphere_apex/simulation/sphere_apex_parameters.h"
 
 #include <string>
 

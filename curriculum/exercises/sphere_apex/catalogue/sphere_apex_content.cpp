@@ -7,6 +7,7 @@
 #include "simulation/geometry/mesh/make_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -134,11 +135,11 @@ ExerciseParameters readSphereApex(const ObjectReader& parameters, const std::vec
                 {memberPath(parameters.path(), key), QStringLiteral("unknown key"),
                  QStringLiteral("a parameter of sphere_apex") + didYouMean(key, known)});
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 void checkSphereApex(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    const auto& p = std::get<Parameters>(parameters);
+    const auto& p = parameters.as<Parameters>();
     checkOrder(p.stiffnessLow_N_per_m, p.stiffnessHigh_N_per_m, path, "stiffness_low_N_per_m", problems);
     checkOrder(p.frictionLow, p.frictionHigh, path, "friction_low", problems);
     checkYield(p.yield, p.maximumForce_N, path, problems);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/sphere_apex/scoring/apex_metrics.h"
+
 #include "scoring/median.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
 #include "scoring/metrics/metric_rows.h"

@@ -189,7 +189,7 @@ private:
 } // namespace
 
 void checkUrethraInsertion(const ExerciseParameters& parameters, const QString& path, Problems& problems) {
-    Checks(std::get<Parameters>(parameters), path, problems).all();
+    Checks(parameters.as<Parameters>(), path, problems).all();
 }
 
 } // namespace chiron::catalogue

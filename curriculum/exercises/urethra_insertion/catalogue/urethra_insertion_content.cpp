@@ -4,8 +4,12 @@
 #include "catalogue/yield_content.h"
 
 #include "core/units.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_insertion_parameters.h"
+#include "simulation/geometry/urethra/urethra_anatomy.h"
+#include "modules/exercises/urethra_insertion/simulation/urethra_forces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace chiron::catalogue {
 
@@ -166,7 +170,7 @@ ExerciseParameters readUrethraInsertion(const ObjectReader& parameters, const st
         readLandmarks(parameters, p);
     refuseUnknownKeys(parameters);
     p.cues = cues;
-    return p;
+    return ExerciseParameters(std::move(p));
 }
 
 } // namespace chiron::catalogue

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/exercises/urethra_insertion/scoring/canal_metrics.h"
+
 #include "core/canal_reach.h"
 #include "core/units.h"
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"

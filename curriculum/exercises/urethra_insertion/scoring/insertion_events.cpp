@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
 
-#include "core/endoscope_cues.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
 #include <cmath>

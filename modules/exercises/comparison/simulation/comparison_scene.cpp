@@ -2,6 +2,7 @@
 #include "modules/exercises/comparison/simulation/comparison_scene.h"
 
 #include "core/units.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 
@@ -239,20 +240,21 @@ void ComparisonScene::fillQuantities(const ComparedResponse& felt, const core::T
 
 void ComparisonScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
+    core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
     cues.trial = static_cast<std::uint16_t>(m_trial);
     cues.phase = m_phase;
     cues.force = in.force;
-    cues.laparoscopy.present = true;
+    own.present = true;
     if (m_phase != TrialPhase::ready && m_phase != TrialPhase::running)
         return;
     if (m_phase == TrialPhase::running && m_exploreTicks > 0)
         cues.timeLeft_s = static_cast<double>(m_exploreTicks - std::min(m_clock, m_exploreTicks)) * core::kTickSeconds;
     if (!m_showsObjects || !exploring())
         return;
-    cues.laparoscopy.objectShown = true;
-    cues.laparoscopy.bodies = m_parameters.places;
+    own.objectShown = true;
+    own.bodies = m_parameters.places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_parameters.places); ++i) {
-        core::BodyCue& body = cues.laparoscopy.body[i]; // all alike, and where they are whatever is done to them
+        core::BodyCue& body = own.body[i]; // all alike, and where they are whatever is done to them
         const GripZone grip = gripZone(m_parameters);
         body.p_W = {placeX_m(m_parameters, static_cast<int>(i)), 0.0, grip.height_m};
         body.radius_m = isHooked(m_parameters.attribute) ? grip.radius_m : m_parameters.padRadius_m;

@@ -6,6 +6,7 @@
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
 #include "modules/exercises/elastic_tube/operators/tension_control.h"
 #include "operators/laparoscopy/laparoscopy_mind.h"
+#include "core/laparoscopy_cues.h"
 
 #include <array>
 #include <cstdint>

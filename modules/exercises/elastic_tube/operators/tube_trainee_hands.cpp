@@ -2,6 +2,7 @@
 // What each hand of the mind does.
 #include "modules/exercises/elastic_tube/operators/tube_trainee.h"
 #include "operators/laparoscopy/movement.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>

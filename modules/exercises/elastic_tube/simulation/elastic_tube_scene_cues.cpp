@@ -43,22 +43,23 @@ void ElasticTubeScene::fillQuantities(SceneOutput& out) const noexcept {
 }
 
 void ElasticTubeScene::fillCues(const SceneInput& in, core::VisibleCues& cues) const noexcept {
+    core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
     cues.trial = static_cast<std::uint16_t>(m_trial);
     cues.phase = m_phase;
     cues.force = in.force;
-    cues.laparoscopy.present = true;
+    own.present = true;
     if (!tubePresent())
         return;
     if (m_phase == core::TrialPhase::ready || m_phase == core::TrialPhase::running) {
         cues.timeLeft_s = static_cast<double>(m_limitTicks - std::min(m_clock, m_limitTicks)) * core::kTickSeconds;
-        cues.laparoscopy.step = m_task.step();
+        own.step = m_task.step();
     }
     if (m_showsObject) {
         cues.objectShown = true;
         cues.p_WObject = m_tube.shape().base;
         cues.objectRadius_m = m_parameters.radius_m;
     }
-    fillTube(cues.laparoscopy);
+    fillTube(own);
 }
 
 void ElasticTubeScene::fillFold(core::LaparoscopyCues& cues) const noexcept {

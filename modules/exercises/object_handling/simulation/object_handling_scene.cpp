@@ -175,21 +175,22 @@ void ObjectHandlingScene::showObjects(core::LaparoscopyCues& cues) const noexcep
 
 void ObjectHandlingScene::fillCues(const SceneInput& in, SceneOutput& out) const noexcept {
     core::VisibleCues& cues = out.cues;
+    core::LaparoscopyCues& own = cues.exercise.own<core::LaparoscopyCues>();
     cues.trial = static_cast<std::uint16_t>(m_trial);
     cues.phase = m_phase;
     cues.force = in.force;
-    cues.laparoscopy.present = true;
+    own.present = true;
     if (!objectsPresent())
         return;
     cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
-    cues.laparoscopy.step = m_task.step();
-    cues.laparoscopy.dwell = m_task.dwell();
+    own.step = m_task.step();
+    own.dwell = m_task.dwell();
     if (m_showsObjects)
-        showObjects(cues.laparoscopy);
+        showObjects(own);
     if (m_showsBars) {
-        cues.laparoscopy.squeezeShown = true;
-        cues.laparoscopy.squeeze_N[0] = m_world.squeeze().force_N;
-        cues.laparoscopy.squeezeLimit_N = m_parameters.squeezeLimit_N;
+        own.squeezeShown = true;
+        own.squeeze_N[0] = m_world.squeeze().force_N;
+        own.squeezeLimit_N = m_parameters.squeezeLimit_N;
     }
 }
 

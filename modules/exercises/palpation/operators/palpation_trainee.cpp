@@ -135,7 +135,7 @@ void PalpationTrainee::weigh() noexcept {
         return;
     if (m_began_s >= 0.0) { // the first weighing of this stage
         m_began_s = -1.0;
-        if (m_doing == Doing::decide && m_cues.palpation.lumps > 0)
+        if (m_doing == Doing::decide && m_cues.exercise.of<simulation::PalpationCues>().lumps > 0)
             return takeWhatIsSeen();
         m_map.begin();
         m_weighing = true;
@@ -187,9 +187,10 @@ void PalpationTrainee::decide(const Suspicion& found) noexcept {
 /// Where the level shows its lumps, it marks what it sees; how hard they are it has felt.
 void PalpationTrainee::takeWhatIsSeen() noexcept {
     m_map.begin();
-    const auto seen = std::min(kMostFindings, static_cast<std::size_t>(m_cues.palpation.lumps));
+    const auto& shown = m_cues.exercise.of<simulation::PalpationCues>();
+    const auto seen = std::min(kMostFindings, static_cast<std::size_t>(shown.lumps));
     for (m_found = 0; m_found < seen; ++m_found) {
-        const core::LumpCue& lump = m_cues.palpation.lump[m_found];
+        const simulation::LumpCue& lump = shown.lump[m_found];
         const Vec3 centre(lump.p_W[0], lump.p_W[1], lump.p_W[2]);
         m_findings[m_found] = m_map.at(m_surface.nearest(centre, centre.head<2>()).p_W.head<2>());
         m_findings[m_found].evidence = kCertain;

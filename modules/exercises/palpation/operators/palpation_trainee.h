@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/random.h"
 #include "core/visible_cues.h"
 #include "modules/exercises/palpation/operators/evidence_map.h"

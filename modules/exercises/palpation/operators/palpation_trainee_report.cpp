@@ -2,6 +2,7 @@
 #include "modules/exercises/palpation/operators/palpation_trainee.h"
 
 #include "core/units.h"
+#include "core/report_word.h"
 
 #include <algorithm>
 #include <cmath>

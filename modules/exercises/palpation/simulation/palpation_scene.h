@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/findings_book.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "modules/exercises/palpation/simulation/palpation_quantities.h"
 #include "modules/exercises/palpation/simulation/report_queue.h"
@@ -55,7 +55,7 @@ public:
 
     const std::vector<PalpationTrial>& trials() const noexcept { return m_trials; } ///< the truth, for scoring
     const SurfaceMap& map() const noexcept { return m_map; }             ///< of this trial; for tests and tables
-    const core::FindingsBook& findings() const noexcept { return m_findings; } ///< of this trial
+    const FindingsBook& findings() const noexcept { return m_findings; } ///< of this trial
     const TissueContact& tissue() const noexcept { return m_tissue; }
 
 private:
@@ -96,8 +96,8 @@ private:
     double squeezeOf(std::size_t hand) const noexcept; ///< N, of its jaw
     void fillQuantities(SceneOutput& out) const noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) const noexcept;
-    void showLumps(core::PalpationCues& cues) const noexcept;
-    void showBars(core::PalpationCues& cues) const noexcept;
+    void showLumps(PalpationCues& cues) const noexcept;
+    void showBars(PalpationCues& cues) const noexcept;
 
     PalpationParameters m_parameters;
     std::vector<PalpationTrial> m_trials;
@@ -117,7 +117,7 @@ private:
     bool m_moved = false;      ///< the control moved this trial's lumps
     std::array<Finger, core::kMaxTools> m_fingers{};
 
-    core::FindingsBook m_findings;
+    FindingsBook m_findings;
     ReportButtons m_buttons;
     ReportQueue m_waiting;
     std::uint64_t m_nextReport = 0; ///< clock of the trial from which on the next one may be taken

@@ -63,9 +63,9 @@ void PalpationScene::passReport() noexcept {
     if (next.field == ReportField::remove && m_findings.has(static_cast<int>(next.value)))
         place = m_findings.list()[next.value].p_W; // told where it was
     const int finding = enter(next);
-    if (finding == core::FindingsBook::kNone && next.field != ReportField::done)
+    if (finding == FindingsBook::kNone && next.field != ReportField::done)
         return; // it meant nothing
-    if (finding != core::FindingsBook::kNone && next.field != ReportField::remove)
+    if (finding != FindingsBook::kNone && next.field != ReportField::remove)
         place = m_findings.list()[static_cast<std::size_t>(finding)].p_W;
     m_told[q::kReportCount] += 1.0;
     m_told[q::kReportField] = static_cast<double>(next.field);
@@ -97,17 +97,17 @@ void PalpationScene::fillQuantities(SceneOutput& out) const noexcept {
             out.quantities[q::kSqueeze + hand] = squeezeOf(hand);
 }
 
-void PalpationScene::showLumps(core::PalpationCues& cues) const noexcept {
+void PalpationScene::showLumps(PalpationCues& cues) const noexcept {
     cues.lumps = m_tissue.lumps();
     for (int i = 0; i < cues.lumps; ++i) {
         const core::Vec3 p_W = m_tissue.lumpCentre_W(i);
-        core::LumpCue& cue = cues.lump[static_cast<std::size_t>(i)];
+        LumpCue& cue = cues.lump[static_cast<std::size_t>(i)];
         cue.p_W = {p_W.x(), p_W.y(), p_W.z()};
         cue.radius_m = m_trials[m_trial].lump[static_cast<std::size_t>(i)].radius_m;
     }
 }
 
-void PalpationScene::showBars(core::PalpationCues& cues) const noexcept {
+void PalpationScene::showBars(PalpationCues& cues) const noexcept {
     cues.bandShown = true;
     cues.bandLow_N = m_parameters.bandLow_N;
     cues.bandHigh_N = m_parameters.bandHigh_N;
@@ -127,7 +127,7 @@ void PalpationScene::fillCues(const SceneInput& in, SceneOutput& out) const noex
     cues.trial = static_cast<std::uint16_t>(m_trial);
     cues.phase = m_phase;
     cues.force = in.force;
-    core::PalpationCues& shown = cues.palpation;
+    PalpationCues& shown = cues.exercise.own<PalpationCues>();
     shown.present = true;
     shown.asksSize = m_parameters.asksSize;
     shown.asksHardness = m_parameters.asksHardness;

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "core/palpation_cues.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 #include "core/tool_state.h"
+#include "core/report_word.h"
 
 #include <array>
 #include <cstddef>

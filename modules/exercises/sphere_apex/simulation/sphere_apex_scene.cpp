@@ -2,6 +2,7 @@
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
 
 #include "core/units.h"
+#include "core/laparoscopy_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,7 +190,7 @@ void SphereApexScene::fillCues(const SceneInput& in, SceneOutput& out) const noe
     cues.objectRadius_m = m_parameters.radius_m;
     if (m_dome) { // its bumps lie elsewhere in each trial: turned about the vertical
         const double half_rad = 0.5 * m_trials[m_trial].turn_rad;
-        cues.laparoscopy.body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
+        cues.exercise.own<core::LaparoscopyCues>().body[0].q_W = {std::cos(half_rad), 0.0, 0.0, std::sin(half_rad)};
     }
 }
 

@@ -2,6 +2,7 @@
 #include "modules/exercises/urethra_insertion/operators/endoscope_senses.h"
 
 #include "mechanisms/spherical_joint.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,7 @@ void EndoscopeSenses::look(const mechanisms::HandPerception& real) noexcept {
     m_percept.yaw_rad = held.yaw + m_angleBias[1].advance(m_random) + m_angleQuick[1].advance(m_random);
     feelForces(held.pitch, held.yaw);
 
-    const core::EndoscopeCues& cues = real.cues.endoscope;
+    const simulation::EndoscopeCues& cues = real.cues.exercise.of<simulation::EndoscopeCues>();
     const double unmarked = cues.guided ? 1.0 : m_settings.unmarkedFactor;
     m_percept.depth_m = cues.depth_m + m_depth.advance(m_random);
     for (MarkovNoise& noise : m_picture)

@@ -2,6 +2,8 @@
 #include "modules/exercises/urethra_insertion/operators/scripted_endoscopist.h"
 
 #include "core/units.h"
+#include "core/procedure_stage.h"
+#include "modules/exercises/urethra_insertion/cues/endoscope_cues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +72,7 @@ bool ScriptedEndoscopist::drawsBack(const EndoscopePercept& felt) const noexcept
 ScriptedEndoscopist::Doing ScriptedEndoscopist::next(const EndoscopePercept& felt) const noexcept {
     if (felt.cues.phase != core::TrialPhase::running || felt.cues.force != core::ForceState::on)
         return Doing::rest;
-    switch (felt.cues.endoscope.stage) {
+    switch (felt.cues.exercise.of<simulation::EndoscopeCues>().stage) {
     case core::ProcedureStage::outside:
     case core::ProcedureStage::insertion:
         if (m_doing == Doing::back)
@@ -189,8 +191,8 @@ EndoscopeWish ScriptedEndoscopist::centreLate(const SeenThing& lumen) noexcept {
 }
 
 EndoscopeWish ScriptedEndoscopist::inspect(const EndoscopePercept& felt) noexcept {
-    if (felt.cues.endoscope.landmarksSeen != m_landmarksSeen) {
-        m_landmarksSeen = felt.cues.endoscope.landmarksSeen;
+    if (felt.cues.exercise.of<simulation::EndoscopeCues>().landmarksSeen != m_landmarksSeen) {
+        m_landmarksSeen = felt.cues.exercise.of<simulation::EndoscopeCues>().landmarksSeen;
         m_landmarkBegan_s = felt.time_s;
         m_lookWithin_rad = m_settings.lookWithin_rad;
     }
@@ -202,7 +204,7 @@ EndoscopeWish ScriptedEndoscopist::inspect(const EndoscopePercept& felt) noexcep
     }
     if (felt.landmark.seen) {
         m_lastSeen_s = felt.time_s;
-        const bool counted = m_settings.stopsWhenCounted && felt.cues.endoscope.dwell > 0.0;
+        const bool counted = m_settings.stopsWhenCounted && felt.cues.exercise.of<simulation::EndoscopeCues>().dwell > 0.0;
         return counted ? EndoscopeWish{} : turnTo(felt.landmark);
     }
     return felt.time_s - m_lastSeen_s > kLost_s ? search(felt) : EndoscopeWish{};

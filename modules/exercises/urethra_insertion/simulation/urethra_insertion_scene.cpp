@@ -151,29 +151,30 @@ void UrethraInsertionScene::answer(const core::ToolStates& tools, SceneOutput& o
 
 void UrethraInsertionScene::fillCues(const SceneInput& in, SceneOutput& out) noexcept {
     core::VisibleCues& cues = out.cues;
+    EndoscopeCues& own = cues.exercise.own<EndoscopeCues>();
     cues.phase = m_phase;
     cues.force = in.force;
-    cues.endoscope.present = true;
-    cues.endoscope.stage = m_tracker.stage();
-    cues.endoscope.landmarks = static_cast<int>(m_tracker.plan().landmarks);
-    cues.endoscope.landmarksSeen = m_tracker.seen();
-    cues.endoscope.dwell = m_tracker.dwell();
+    own.present = true;
+    own.stage = m_tracker.stage();
+    own.landmarks = static_cast<int>(m_tracker.plan().landmarks);
+    own.landmarksSeen = m_tracker.seen();
+    own.dwell = m_tracker.dwell();
     if (!patientPresent())
         return;
     cues.timeLeft_s = static_cast<double>(m_limitTicks - m_clock) * core::kTickSeconds;
     if (!m_sensed)
         return;
-    cues.endoscope.depth_m = m_response.foot.at.s_m;
+    own.depth_m = m_response.foot.at.s_m;
     if (!m_showsPicture)
         return;
-    cues.endoscope.pictureShown = true;
-    cues.endoscope.guided = m_showsGuidance;
+    own.pictureShown = true;
+    own.guided = m_showsGuidance;
     const core::Quat q_WT = in.tools.tools[0].q_WT.normalized();
-    fillPicture(q_WT, cues.endoscope);
-    fillLandmark(q_WT, cues.endoscope);
+    fillPicture(q_WT, own);
+    fillLandmark(q_WT, own);
 }
 
-void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, core::EndoscopeCues& cues) noexcept {
+void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, EndoscopeCues& cues) noexcept {
     if (m_looks++ % kLookEvery_ticks == 0)
         m_lumen = m_sight.look(m_motion.p_A, m_motion.axis_A, m_response.foot);
     if (!m_lumen.open)
@@ -188,7 +189,7 @@ void UrethraInsertionScene::fillPicture(const core::Quat& q_WT, core::EndoscopeC
 
 /// A landmark lies in the picture when it is nearer than it has to be to count and within the field of view; the tip is then in
 /// the bladder, whose sphere is convex: nothing stands between.
-void UrethraInsertionScene::fillLandmark(const core::Quat& q_WT, core::EndoscopeCues& cues) const noexcept {
+void UrethraInsertionScene::fillLandmark(const core::Quat& q_WT, EndoscopeCues& cues) const noexcept {
     const int next = m_tracker.nextLandmark();
     if (next < 0 || m_response.foot.at.s_m <= m_tracker.plan().neck_m)
         return;

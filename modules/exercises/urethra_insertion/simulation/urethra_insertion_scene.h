@@ -52,8 +52,8 @@ private:
     bool patientPresent() const noexcept;
     void answer(const core::ToolStates& tools, SceneOutput& out) noexcept;
     void fillCues(const SceneInput& in, SceneOutput& out) noexcept;
-    void fillPicture(const core::Quat& q_WT, core::EndoscopeCues& cues) noexcept;
-    void fillLandmark(const core::Quat& q_WT, core::EndoscopeCues& cues) const noexcept;
+    void fillPicture(const core::Quat& q_WT, EndoscopeCues& cues) noexcept;
+    void fillLandmark(const core::Quat& q_WT, EndoscopeCues& cues) const noexcept;
 
     UrethraForces m_forces;
     AnatomyPose m_pose;

@@ -91,7 +91,7 @@ private slots:
         std::set<double> places;
         for (const database::StudyTrial& trial : trials) {
             const tests::OpenStored stored(*site.fixture.database, trial.session);
-            const auto& p = std::get<simulation::SphereApexParameters>(stored.session->setup().level.parameters);
+            const auto& p = stored.session->setup().level.parameters.as<simulation::SphereApexParameters>();
             QVERIFY(p.cues.empty());
             QCOMPARE(p.radius_m, 0.02);
             QCOMPARE(p.stiffnessLow_N_per_m, 500.0);

@@ -240,7 +240,7 @@ private slots:
                 auto connection = site.fixture.database->openReader();
                 const auto stored = session::SessionView::open(**connection, database::Actor::maintenance(), report.runs.front().session);
                 QVERIFY(stored);
-                const auto& parameters = std::get<simulation::ComparisonParameters>((*stored)->setup().level.parameters);
+                const auto& parameters = (*stored)->setup().level.parameters.as<simulation::ComparisonParameters>();
                 QCOMPARE(parameters.values.front()[0], conditions.at(code) == "downy" ? 150.0 : 437.5);
                 references.push_back(parameters.values.front()[0]);
             }

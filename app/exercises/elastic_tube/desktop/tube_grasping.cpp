@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "desktop/training/grasp_words.h"
+#include "app/exercises/elastic_tube/desktop/tube_grasping.h"
 
-#include <QCoreApplication>
-#include <algorithm>
-#include <cstddef>
+#include "app/exercises/elastic_tube/scene/tension_bar.h"
+#include "desktop/training/grasp_texts.h"
+
+#include <cmath>
 
 namespace chiron::desktop {
 
 using core::LaparoscopyStep;
-using simulation::HandlingTask;
 using simulation::TubeTask;
+using Words = GraspTexts;
 
 namespace {
-
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(GraspWords)
-};
 
 QString graspTube(TubeTask task) {
     switch (task) {
@@ -57,50 +54,41 @@ QString tubeText(const core::LaparoscopyCues& cues, TubeTask task) {
     return Words::tr("Wait for the tube");
 }
 
-QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
-    switch (cues.step) {
-    case LaparoscopyStep::grasp:
-        return task == HandlingTask::weigh ? Words::tr("Lift one object after the other and find the heaviest")
-                                           : Words::tr("Grasp the object gently");
-    case LaparoscopyStep::lift: return Words::tr("Lift it up");
-    case LaparoscopyStep::carry:
-        return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
-                                           : Words::tr("Bring it over the ring");
-    case LaparoscopyStep::place: return Words::tr("Set it down inside the ring and let go");
-    case LaparoscopyStep::hold: return Words::tr("In the ring: let it lie still");
-    case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
-    case LaparoscopyStep::none:
-    case LaparoscopyStep::stretch:
-    case LaparoscopyStep::retract:
-    case LaparoscopyStep::handOver: break;
-    }
-    return Words::tr("Wait for the object");
+QString heldTube(const core::LaparoscopyCues& cues) {
+    int held = 0;
+    for (int i = 0; i < cues.grips; ++i)
+        held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
+    if (cues.foldHeldBy != 0)
+        return held > 1   ? Words::tr("Holding: the fold and two places of the tube")
+               : held > 0 ? Words::tr("Holding: the fold and one place of the tube")
+                          : Words::tr("Holding: the fold");
+    if (held > 0)
+        return held > 1 ? Words::tr("Holding: the tube at two points") : Words::tr("Holding: the tube");
+    return Words::tr("Holding: nothing");
 }
 
 } // namespace
 
-QString stepText(const core::LaparoscopyCues& cues, const Grasping& grasping) {
-    if (grasping.tube)
-        return tubeText(cues, grasping.tube->task);
-    return grasping.handling ? handlingText(cues, grasping.handling->task) : QString();
-}
-
-QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale) {
-    const int bodies = std::min(cues.bodies, static_cast<int>(core::LaparoscopyCues::kMaxBodies));
-    for (int i = 0; i < bodies; ++i)
-        if (cues.body[static_cast<std::size_t>(i)].heldBy != 0)
-            return bodies > 1 ? Words::tr("Holding: object %1 of %2").arg(locale.toString(i + 1), locale.toString(bodies))
-                              : Words::tr("Holding: the object");
-    int held = 0;
-    for (int i = 0; i < cues.grips; ++i)
-        held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
-    if (grasping.tube && cues.foldHeldBy != 0)
-        return held > 1   ? Words::tr("Holding: the fold and two places of the tube")
-               : held > 0 ? Words::tr("Holding: the fold and one place of the tube")
-                          : Words::tr("Holding: the fold");
-    if (grasping.tube && held > 0)
-        return held > 1 ? Words::tr("Holding: the tube at two points") : Words::tr("Holding: the tube");
-    return Words::tr("Holding: nothing");
+Grasping tubeGrasping(const simulation::ElasticTubeParameters& level, const session::LevelLimits& limits) {
+    Grasping grasping;
+    grasping.limits = limits;
+    grasping.tools = level.tools();
+    grasping.measured = Grasping::Measured::tension;
+    grasping.measuredEnd_N = scene3d::tensionEnd_N(level);
+    if (level.hasFold()) {
+        grasping.retractionEnd_N = 1.8 * level.retractionHigh_N;
+        grasping.retractor = level.retractor();
+    }
+    grasping.reach_m = level.graspReach_m;
+    grasping.holdsBelow_rad = level.graspAngle_rad;
+    grasping.opensAbove_rad = level.releaseAngle_rad;
+    grasping.step = [task = level.task](const core::LaparoscopyCues& cues) { return tubeText(cues, task); };
+    grasping.held = [](const core::LaparoscopyCues& cues, const QLocale&) { return heldTube(cues); };
+    grasping.load = [](const haptics::DisplayState& state, const QLocale& locale) {
+        const double stretch_mm = 1e3 * state.exercise.of<core::LaparoscopyCues>().stretch_m;
+        return GraspPanelTexts::tr("Stretched by %1 mm").arg(locale.toString(std::round(stretch_mm * 10.0) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
+    };
+    return grasping;
 }
 
 } // namespace chiron::desktop

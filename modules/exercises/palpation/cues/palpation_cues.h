@@ -8,34 +8,10 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace chiron::core {
+namespace chiron::simulation {
 
 inline constexpr std::size_t kMaxFindings = 8;   ///< that one trial of a palpation takes
 inline constexpr std::size_t kMaxShownLumps = 6; ///< lumps a trial may have
-
-/// What a person says about what the fingers found. Numbers are part of the recording's format.
-enum class ReportField : std::uint8_t {
-    found = 0,      ///< a new finding at the tool's place: the mark, no report word
-    size = 1,       ///< value: radius in 0.1 mm; 0: not said
-    hardness = 2,   ///< value: 1 (soft) .. 5 (stony); 0: not said
-    confidence = 3, ///< value: 1 (a guess) .. 5 (certain); 0: not said
-    remove = 4,     ///< take the finding back; value: its number from 0
-    select = 5,     ///< further words are about this finding; value: its number from 0
-    done = 6,       ///< nothing more to report: ends the trial
-};
-
-/// One report as it travels: the argument of CommandKind::report, and the upper 16 bits of a tool's buttons while
-/// kButtonReport is pressed (a device with a keypad, a scripted hand, a trace file). Field in the upper 4 bits.
-inline constexpr std::uint16_t kReportValueMask = 0x0fff;
-constexpr std::uint16_t reportWord(ReportField field, unsigned value) noexcept {
-    return static_cast<std::uint16_t>((static_cast<unsigned>(field) << 12) | (value & kReportValueMask));
-}
-constexpr ReportField reportField(std::uint16_t word) noexcept { return static_cast<ReportField>(word >> 12); }
-constexpr unsigned reportValue(std::uint16_t word) noexcept { return word & kReportValueMask; }
-/// Buttons that say `word`: an edge of kButtonReport takes it.
-constexpr std::uint32_t reportButtons(std::uint16_t word) noexcept {
-    return kButtonReport | (static_cast<std::uint32_t>(word) << 16);
-}
 
 /// Something a person says is there; it keeps its number (its place in the list) until it is taken back. W, m.
 struct Finding {
@@ -79,8 +55,8 @@ struct PalpationCues {
     double bandLow_N = 0.0; ///< how hard to press
     double bandHigh_N = 0.0;
 
-    std::array<double, kMaxTools> depth_m{};    ///< of each finger's tip in the tissue; cue "bars"
-    std::array<double, kMaxTools> lean_rad{};   ///< α, unlimited; cue "bars"
+    std::array<double, core::kMaxTools> depth_m{};    ///< of each finger's tip in the tissue; cue "bars"
+    std::array<double, core::kMaxTools> lean_rad{};   ///< α, unlimited; cue "bars"
     std::uint8_t leanSaturated = 0;             ///< one bit a tool: the device leans less than the force does
 
     bool squeezeShown = false;           ///< cue "bars", where the jaws squeeze tissue
@@ -89,4 +65,4 @@ struct PalpationCues {
 
 static_assert(std::is_trivially_copyable_v<PalpationCues>);
 
-} // namespace chiron::core
+} // namespace chiron::simulation

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/procedure_stage.h"
+
 #include <array>
 #include <cstdint>
 #include <type_traits>
 
-namespace chiron::core {
-
-/// Where an endoscopic procedure stands.
-enum class ProcedureStage : std::uint8_t {
-    outside = 0,    ///< the beak has not entered
-    insertion = 1,  ///< on the way to the level's goal
-    inspection = 2, ///< the main operation: landmarks of the bladder are visited
-    withdrawal = 3, ///< on the way out
-    completed = 4,  ///< everything that the level asks for is done
-};
+namespace chiron::simulation {
 
 /// What the picture at an endoscope's tip and the marks on its shaft tell at this tick, for scripted operators and for the
 /// screen's words. The camera frame is T: it looks along −z of T, x to the right and y up. Whatever the level does not show
@@ -23,7 +16,7 @@ struct EndoscopeCues {
     bool present = false;      ///< this exercise has an endoscope
     bool pictureShown = false; ///< cue "object": the camera's picture is on
     bool guided = false;       ///< cue "guidance": the way is marked in the picture
-    ProcedureStage stage = ProcedureStage::outside;
+    core::ProcedureStage stage = core::ProcedureStage::outside;
     double depth_m = 0.0; ///< how far the tip is in, by the marks on the shaft (arc length of the urethra); < 0 before A
     /// Unit direction, in T, to the middle of the lumen as far ahead as it can be seen (pictureShown), else zero; zero, too,
     /// where the picture shows wall alone (simulation's LumenSight has the rule).
@@ -38,4 +31,4 @@ struct EndoscopeCues {
 
 static_assert(std::is_trivially_copyable_v<EndoscopeCues>);
 
-} // namespace chiron::core
+} // namespace chiron::simulation

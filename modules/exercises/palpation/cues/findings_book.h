@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/palpation_cues.h"
+#include "core/report_word.h"
+#include "modules/exercises/palpation/cues/palpation_cues.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-namespace chiron::core {
+namespace chiron::simulation {
 
 /// What a person has reported in one trial of a palpation: the one place that says what a report does, for the scene that takes
 /// it, for playback and for scoring, which read it back from the recording. Fixed size; nothing allocates. One thread.
@@ -36,36 +37,36 @@ public:
     }
     /// A report word. The finding that it was about, kNone where it meant nothing (no such finding, no such value); `done` is
     /// about none and is always taken.
-    int report(ReportField field, unsigned value) noexcept {
+    int report(core::ReportField field, unsigned value) noexcept {
         switch (field) {
-        case ReportField::found:
+        case core::ReportField::found:
             return kNone; // marks have a place: found()
-        case ReportField::done:
+        case core::ReportField::done:
             m_done = true;
             return kNone;
-        case ReportField::select:
+        case core::ReportField::select:
             return has(static_cast<int>(value)) ? m_selected = static_cast<int>(value) : kNone;
-        case ReportField::remove:
+        case core::ReportField::remove:
             return remove(static_cast<int>(value));
-        case ReportField::size:
-        case ReportField::hardness:
-        case ReportField::confidence:
+        case core::ReportField::size:
+        case core::ReportField::hardness:
+        case core::ReportField::confidence:
             return rate(m_selected, field, value);
         }
         return kNone;
     }
     /// A rating of a given finding, as a recording tells it.
-    int rate(int finding, ReportField field, unsigned value) noexcept {
+    int rate(int finding, core::ReportField field, unsigned value) noexcept {
         if (!has(finding))
             return kNone;
         Finding& about = m_findings[static_cast<std::size_t>(finding)];
-        if (field == ReportField::size)
-            about.radius_m = 1e-4 * std::min<unsigned>(value, kReportValueMask);
+        if (field == core::ReportField::size)
+            about.radius_m = 1e-4 * std::min<unsigned>(value, core::kReportValueMask);
         else if (value > kHighestRating)
             return kNone;
-        else if (field == ReportField::hardness)
+        else if (field == core::ReportField::hardness)
             about.hardness = static_cast<std::uint8_t>(value);
-        else if (field == ReportField::confidence)
+        else if (field == core::ReportField::confidence)
             about.confidence = static_cast<std::uint8_t>(value);
         return finding;
     }
@@ -91,4 +92,4 @@ private:
     bool m_done = false;
 };
 
-} // namespace chiron::core
+} // namespace chiron::simulation

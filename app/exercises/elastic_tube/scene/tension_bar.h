@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "desktop/scene3d/gauge_painter.h"
+#include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
+#include "core/laparoscopy_cues.h"
+
+namespace chiron::scene3d {
+
+/// The end of a scale of the tension: above the band, or the largest force of the level.
+inline double tensionEnd_N(const simulation::ElasticTubeParameters& tube) {
+    const bool band = tube.task == simulation::TubeTask::hold || tube.task == simulation::TubeTask::twoHanded;
+    return band ? 1.5 * (tube.targetHigh_N + tube.band_N) : tube.maximumForce_N;
+}
+
+/// The tension of the tube with its band: the level has the scale, the cues the band. Pure.
+inline SecondBar tensionBar(const simulation::ElasticTubeParameters& tube, const core::LaparoscopyCues& cues) {
+    SecondBar bar;
+    bar.dial.title = GaugeTexts::tr("Tension (N)");
+    bar.dial.range_N = endOfScale_N(tensionEnd_N(tube));
+    bar.dial.bandLow_N = cues.bandLow_N;
+    bar.dial.bandHigh_N = cues.bandHigh_N;
+    bar.shown = cues.present && cues.tensionShown;
+    bar.value_N = cues.tension_N;
+    return bar;
+}
+
+} // namespace chiron::scene3d
