@@ -15058,8 +15058,8 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <translation>Es gilt für jede Seite hier und für das PDF und wird gemerkt.</translation>
     </message>
     <message>
-        <source>In this study force was felt in every run, so it changes nothing here. It is remembered.</source>
-        <translation>In dieser Studie wurde die Kraft in jedem Lauf gefühlt, hier ändert es also nichts. Es wird gemerkt.</translation>
+        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
+        <translation>Kein Lauf dieser Studie wurde nur gezeigt, hier ändert es also nichts. Es wird gemerkt.</translation>
     </message>
 </context>
 <context>

@@ -15058,8 +15058,8 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <translation>Ισχύει για κάθε σελίδα εδώ και για το PDF, και απομνημονεύεται.</translation>
     </message>
     <message>
-        <source>In this study force was felt in every run, so it changes nothing here. It is remembered.</source>
-        <translation>Σε αυτή τη μελέτη η δύναμη έγινε αισθητή σε κάθε εκτέλεση, άρα εδώ δεν αλλάζει τίποτα. Απομνημονεύεται.</translation>
+        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
+        <translation>Σε αυτή τη μελέτη δεν υπάρχει εκτέλεση μόνο σε προβολή, άρα εδώ δεν αλλάζει τίποτα. Απομνημονεύεται.</translation>
     </message>
 </context>
 <context>

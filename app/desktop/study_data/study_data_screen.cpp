@@ -177,7 +177,7 @@ QWidget* StudyDataScreen::shownChoice() {
     shown->setObjectName(QStringLiteral("data.with_shown"));
     shown->setFont(context().theme().font(TextStyle::body));
     shown->setToolTip(m_facts.anyShown ? tr("It applies to every page here and to the PDF, and is remembered.")
-                                       : tr("In this study force was felt in every run, so it changes nothing here. It is remembered."));
+                                       : tr("No run of this study was shown and not felt, so it changes nothing here. It is remembered."));
     shown->setChecked(m_withShown);
     connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
         m_withShown = checked;
