@@ -5101,10 +5101,6 @@ Einzelheiten: %2</translation>
         <translation>Antworten</translation>
     </message>
     <message>
-        <source>Space pauses. Esc stops force at once, and R brings it back slowly.</source>
-        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück.</translation>
-    </message>
-    <message>
         <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
         <translation>%1 T gibt den Zeiger frei, sodass die Antworten auch angeklickt werden können; ein Klick in die Szene holt ihn zurück und ist keine Antwort.</translation>
     </message>
@@ -5123,6 +5119,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Drücken Sie die Nummer des Objekts: 1 oder 2.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
+        <translation>Die Leertaste unterbricht. Esc nimmt die Kraft sofort weg, R bringt sie langsam zurück; noch einmal Esc fragt, ob Sie anhalten möchten.</translation>
     </message>
 </context>
 <context>
@@ -6081,20 +6081,8 @@ Einzelheiten: %2</translation>
         <translation>%1 zu %2</translation>
     </message>
     <message>
-        <source>%1 did both</source>
-        <translation>%1 mit beiden</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
         <source>Conditions compared</source>
         <translation>Bedingungen im Vergleich</translation>
-    </message>
-    <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is not given for adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.</source>
-        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; aus den Personen, die beides gemacht haben, wenn es mindestens zwei sind, sonst aus zwei Gruppen. Adjustiert: für diese Zahl von Vergleichen (Holm). Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Bei adaptiven Läufen wird dieses p nicht angegeben: Dort bestimmten die Antworten die Unterschiede, die angepasste Steigung ist verzerrt, und p wäre zu klein.</translation>
     </message>
     <message>
         <source>Conditions are compared once the study is unblinded: looking at the difference while data come in would invalidate the test.</source>
@@ -6165,10 +6153,6 @@ Einzelheiten: %2</translation>
         <translation>%1: Jede Antwort war richtig, die Schwelle liegt also unter dem kleinsten dargebotenen Unterschied. Um sie zu messen, kopieren Sie die Studie und planen Sie kleinere Unterschiede.</translation>
     </message>
     <message>
-        <source>%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan larger differences.</source>
-        <translation>%1: Die Antworten sind kaum besser als geraten, die Schwelle liegt also vielleicht über dem größten dargebotenen Unterschied. Prüfen Sie, ob die Aufgabe verstanden wurde; um die Schwelle zu messen, kopieren Sie die Studie und planen Sie größere Unterschiede.</translation>
-    </message>
-    <message>
         <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
         <translation>%1: Die Antworten grenzen die Schwelle nicht ein, der Wert beim Lauf stammt also aus Vorannahmen. Um sie zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder kleinere Unterschiede.</translation>
     </message>
@@ -6193,14 +6177,6 @@ Einzelheiten: %2</translation>
         <translation>„%1“ und „%2“ werden noch nicht verglichen: „%3“ hat keinen Gruppenwert.</translation>
     </message>
     <message>
-        <source>“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.</source>
-        <translation>„%1“ und „%2“ werden noch nicht verglichen: Niemand hat in beiden einen brauchbaren Wert, und mindestens zwei Personen sind nötig.</translation>
-    </message>
-    <message>
-        <source>“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.</source>
-        <translation>„%1“ und „%2“ werden noch nicht verglichen: Nur %3 hat in beiden einen brauchbaren Wert, und mindestens zwei Personen sind nötig.</translation>
-    </message>
-    <message>
         <source>in the group value</source>
         <translation>im Gruppenwert</translation>
     </message>
@@ -6219,10 +6195,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>every answer was right</source>
         <translation>jede Antwort war richtig</translation>
-    </message>
-    <message>
-        <source>hardly better than guessing</source>
-        <translation>kaum besser als geraten</translation>
     </message>
     <message>
         <source>the value comes from prior assumptions</source>
@@ -6303,6 +6275,50 @@ Einzelheiten: %2</translation>
     <message>
         <source>not finished</source>
         <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.</source>
+        <translation>%1: Die Antworten begrenzen die Schwelle nicht nach oben, sie liegt also vielleicht über dem größten dargebotenen Unterschied. Prüfen Sie, ob die Aufgabe verstanden wurde; um die Schwelle zu messen, kopieren Sie die Studie und planen Sie mehr Durchgänge oder größere Unterschiede.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared: their values cannot be set against each other.</source>
+        <translation>„%1“ und „%2“ werden nicht verglichen: Ihre Werte lassen sich nicht gegeneinanderstellen.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a value in “%4” alone.</source>
+        <translation>„%1“ und „%2“ werden noch nicht verglichen: Nur %3 hat in beiden einen Wert, und mindestens zwei Personen sind nötig; auch zwei Gruppen gibt es nicht, denn niemand hat allein in „%4“ einen Wert.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.</source>
+        <translation>„%1“ und „%2“ haben ein Verhältnis, aber kein Intervall und kein p: Jede der beiden Gruppen braucht mindestens zwei Personen, und diese haben %3 und %4.</translation>
+    </message>
+    <message>
+        <source>the answers do not bound it from above</source>
+        <translation>die Antworten begrenzen den Wert nicht nach oben</translation>
+    </message>
+    <message>
+        <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
+        <translation>%1 ist nicht in diesem Vergleich: Er ist einer von zwei Gruppen, und %1 hat sowohl in „%2“ als auch in „%3“ einen Wert.</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Welche Läufe zählen: jeder Lauf, dessen Antworten seinen Wert nach unten und nach oben begrenzen, wovor auch sonst gewarnt wird und ob er beendet ist oder nicht. Ausgelassen werden, aus Gruppen ebenso wie aus Vergleichen, Läufe, deren Antworten den Wert nicht begrenzen oder keinen ergeben, Läufe mit gezeigten, nicht gefühlten Objekten (außer Sie nehmen sie hinzu), Teilnehmende, die zurückgetreten sind, und simulierte Teilnehmende, wo es Menschen gibt.</translation>
+    </message>
+    <message>
+        <source>%1 in both</source>
+        <translation>%1 in beiden</translation>
+    </message>
+    <message>
+        <source>two groups: %1 and %2</source>
+        <translation>zwei Gruppen: %1 und %2</translation>
+    </message>
+    <message>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who have a value in both conditions if there are at least two, otherwise of two groups, each with a value in only one of the two. Adjusted: for this number of comparisons (Holm).</source>
+        <translation>Verhältnis der Weber-Brüche, 1, wo beide gleich sind; aus den Personen, die in beiden Bedingungen einen Wert haben, wenn es mindestens zwei sind, sonst aus zwei Gruppen, jede mit einem Wert in nur einer der beiden. Adjustiert: für diese Zahl von Vergleichen (Holm).</translation>
+    </message>
+    <message>
+        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
+        <translation>Getrennte Schwellen: ob eine Schwelle je Bedingung die Antworten dieser Personen besser beschreibt als eine gemeinsame. Dieses p wird nur angegeben, wo dieselben Personen in beiden geantwortet haben und die Antworten nicht die Unterschiede bestimmten: Nach adaptiven Läufen ist die angepasste Steigung verzerrt, und p wäre zu klein.</translation>
     </message>
 </context>
 <context>
@@ -8889,10 +8905,6 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>%1 to %2, usually %3; a template may begin with another.</source>
-        <translation>%1 bis %2, meist %3; eine Vorlage beginnt vielleicht mit einem anderen Wert.</translation>
-    </message>
-    <message>
         <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine Zahl ohne Einheit ein. Es bleibt bei %2.</translation>
     </message>
@@ -8911,6 +8923,10 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
     <message>
         <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
         <translation>„%1“ wurde nicht übernommen: Geben Sie eine ganze Zahl von %2 bis %3 ein. Es bleibt bei %4.</translation>
+    </message>
+    <message>
+        <source>%1 to %2, usually %3.</source>
+        <translation>%1 bis %2, meist %3.</translation>
     </message>
 </context>
 <context>
@@ -9125,20 +9141,12 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
 <context>
     <name>chiron::desktop::GeneralPage</name>
     <message>
-        <source>Title</source>
-        <translation>Titel</translation>
-    </message>
-    <message>
         <source>Planned participants</source>
         <translation>Geplante Teilnehmende</translation>
     </message>
     <message>
         <source>Number of participants</source>
         <translation>Zahl der Teilnehmenden</translation>
-    </message>
-    <message>
-        <source>Consent text</source>
-        <translation>Text der Einwilligung</translation>
     </message>
     <message>
         <source>Aim</source>
@@ -9183,6 +9191,22 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     <message>
         <source>What participants agree to before their first trial. The text that was shown is stored with each consent.</source>
         <translation>Worin Teilnehmende vor dem ersten Durchgang einwilligen. Mit jeder Einwilligung wird der gezeigte Text gespeichert.</translation>
+    </message>
+    <message>
+        <source>Title (required)</source>
+        <translation>Titel (erforderlich)</translation>
+    </message>
+    <message>
+        <source>Aim (required)</source>
+        <translation>Ziel (erforderlich)</translation>
+    </message>
+    <message>
+        <source>Ethics approval (required)</source>
+        <translation>Ethikvotum (erforderlich)</translation>
+    </message>
+    <message>
+        <source>Consent text (required)</source>
+        <translation>Text der Einwilligung (erforderlich)</translation>
     </message>
 </context>
 <context>
@@ -12465,7 +12489,7 @@ Mit der Tabulatortaste gelangen Sie von Frage zu Frage, mit den Pfeiltasten bewe
     </message>
     <message>
         <source>Resume (Enter)</source>
-        <translation>Weiter (Eingabe)</translation>
+        <translation>Weiter (Enter)</translation>
     </message>
     <message>
         <source>Go (Enter)</source>
@@ -13496,18 +13520,6 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Noch ist niemand aufgenommen.</translation>
     </message>
     <message>
-        <source>Enrol somebody</source>
-        <translation>Jemanden aufnehmen</translation>
-    </message>
-    <message>
-        <source>Consent is missing. Record it under the study&apos;s participants first.</source>
-        <translation>Die Einwilligung fehlt. Halten Sie sie zuerst bei den Teilnehmenden der Studie fest.</translation>
-    </message>
-    <message>
-        <source>Open the participants</source>
-        <translation>Teilnehmende öffnen</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -13566,6 +13578,22 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>%1, about condition %2</source>
         <translation>%1, zu Bedingung %2</translation>
+    </message>
+    <message>
+        <source>Consent is missing. Nothing can be begun before it is recorded.</source>
+        <translation>Die Einwilligung fehlt. Bevor sie festgehalten ist, kann nichts begonnen werden.</translation>
+    </message>
+    <message>
+        <source>Record the consent …</source>
+        <translation>Einwilligung festhalten …</translation>
+    </message>
+    <message>
+        <source>Enrol the next participant …</source>
+        <translation>Nächste Person aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Enrol somebody …</source>
+        <translation>Jemanden aufnehmen …</translation>
     </message>
 </context>
 <context>
@@ -14997,6 +15025,42 @@ Exportieren können Sie Tabellen (CSV), einen BIDS-Datensatz oder ein PDF; in je
         <source>There are no scored trials yet.</source>
         <translation>Es gibt noch keine gewerteten Durchgänge.</translation>
     </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.</source>
+        <translation>Es ist ein früherer Export. Sie können ihn durch die Daten ersetzen, wie sie jetzt sind, oder ihn behalten und den neuen Export daneben schreiben.</translation>
+    </message>
+    <message>
+        <source>It is no export of a study, so it is not replaced. You can write the export beside it.</source>
+        <translation>Es ist kein Export einer Studie und wird deshalb nicht ersetzt. Sie können den Export daneben schreiben.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Write beside it</source>
+        <translation>Daneben schreiben</translation>
+    </message>
+    <message>
+        <source>Nothing was exported. %1 is as it was.</source>
+        <translation>Es wurde nichts exportiert. %1 ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>It applies to every page here and to the PDF, and is remembered.</source>
+        <translation>Es gilt für jede Seite hier und für das PDF und wird gemerkt.</translation>
+    </message>
+    <message>
+        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
+        <translation>Kein Lauf dieser Studie wurde nur gezeigt, hier ändert es also nichts. Es wird gemerkt.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyScreen</name>
@@ -15214,6 +15278,10 @@ Bedingungen legt fest, was mit welcher Aufgabe und welchem Verfahren verglichen 
     <message>
         <source>The last changes are still being saved. Try again in a moment.</source>
         <translation>Die letzten Änderungen werden noch gespeichert. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again.</source>
+        <translation>Die Vorschau wurde abgebrochen, weil ihre Seite verlassen wurde. Nichts davon ist erhalten: Drücken Sie dort „Vorschau“, um sie neu zu berechnen.</translation>
     </message>
 </context>
 <context>
@@ -15747,10 +15815,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Fortschritt dieses Teils</translation>
     </message>
     <message>
-        <source>Stop …</source>
-        <translation>Anhalten …</translation>
-    </message>
-    <message>
         <source>Time to explore</source>
         <translation>Zeit zum Erkunden</translation>
     </message>
@@ -15777,10 +15841,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Feel for the sphere first.</source>
         <translation>Ertasten Sie zuerst die Kugel.</translation>
-    </message>
-    <message>
-        <source>The clock stands still and everything so far is kept.</source>
-        <translation>Die Uhr steht und alles Bisherige bleibt erhalten.</translation>
     </message>
     <message>
         <source>Force is stopped</source>
@@ -16008,14 +16068,6 @@ F2 ist für die Versuchsleitung.</translation>
         <source>Read the whole instruction again</source>
         <translation>Die ganze Anleitung noch einmal lesen</translation>
     </message>
-    <message>
-        <source>What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.</source>
-        <translation>Was Sie tun, kann anders sein als im Teil davor: Die nächste Seite zeigt die Frage und wie Sie sie beantworten. Alles andere bleibt gleich.</translation>
-    </message>
-    <message>
-        <source>You explore and answer as in the part before. Nothing changes in what you do.</source>
-        <translation>Sie erkunden und antworten wie im Teil davor. An dem, was Sie tun, ändert sich nichts.</translation>
-    </message>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
@@ -16086,6 +16138,58 @@ F2 ist für die Versuchsleitung.</translation>
     <message>
         <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
         <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig mit mindestens %1 N gefühlt. Bitten Sie die Versuchsleitung zu zeigen, wie ein Objekt erkundet und losgelassen wird.</translation>
+    </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Weiter (Enter)</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the part before: the next page shows the question and how you answer it.</source>
+        <translation>Was Sie tun, kann anders sein als im Teil davor: Die nächste Seite zeigt die Frage und wie Sie sie beantworten.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the part before, unless the experimenter tells you otherwise.</source>
+        <translation>Sie erkunden und antworten wie im Teil davor, außer die Versuchsleitung sagt Ihnen etwas anderes.</translation>
+    </message>
+    <message>
+        <source>The number of trials may be another.</source>
+        <translation>Die Zahl der Durchgänge kann eine andere sein.</translation>
+    </message>
+    <message>
+        <source>Stop … (Esc twice)</source>
+        <translation>Anhalten … (Esc zweimal)</translation>
+    </message>
+    <message>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer.</source>
+        <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung angehalten wird. T gibt den Zeiger frei.</translation>
+    </message>
+    <message>
+        <source>It comes again later.</source>
+        <translation>Er kommt später noch einmal.</translation>
+    </message>
+    <message>
+        <source>The same objects come again.</source>
+        <translation>Dieselben Objekte kommen noch einmal.</translation>
+    </message>
+    <message>
+        <source>No answer came in time.</source>
+        <translation>Es kam keine Antwort rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>The experimenter took it out.</source>
+        <translation>Die Versuchsleitung hat ihn herausgenommen.</translation>
+    </message>
+    <message>
+        <source>The device did not work accurately enough in it. That was not your doing.</source>
+        <translation>Das Gerät arbeitete dabei nicht genau genug. Das lag nicht an Ihnen.</translation>
+    </message>
+    <message>
+        <source>The last trial did not count. %1 %2</source>
+        <translation>Der letzte Durchgang zählte nicht. %1 %2</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
+        <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung anzuhalten.</translation>
     </message>
 </context>
 <context>

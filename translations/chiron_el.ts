@@ -5101,10 +5101,6 @@ Details: %2</source>
         <translation>Απάντηση</translation>
     </message>
     <message>
-        <source>Space pauses. Esc stops force at once, and R brings it back slowly.</source>
-        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά.</translation>
-    </message>
-    <message>
         <source>%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.</source>
         <translation>%1 Το T ελευθερώνει τον δείκτη, ώστε να μπορείτε να κάνετε κλικ στις απαντήσεις· ένα κλικ στη σκηνή τον επαναφέρει και δεν απαντά σε τίποτα.</translation>
     </message>
@@ -5123,6 +5119,10 @@ Details: %2</source>
     <message>
         <source>Press the number of the object: 1 or 2.</source>
         <translation>Πατήστε τον αριθμό του αντικειμένου: 1 ή 2.</translation>
+    </message>
+    <message>
+        <source>Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.</source>
+        <translation>Το διάστημα κάνει παύση. Το Esc σταματά αμέσως τη δύναμη και το R την επαναφέρει αργά· με δεύτερο Esc το πρόγραμμα ρωτά αν θέλετε διακοπή.</translation>
     </message>
 </context>
 <context>
@@ -6081,20 +6081,8 @@ Details: %2</source>
         <translation>%1 προς %2</translation>
     </message>
     <message>
-        <source>%1 did both</source>
-        <translation>%1 και στις δύο</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 και %2</translation>
-    </message>
-    <message>
         <source>Conditions compared</source>
         <translation>Σύγκριση συνθηκών</translation>
-    </message>
-    <message>
-        <source>Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is not given for adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.</source>
-        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· από τα άτομα που έκαναν και τις δύο συνθήκες αν είναι τουλάχιστον δύο, αλλιώς από δύο ομάδες. Προσαρμοσμένο: για αυτόν τον αριθμό συγκρίσεων (Holm). Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δεν δίνεται για προσαρμοστικές εκτελέσεις: εκεί οι απαντήσεις επέλεξαν τις διαφορές, οπότε η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
     <message>
         <source>Conditions are compared once the study is unblinded: looking at the difference while data come in would invalidate the test.</source>
@@ -6165,10 +6153,6 @@ Details: %2</source>
         <translation>%1: όλες οι απαντήσεις ήταν σωστές, άρα το κατώφλι είναι κάτω από τη μικρότερη διαφορά που παρουσιάστηκε. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε μικρότερες διαφορές.</translation>
     </message>
     <message>
-        <source>%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan larger differences.</source>
-        <translation>%1: οι απαντήσεις είναι ελάχιστα καλύτερες από την τύχη, άρα το κατώφλι ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο· για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και σχεδιάστε μεγαλύτερες διαφορές.</translation>
-    </message>
-    <message>
         <source>%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy the study and plan more trials or smaller differences.</source>
         <translation>%1: οι απαντήσεις δεν περιορίζουν το κατώφλι, άρα η τιμή δίπλα στην εκτέλεση προέρχεται από προγενέστερες παραδοχές. Για να μετρηθεί, αντιγράψτε τη μελέτη και σχεδιάστε περισσότερες δοκιμές ή μικρότερες διαφορές.</translation>
     </message>
@@ -6193,14 +6177,6 @@ Details: %2</source>
         <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: η «%3» δεν έχει τιμή ομάδας.</translation>
     </message>
     <message>
-        <source>“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.</source>
-        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: κανείς δεν έχει αξιοποιήσιμη τιμή και στις δύο, και χρειάζονται τουλάχιστον δύο συμμετέχοντες.</translation>
-    </message>
-    <message>
-        <source>“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.</source>
-        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: μόνο ο κωδικός %3 έχει αξιοποιήσιμη τιμή και στις δύο, και χρειάζονται τουλάχιστον δύο συμμετέχοντες.</translation>
-    </message>
-    <message>
         <source>in the group value</source>
         <translation>στην τιμή της ομάδας</translation>
     </message>
@@ -6219,10 +6195,6 @@ Details: %2</source>
     <message>
         <source>every answer was right</source>
         <translation>όλες οι απαντήσεις ήταν σωστές</translation>
-    </message>
-    <message>
-        <source>hardly better than guessing</source>
-        <translation>ελάχιστα καλύτερα από την τύχη</translation>
     </message>
     <message>
         <source>the value comes from prior assumptions</source>
@@ -6303,6 +6275,50 @@ Details: %2</source>
     <message>
         <source>not finished</source>
         <translation>δεν ολοκληρώθηκε</translation>
+    </message>
+    <message>
+        <source>%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.</source>
+        <translation>%1: οι απαντήσεις δεν περιορίζουν το κατώφλι προς τα πάνω, άρα ίσως είναι πάνω από τη μεγαλύτερη διαφορά που παρουσιάστηκε. Ελέγξτε αν έγινε κατανοητό το έργο· για να μετρηθεί το κατώφλι, αντιγράψτε τη μελέτη και σχεδιάστε περισσότερες δοκιμές ή μεγαλύτερες διαφορές.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared: their values cannot be set against each other.</source>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται: οι τιμές τους δεν μπορούν να αντιπαρατεθούν.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a value in “%4” alone.</source>
+        <translation>Οι συνθήκες «%1» και «%2» δεν συγκρίνονται ακόμη: μόνο ο κωδικός %3 έχει τιμή και στις δύο, και χρειάζονται τουλάχιστον δύο συμμετέχοντες· ούτε δύο ομάδες υπάρχουν, αφού κανείς δεν έχει τιμή μόνο στη «%4».</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.</source>
+        <translation>Οι συνθήκες «%1» και «%2» έχουν λόγο, αλλά όχι διάστημα ούτε p: κάθε ομάδα χρειάζεται τουλάχιστον δύο άτομα, και αυτές έχουν %3 και %4.</translation>
+    </message>
+    <message>
+        <source>the answers do not bound it from above</source>
+        <translation>οι απαντήσεις δεν περιορίζουν την τιμή προς τα πάνω</translation>
+    </message>
+    <message>
+        <source>%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.</source>
+        <translation>%1: δεν περιλαμβάνεται σε αυτή τη σύγκριση, που γίνεται ανάμεσα σε δύο ομάδες, ενώ ο κωδικός %1 έχει τιμή και στη «%2» και στη «%3».</translation>
+    </message>
+    <message>
+        <source>Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), participants who have withdrawn, and simulated participants where there are people.</source>
+        <translation>Ποιες εκτελέσεις μετρούν: κάθε εκτέλεση που οι απαντήσεις της περιορίζουν την τιμή της προς τα κάτω και προς τα πάνω, όποια άλλη προειδοποίηση κι αν έχει και είτε ολοκληρώθηκε είτε όχι. Εξαιρούνται, από τις ομάδες όπως και από τις συγκρίσεις, εκτελέσεις που οι απαντήσεις τους δεν περιορίζουν την τιμή ή δεν δίνουν καμία, εκτελέσεις με αντικείμενα που προβλήθηκαν χωρίς να γίνουν αισθητά (εκτός αν τις συμπεριλάβετε), συμμετέχοντες που αποσύρθηκαν, και προσομοιωμένοι συμμετέχοντες όπου υπάρχουν άνθρωποι.</translation>
+    </message>
+    <message>
+        <source>%1 in both</source>
+        <translation>%1 και στις δύο</translation>
+    </message>
+    <message>
+        <source>two groups: %1 and %2</source>
+        <translation>δύο ομάδες: %1 και %2</translation>
+    </message>
+    <message>
+        <source>Ratio of the Weber fractions, 1 where both are alike; of the people who have a value in both conditions if there are at least two, otherwise of two groups, each with a value in only one of the two. Adjusted: for this number of comparisons (Holm).</source>
+        <translation>Λόγος των κλασμάτων Weber, 1 όπου είναι ίδια· από τα άτομα που έχουν τιμή και στις δύο συνθήκες αν είναι τουλάχιστον δύο, αλλιώς από δύο ομάδες, η καθεμιά με τιμή σε μία μόνο από τις δύο. Προσαρμοσμένο: για αυτόν τον αριθμό συγκρίσεων (Holm).</translation>
+    </message>
+    <message>
+        <source>Separate thresholds: whether one threshold for each condition describes these people&apos;s answers better than a common one. This p is given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is biased, and p would be too small.</source>
+        <translation>Χωριστά κατώφλια: αν ένα κατώφλι για κάθε συνθήκη περιγράφει τις απαντήσεις αυτών των ατόμων καλύτερα από ένα κοινό. Αυτό το p δίνεται μόνο όπου τα ίδια άτομα απάντησαν και στις δύο και οι απαντήσεις δεν επέλεξαν τις διαφορές: μετά από προσαρμοστικές εκτελέσεις η κλίση που προσαρμόζεται είναι μεροληπτική και το p θα ήταν πολύ μικρό.</translation>
     </message>
 </context>
 <context>
@@ -8889,10 +8905,6 @@ Each level says whether you have passed it. Choose one to see what is measured a
 <context>
     <name>chiron::desktop::FieldGrid</name>
     <message>
-        <source>%1 to %2, usually %3; a template may begin with another.</source>
-        <translation>%1 έως %2, συνήθως %3· ένα πρότυπο μπορεί να ξεκινά με άλλη τιμή.</translation>
-    </message>
-    <message>
         <source>“%1” was not taken: enter a number without a unit. %2 is still set.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε έναν αριθμό χωρίς μονάδα. Ισχύει ακόμη %2.</translation>
     </message>
@@ -8911,6 +8923,10 @@ Each level says whether you have passed it. Choose one to see what is measured a
     <message>
         <source>“%1” was not taken: enter a whole number from %2 to %3. %4 is still set.</source>
         <translation>Το «%1» δεν έγινε δεκτό: πληκτρολογήστε ακέραιο αριθμό από %2 έως %3. Ισχύει ακόμη %4.</translation>
+    </message>
+    <message>
+        <source>%1 to %2, usually %3.</source>
+        <translation>%1 έως %2, συνήθως %3.</translation>
     </message>
 </context>
 <context>
@@ -9125,20 +9141,12 @@ Press again to end the trial without it.</source>
 <context>
     <name>chiron::desktop::GeneralPage</name>
     <message>
-        <source>Title</source>
-        <translation>Τίτλος</translation>
-    </message>
-    <message>
         <source>Planned participants</source>
         <translation>Προβλεπόμενοι συμμετέχοντες</translation>
     </message>
     <message>
         <source>Number of participants</source>
         <translation>Αριθμός συμμετεχόντων</translation>
-    </message>
-    <message>
-        <source>Consent text</source>
-        <translation>Κείμενο συγκατάθεσης</translation>
     </message>
     <message>
         <source>Aim</source>
@@ -9183,6 +9191,22 @@ Press again to end the trial without it.</source>
     <message>
         <source>What participants agree to before their first trial. The text that was shown is stored with each consent.</source>
         <translation>Σε τι συγκατατίθενται οι συμμετέχοντες πριν από την πρώτη δοκιμή. Με κάθε συγκατάθεση φυλάσσεται το κείμενο που παρουσιάστηκε.</translation>
+    </message>
+    <message>
+        <source>Title (required)</source>
+        <translation>Τίτλος (υποχρεωτικό)</translation>
+    </message>
+    <message>
+        <source>Aim (required)</source>
+        <translation>Σκοπός (υποχρεωτικό)</translation>
+    </message>
+    <message>
+        <source>Ethics approval (required)</source>
+        <translation>Έγκριση δεοντολογίας (υποχρεωτικό)</translation>
+    </message>
+    <message>
+        <source>Consent text (required)</source>
+        <translation>Κείμενο συγκατάθεσης (υποχρεωτικό)</translation>
     </message>
 </context>
 <context>
@@ -13496,18 +13520,6 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Κανείς δεν έχει εγγραφεί ακόμη.</translation>
     </message>
     <message>
-        <source>Enrol somebody</source>
-        <translation>Εγγραφή συμμετέχοντα</translation>
-    </message>
-    <message>
-        <source>Consent is missing. Record it under the study&apos;s participants first.</source>
-        <translation>Λείπει η συγκατάθεση. Καταγράψτε την πρώτα στους συμμετέχοντες της μελέτης.</translation>
-    </message>
-    <message>
-        <source>Open the participants</source>
-        <translation>Άνοιγμα συμμετεχόντων</translation>
-    </message>
-    <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
@@ -13566,6 +13578,22 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>%1, about condition %2</source>
         <translation>%1, για τη συνθήκη %2</translation>
+    </message>
+    <message>
+        <source>Consent is missing. Nothing can be begun before it is recorded.</source>
+        <translation>Λείπει η συγκατάθεση. Πριν καταγραφεί, τίποτα δεν μπορεί να αρχίσει.</translation>
+    </message>
+    <message>
+        <source>Record the consent …</source>
+        <translation>Καταγραφή συγκατάθεσης …</translation>
+    </message>
+    <message>
+        <source>Enrol the next participant …</source>
+        <translation>Εγγραφή επόμενου συμμετέχοντα …</translation>
+    </message>
+    <message>
+        <source>Enrol somebody …</source>
+        <translation>Εγγραφή συμμετέχοντα …</translation>
     </message>
 </context>
 <context>
@@ -14997,6 +15025,42 @@ You can export tables (CSV), a BIDS dataset or a PDF; each contains the design&a
         <source>There are no scored trials yet.</source>
         <translation>Δεν υπάρχουν ακόμη βαθμολογημένες δοκιμές.</translation>
     </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>Το %1 υπάρχει ήδη.</translation>
+    </message>
+    <message>
+        <source>It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.</source>
+        <translation>Είναι προηγούμενη εξαγωγή. Μπορείτε να την αντικαταστήσετε με τα δεδομένα όπως είναι τώρα ή να την κρατήσετε και να γράψετε τη νέα εξαγωγή δίπλα της.</translation>
+    </message>
+    <message>
+        <source>It is no export of a study, so it is not replaced. You can write the export beside it.</source>
+        <translation>Δεν είναι εξαγωγή μελέτης, γι&apos; αυτό δεν αντικαθίσταται. Μπορείτε να γράψετε την εξαγωγή δίπλα.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Ακύρωση</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Αντικατάσταση</translation>
+    </message>
+    <message>
+        <source>Write beside it</source>
+        <translation>Εγγραφή δίπλα</translation>
+    </message>
+    <message>
+        <source>Nothing was exported. %1 is as it was.</source>
+        <translation>Δεν εξήχθη τίποτα. Το %1 έμεινε όπως ήταν.</translation>
+    </message>
+    <message>
+        <source>It applies to every page here and to the PDF, and is remembered.</source>
+        <translation>Ισχύει για κάθε σελίδα εδώ και για το PDF, και απομνημονεύεται.</translation>
+    </message>
+    <message>
+        <source>No run of this study was shown and not felt, so it changes nothing here. It is remembered.</source>
+        <translation>Σε αυτή τη μελέτη δεν υπάρχει εκτέλεση μόνο σε προβολή, άρα εδώ δεν αλλάζει τίποτα. Απομνημονεύεται.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::StudyScreen</name>
@@ -15214,6 +15278,10 @@ Conditions defines what is compared, with which task and procedure. Preview runs
     <message>
         <source>The last changes are still being saved. Try again in a moment.</source>
         <translation>Οι τελευταίες αλλαγές αποθηκεύονται ακόμη. Δοκιμάστε ξανά σε λίγο.</translation>
+    </message>
+    <message>
+        <source>The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again.</source>
+        <translation>Η προεπισκόπηση σταμάτησε, επειδή φύγατε από τη σελίδα της. Τίποτα δεν διατηρήθηκε: πατήστε εκεί «Προεπισκόπηση» για νέο υπολογισμό.</translation>
     </message>
 </context>
 <context>
@@ -15747,10 +15815,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Πρόοδος αυτού του μέρους</translation>
     </message>
     <message>
-        <source>Stop …</source>
-        <translation>Διακοπή …</translation>
-    </message>
-    <message>
         <source>Time to explore</source>
         <translation>Χρόνος εξερεύνησης</translation>
     </message>
@@ -15777,10 +15841,6 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>Feel for the sphere first.</source>
         <translation>Ψηλαφήστε πρώτα τη σφαίρα.</translation>
-    </message>
-    <message>
-        <source>The clock stands still and everything so far is kept.</source>
-        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται.</translation>
     </message>
     <message>
         <source>Force is stopped</source>
@@ -16008,14 +16068,6 @@ F2 is for the experimenter.</source>
         <source>Read the whole instruction again</source>
         <translation>Ανάγνωση όλων των οδηγιών ξανά</translation>
     </message>
-    <message>
-        <source>What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.</source>
-        <translation>Αυτό που κάνετε μπορεί να διαφέρει από το προηγούμενο μέρος: η επόμενη σελίδα δείχνει την ερώτηση και πώς απαντάτε. Όλα τα άλλα μένουν ίδια.</translation>
-    </message>
-    <message>
-        <source>You explore and answer as in the part before. Nothing changes in what you do.</source>
-        <translation>Εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος. Τίποτα δεν αλλάζει σε αυτό που κάνετε.</translation>
-    </message>
     <message numerus="yes">
         <source>It begins with %n practice trial(s), which do not count.</source>
         <translation>
@@ -16086,6 +16138,58 @@ F2 is for the experimenter.</source>
     <message>
         <source>Several times in a row, not every object was felt with at least %1 N in time. Ask the experimenter to show how an object is explored and let go.</source>
         <translation>Αρκετές φορές στη σειρά δεν έγιναν όλα τα αντικείμενα αισθητά εγκαίρως με τουλάχιστον %1 N. Ζητήστε από τον πειραματιστή να σας δείξει πώς εξερευνάτε και πώς αφήνετε ένα αντικείμενο.</translation>
+    </message>
+    <message>
+        <source>Continue (Enter)</source>
+        <translation>Συνέχεια (Enter)</translation>
+    </message>
+    <message>
+        <source>What you do may differ from the part before: the next page shows the question and how you answer it.</source>
+        <translation>Αυτό που κάνετε μπορεί να διαφέρει από το προηγούμενο μέρος: η επόμενη σελίδα δείχνει την ερώτηση και πώς απαντάτε.</translation>
+    </message>
+    <message>
+        <source>You explore and answer as in the part before, unless the experimenter tells you otherwise.</source>
+        <translation>Εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος, εκτός αν σας πει κάτι άλλο ο πειραματιστής.</translation>
+    </message>
+    <message>
+        <source>The number of trials may be another.</source>
+        <translation>Ο αριθμός των δοκιμών μπορεί να είναι άλλος.</translation>
+    </message>
+    <message>
+        <source>Stop … (Esc twice)</source>
+        <translation>Διακοπή … (δύο φορές Esc)</translation>
+    </message>
+    <message>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer.</source>
+        <translation>Το Esc σταματά αμέσως τη δύναμη· αν πατηθεί ξανά, ρωτά αν θα διακοπεί η συνεδρία. Το T ελευθερώνει τον δείκτη.</translation>
+    </message>
+    <message>
+        <source>It comes again later.</source>
+        <translation>Θα επαναληφθεί αργότερα.</translation>
+    </message>
+    <message>
+        <source>The same objects come again.</source>
+        <translation>Τα ίδια αντικείμενα έρχονται ξανά.</translation>
+    </message>
+    <message>
+        <source>No answer came in time.</source>
+        <translation>Δεν δόθηκε απάντηση εγκαίρως.</translation>
+    </message>
+    <message>
+        <source>The experimenter took it out.</source>
+        <translation>Την αφαίρεσε ο πειραματιστής.</translation>
+    </message>
+    <message>
+        <source>The device did not work accurately enough in it. That was not your doing.</source>
+        <translation>Η συσκευή δεν λειτούργησε με αρκετή ακρίβεια. Αυτό δεν οφείλεται σε εσάς.</translation>
+    </message>
+    <message>
+        <source>The last trial did not count. %1 %2</source>
+        <translation>Η τελευταία δοκιμή δεν μέτρησε. %1 %2</translation>
+    </message>
+    <message>
+        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
+        <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
 </context>
 <context>

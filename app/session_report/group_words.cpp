@@ -49,8 +49,8 @@ QString reason(Presence presence, bool closed) {
         return Words::tr("%1: every answer was right, so the threshold lies below the smallest difference presented. To measure it, copy the study "
                          "and plan smaller differences.");
     case Presence::guessing:
-        return Words::tr("%1: the answers are hardly better than guessing, so the threshold may lie above the largest difference presented. Check that "
-                         "the task was understood; to measure the threshold, copy the study and plan larger differences.");
+        return Words::tr("%1: the answers do not bound the threshold from above, so it may lie above the largest difference presented. Check that "
+                         "the task was understood; to measure the threshold, copy the study and plan more trials or larger differences.");
     case Presence::unbounded:
         return Words::tr("%1: the answers do not bound the threshold, so the value beside the run comes from prior assumptions. To measure it, copy "
                          "the study and plan more trials or smaller differences.");
@@ -69,6 +69,13 @@ QString reason(Presence presence, bool closed) {
     return {};
 }
 
+/// Who has a value in one of two conditions alone.
+std::vector<std::string> onlyIn(const GroupRoll& roll, const GroupRoll& other) {
+    std::vector<std::string> codes = roll.codesOf(Presence::used);
+    std::erase_if(codes, [&](const std::string& code) { return other.of(code) == Presence::used; });
+    return codes;
+}
+
 QString notCompared(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b) {
     for (const auto& [roll, name] : {std::pair{&first, a}, std::pair{&second, b}})
         if (roll->used() == 0)
@@ -77,9 +84,20 @@ QString notCompared(const GroupRoll& first, const GroupRoll& second, const QStri
     for (const std::string& code : first.codesOf(Presence::used))
         if (second.of(code) == Presence::used)
             both.push_back(code);
-    return both.empty() ? Words::tr("“%1” and “%2” are not compared yet: nobody has a usable value in both, and at least two participants are needed.").arg(a, b)
-                        : Words::tr("“%1” and “%2” are not compared yet: only %3 has a usable value in both, and at least two participants are needed.")
-                              .arg(a, b, joined(both));
+    if (both.empty())
+        return Words::tr("“%1” and “%2” are not compared: their values cannot be set against each other.").arg(a, b); // of numbers said there is no Weber fraction
+    return Words::tr("“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a "
+                     "value in “%4” alone.")
+        .arg(a, b, joined(both), onlyIn(first, second).empty() ? a : b);
+}
+
+/// Of two groups of which one is a single person there is a ratio, and nothing says how sure it is.
+QString withoutInterval(const session::ComparedConditions& compared, const QString& a, const QString& b, const QLocale& locale) {
+    const psychophysics::ConditionComparison& weber = compared.weber;
+    if (std::isfinite(weber.pValue) || weber.paired)
+        return {};
+    return Words::tr("“%1” and “%2” have a ratio, but no interval and no p: each of the two groups needs at least two people, and these have %3 and %4.")
+        .arg(a, b, locale.toString(weber.first), locale.toString(weber.second));
 }
 
 /// The same in a few words.
@@ -98,7 +116,7 @@ QString whyNot(Presence presence) {
     case Presence::allRight:
         return Words::tr("every answer was right");
     case Presence::guessing:
-        return Words::tr("hardly better than guessing");
+        return Words::tr("the answers do not bound it from above");
     case Presence::unbounded:
         return Words::tr("the value comes from prior assumptions");
     case Presence::noValue:
@@ -116,9 +134,6 @@ QString whyNot(Presence presence) {
 /// Left out of a whole study, which its groups tell.
 bool isOut(Presence presence) { return presence == Presence::withdrawn || presence == Presence::simulated; }
 
-/// Whether a run of theirs belongs to the group, with a value or without.
-bool belongs(Presence presence) { return presence != Presence::notBegun && presence != Presence::shown && !isOut(presence); }
-
 /// Who takes part and is not in the comparison of two conditions, and why. `groups`: it is of different people, and who did both is in neither.
 QStringList missing(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b, bool groups) {
     QStringList said;
@@ -130,15 +145,39 @@ QStringList missing(const GroupRoll& first, const GroupRoll& second, const QStri
     for (const std::string& code : codes) {
         const Presence inFirst = first.of(code), inSecond = second.of(code);
         const bool inPair = inFirst == Presence::used && inSecond == Presence::used;
-        const bool inGroup = (inFirst == Presence::used && !belongs(inSecond)) || (inSecond == Presence::used && !belongs(inFirst));
+        const bool inGroup = (inFirst == Presence::used) != (inSecond == Presence::used);
         if ((groups ? inGroup : inPair) || isOut(inFirst) || isOut(inSecond))
             continue;
-        said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).").arg(QString::fromStdString(code), a, whyNot(inFirst), b, whyNot(inSecond));
+        if (inPair)
+            said << Words::tr("%1 is not in this comparison: it is of two groups, and %1 has a value in both “%2” and “%3”.").arg(QString::fromStdString(code), a, b);
+        else
+            said << Words::tr("%1 is not in this comparison (“%2”: %3; “%4”: %5).").arg(QString::fromStdString(code), a, whyNot(inFirst), b, whyNot(inSecond));
+    }
+    return said;
+}
+
+/// Who is left out of a whole study, each once.
+QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
+    QStringList said;
+    for (const Presence presence : {Presence::simulated, Presence::withdrawn}) {
+        std::vector<std::string> codes;
+        for (const GroupRoll& roll : rolls)
+            for (const std::string& code : roll.codesOf(presence))
+                if (std::find(codes.begin(), codes.end(), code) == codes.end())
+                    codes.push_back(code);
+        if (!codes.empty())
+            said << reason(presence, false).arg(joined(codes));
     }
     return said;
 }
 
 } // namespace
+
+QString groupRule() {
+    return Words::tr("Which runs count: every run whose answers bound its value from below and from above, whatever else it is warned of and whether or not it is finished. Left out, "
+                     "from groups and comparisons alike, are runs whose answers do not bound the value or give none, runs with objects shown and not felt (unless you include them), "
+                     "participants who have withdrawn, and simulated participants where there are people.");
+}
 
 QStringList groupSentences(const GroupRoll& roll, const QLocale& locale) {
     QStringList said{whetherThereIsOne(roll, locale)};
@@ -190,16 +229,18 @@ QString markedValue(const QString& value, const psychophysics::RunEstimate& esti
 QString markMeaning() { return Words::tr("“!” before a value: the run has warnings. Read them before you use the value."); }
 
 QStringList comparisonSentences(const std::vector<GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
-                                const std::function<QString(std::size_t)>& name) {
+                                const std::function<QString(std::size_t)>& name, const QLocale& locale) {
     QStringList said;
     for (std::size_t i = 0; i < rolls.size(); ++i)
         for (std::size_t j = i + 1; j < rolls.size(); ++j) {
             const auto found = std::find_if(compared.begin(), compared.end(), [&](const auto& each) { return each.first == i && each.second == j; });
             if (found == compared.end())
                 said << notCompared(rolls[i], rolls[j], name(i), name(j));
+            else if (const QString why = withoutInterval(*found, name(i), name(j), locale); !why.isEmpty())
+                said << why;
             said << missing(rolls[i], rolls[j], name(i), name(j), found != compared.end() && !found->weber.paired);
         }
-    return said;
+    return said + outOfAll(rolls);
 }
 
 } // namespace chiron::session_report

@@ -18,6 +18,9 @@ namespace chiron::session_report {
 /// that has no translations.
 QStringList groupSentences(const session::GroupRoll& roll, const QLocale& locale);
 
+/// By which rule a run is in its group's value and in comparisons, or is left out (psychophysics::usableInGroup). The same for all, wherever results are.
+QString groupRule();
+
 /// What is left to say of a group: the warnings that groupSentences() does not tell.
 std::vector<psychophysics::Warning> furtherWarnings(const std::vector<psychophysics::Warning>& warnings);
 
@@ -29,9 +32,9 @@ QString markedValue(const QString& value, const psychophysics::RunEstimate& esti
 /// What the sign means.
 QString markMeaning();
 
-/// The comparison of conditions, in words: of each two that are not compared why, and of each two who is not in it and where. Empty where everybody is in
-/// everything. `rolls`: of all conditions; `name`: what a condition is called.
+/// The comparison of conditions, in words: of each two that are not compared why, or why there is no interval; of each two who is not in it and for what
+/// reason; and who is left out of the whole study. Empty where everybody is in everything. `rolls`: of all conditions; `name`: what a condition is called.
 QStringList comparisonSentences(const std::vector<session::GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
-                                const std::function<QString(std::size_t)>& name);
+                                const std::function<QString(std::size_t)>& name, const QLocale& locale);
 
 } // namespace chiron::session_report

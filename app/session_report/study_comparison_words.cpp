@@ -18,28 +18,37 @@ QString pWords(double p, const QLocale& locale) {
 
 } // namespace
 
-std::vector<QString> comparisonHeadings() {
-    return {Words::tr("Conditions"), Words::tr("Ratio"), Words::tr("95 % interval"), Words::tr("p"), Words::tr("p, adjusted"), Words::tr("Participants"), Words::tr("p, separate thresholds")};
+std::vector<QString> comparisonHeadings(bool thresholds) {
+    std::vector<QString> headings{Words::tr("Conditions"), Words::tr("Ratio"), Words::tr("95 % interval"), Words::tr("p"), Words::tr("p, adjusted"), Words::tr("Participants")};
+    if (thresholds)
+        headings.push_back(Words::tr("p, separate thresholds"));
+    return headings;
 }
 
-std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, const QLocale& locale) {
+std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, bool thresholds, const QLocale& locale) {
     const psychophysics::ConditionComparison& weber = compared.weber;
     const bool known = std::isfinite(weber.ratio95.low) && std::isfinite(weber.ratio95.high);
-    return {Words::tr("%1 over %2").arg(second, first),
-            study_report_words::number(weber.ratio, locale),
-            known ? QStringLiteral("%1 … %2").arg(study_report_words::number(weber.ratio95.low, locale), study_report_words::number(weber.ratio95.high, locale))
-                  : QStringLiteral("–"),
-            pWords(weber.pValue, locale),
-            pWords(weber.pHolm, locale),
-            weber.paired ? Words::tr("%1 did both").arg(locale.toString(weber.participants)) : Words::tr("%1 and %2").arg(locale.toString(weber.second), locale.toString(weber.first)),
-            pWords(compared.models.pValue, locale)};
+    std::vector<QString> cells{Words::tr("%1 over %2").arg(second, first),
+                               study_report_words::number(weber.ratio, locale),
+                               known ? QStringLiteral("%1 … %2").arg(study_report_words::number(weber.ratio95.low, locale), study_report_words::number(weber.ratio95.high, locale))
+                                     : QStringLiteral("–"),
+                               pWords(weber.pValue, locale),
+                               pWords(weber.pHolm, locale),
+                               weber.paired ? Words::tr("%1 in both").arg(locale.toString(weber.participants))
+                                            : Words::tr("two groups: %1 and %2").arg(locale.toString(weber.second), locale.toString(weber.first))};
+    if (thresholds)
+        cells.push_back(pWords(compared.models.pValue, locale));
+    return cells;
 }
 
-QString comparisonNote() {
-    return Words::tr("Ratio of the Weber fractions, 1 where both are alike; taken from the people who did both if there are at least two, "
-                     "otherwise from two groups. Adjusted: for this number of comparisons (Holm). Separate thresholds: whether one "
-                     "threshold for each condition describes these people's answers better than a common one. This p is not given for "
-                     "adaptive runs: their answers chose the differences, so a fitted slope is biased and p would be too small.");
+QString comparisonNote(bool thresholds) {
+    const QString ratio = Words::tr("Ratio of the Weber fractions, 1 where both are alike; of the people who have a value in both conditions if there are at least two, "
+                                    "otherwise of two groups, each with a value in only one of the two. Adjusted: for this number of comparisons (Holm).");
+    if (!thresholds)
+        return ratio;
+    return ratio + QLatin1Char(' ') + Words::tr("Separate thresholds: whether one threshold for each condition describes these people's answers better than a common one. This p is "
+                                                "given only where the same people answered in both and answers did not choose the differences: after adaptive runs a fitted slope is "
+                                                "biased, and p would be too small.");
 }
 
 QString comparisonSealed() {

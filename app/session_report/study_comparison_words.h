@@ -10,11 +10,12 @@
 namespace chiron::session_report {
 
 /// Conditions compared, as a table: on screens and in the printed report.
-std::vector<QString> comparisonHeadings();
+/// `thresholds`: with the column of separate thresholds (session::testsThresholds); without it where it would be empty.
+std::vector<QString> comparisonHeadings(bool thresholds);
 /// `first`, `second`: what the two conditions are called. As many cells as headings.
-std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, const QLocale& locale);
+std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, bool thresholds, const QLocale& locale);
 /// What the columns mean.
-QString comparisonNote();
+QString comparisonNote(bool thresholds);
 /// While a study is blinded.
 QString comparisonSealed();
 

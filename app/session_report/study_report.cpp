@@ -11,7 +11,7 @@ namespace chiron::session_report {
 
 namespace {
 
-core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study, const std::string& language) {
+core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::StudyNumber study, const std::string& language, const session::AnalysisChoices& choices) {
     auto record = reader.study(study);
     if (!record)
         return tl::unexpected(record.error());
@@ -20,7 +20,7 @@ core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::St
     auto design = catalogue::readStudy(QByteArray::fromStdString(record->designJson), "study " + std::to_string(study));
     if (!design)
         return tl::unexpected(design.error());
-    auto analysis = session::analyseStudy(reader, study, design->seed);
+    auto analysis = session::analyseStudy(reader, study, design->seed, choices);
     if (!analysis)
         return tl::unexpected(analysis.error());
     auto participants = reader.participants(study);
@@ -53,8 +53,8 @@ report::PageFrame frameOf(const StudyReportData& data) {
 } // namespace
 
 core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language) {
-    const auto data = dataOf(reader, study, language);
+                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices) {
+    const auto data = dataOf(reader, study, language, choices);
     if (!data)
         return tl::unexpected(data.error());
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
@@ -62,8 +62,8 @@ core::Result<void> writeStudyReport(const QString& path, database::StudyReader& 
 }
 
 core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language) {
-    const auto data = dataOf(reader, study, language);
+                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices) {
+    const auto data = dataOf(reader, study, language, choices);
     if (!data)
         return tl::unexpected(data.error());
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);

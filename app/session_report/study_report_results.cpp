@@ -77,6 +77,8 @@ void StudyReportBlocks::addGroup(std::size_t at) {
         addPairs(pairs, 3);
     for (const QString& said : groupSentences(m_data.analysis.conditions[at].roll, locale))
         addMuted(said);
+    if (m_data.analysis.conditions.size() < 2) // else the comparison has said it
+        addMuted(groupRule());
     for (const psychophysics::Warning& warning : furtherWarnings(group.warnings))
         addMuted(QStringLiteral("! ") + warningWords(warning));
 }
@@ -136,19 +138,24 @@ void StudyReportBlocks::addComparisons() {
     addHeading(Words::tr("Conditions compared"));
     if (m_data.blind())
         return addMuted(comparisonSealed());
+    addMuted(groupRule());
+    const bool thresholds = session::testsThresholds(analysis.comparisons);
     std::vector<std::vector<QString>> rows;
     for (const session::ComparedConditions& each : analysis.comparisons)
-        rows.push_back(comparisonRow(each, m_data.conditionName(each.first), m_data.conditionName(each.second), m_theme.locale));
+        rows.push_back(comparisonRow(each, m_data.conditionName(each.first), m_data.conditionName(each.second), thresholds, m_theme.locale));
     if (!rows.empty()) {
-        addTable(comparisonHeadings(), rows, {0.3, 0.1, 0.17, 0.09, 0.1, 0.13, 0.11}, {false, true, true, true, true, true, true});
-        addMuted(comparisonNote());
+        if (thresholds)
+            addTable(comparisonHeadings(thresholds), rows, {0.27, 0.09, 0.17, 0.09, 0.1, 0.17, 0.11}, {false, true, true, true, true, true, true});
+        else
+            addTable(comparisonHeadings(thresholds), rows, {0.31, 0.1, 0.19, 0.1, 0.11, 0.19}, {false, true, true, true, true, true});
+        addMuted(comparisonNote(thresholds));
     }
     if (std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); }))
         return; // of marks no Weber fractions are compared
     std::vector<session::GroupRoll> rolls;
     for (const session::AnalysedCondition& condition : analysis.conditions)
         rolls.push_back(condition.roll);
-    for (const QString& said : comparisonSentences(rolls, analysis.comparisons, [this](std::size_t at) { return m_data.conditionName(at); }))
+    for (const QString& said : comparisonSentences(rolls, analysis.comparisons, [this](std::size_t at) { return m_data.conditionName(at); }, m_theme.locale))
         addMuted(said);
 }
 

@@ -136,14 +136,21 @@ QString pWords(double p) { return !std::isfinite(p) ? QString() : p < 0.001 ? QS
 
 /// Ratios of Weber fractions, the second condition's over the first's.
 QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& array) {
-    TextTable table({"condition A", "condition B", ">B/A", ">low", ">high", ">p", ">p (Holm)", "people", ">p of two thresholds", "warnings"});
+    const bool thresholds = session::testsThresholds(analysis.comparisons);
+    QStringList headings{"condition A", "condition B", ">B/A", ">low", ">high", ">p", ">p (Holm)", "people"};
+    if (thresholds)
+        headings << ">p of two thresholds";
+    headings << "warnings";
+    TextTable table(headings);
     for (const session::ComparedConditions& each : analysis.comparisons) {
         const QString first = labelOf(analysis.conditions[each.first]), second = labelOf(analysis.conditions[each.second]);
         array.append(comparisonJson(each, first, second));
         const psychophysics::ConditionComparison& c = each.weber;
-        table.add({first, second, shortNumber(c.ratio), shortNumber(c.ratio95.low), shortNumber(c.ratio95.high), pWords(c.pValue), pWords(c.pHolm),
-                   c.paired ? QStringLiteral("%1, each did both").arg(c.participants) : QStringLiteral("%1 and %2").arg(c.first).arg(c.second),
-                   pWords(each.models.pValue), warningTokens(c.warnings)});
+        QStringList cells{first, second, shortNumber(c.ratio), shortNumber(c.ratio95.low), shortNumber(c.ratio95.high), pWords(c.pValue), pWords(c.pHolm),
+                          c.paired ? QStringLiteral("%1 in both").arg(c.participants) : QStringLiteral("two groups: %1 and %2").arg(c.first).arg(c.second)};
+        if (thresholds)
+            cells << pWords(each.models.pValue);
+        table.add(cells << warningTokens(c.warnings));
     }
     return analysis.comparisons.empty() ? QString() : QStringLiteral("\n") + table.toText();
 }
@@ -156,7 +163,7 @@ QStringList missingComparisons(const session::StudyAnalysis& analysis) {
     std::vector<session::GroupRoll> rolls;
     for (const session::AnalysedCondition& condition : analysis.conditions)
         rolls.push_back(condition.roll);
-    return session_report::comparisonSentences(rolls, analysis.comparisons, [&](std::size_t at) { return labelOf(analysis.conditions[at]); });
+    return session_report::comparisonSentences(rolls, analysis.comparisons, [&](std::size_t at) { return labelOf(analysis.conditions[at]); }, QLocale::c());
 }
 
 void tellStatement(Told& told, const session::AnalysedCondition& condition) {
@@ -199,8 +206,8 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
         tellGroup(told, condition, labelOf(condition), blinded);
     }
     return CommandOutput{QJsonDocument(QJsonObject{{"study", text(study->record.summary.key)}, {"sha256", text(sha256)}, {"blinded", blinded},
-                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"not_compared", QJsonArray::fromStringList(missing)}, {"runs", told.runs}, {"quality", qualityJson(*analysis)}}),
-                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + QStringLiteral("\n") + told.statements + compared +
+                                                   {"conditions", told.conditions}, {"comparisons", comparisons}, {"not_compared", QJsonArray::fromStringList(missing)}, {"rule", session_report::groupRule()}, {"runs", told.runs}, {"quality", qualityJson(*analysis)}}),
+                         (told.compared || !told.marked ? told.table.toText() : QString()) + (told.marked ? told.marks.toText() : QString()) + QStringLiteral("\n") + session_report::groupRule() + QLatin1Char('\n') + told.statements + compared +
                              (missing.isEmpty() ? QString() : QStringLiteral("\n") + missing.join(QLatin1Char('\n')) + QLatin1Char('\n')),
                          0};
 }

@@ -159,7 +159,7 @@ void FieldGrid::explain(const QString& name, const QString& meaning) {
 void FieldGrid::explain(const QString& name, const QString& meaning, const UsualNumber& number) {
     const auto said = [&](double value) { return m_locale.toString(value, 'g', 6); };
     const QString unit = m_fields.value(name).unit;
-    const QString allowed = tr("%1 to %2, usually %3; a template may begin with another.").arg(said(number.lowest), said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit), said(number.usual));
+    const QString allowed = tr("%1 to %2, usually %3.").arg(said(number.lowest), said(number.highest) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit), said(number.usual));
     explain(name, meaning + QLatin1Char(' ') + allowed);
 }
 

@@ -35,7 +35,11 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
     m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));
     m_seen->setObjectName(QStringLiteral("freeze.seen"));
     m_seen->setFont(theme().font(TextStyle::body));
-    column()->addWidget(m_seen);
+    auto* outside = static_cast<QVBoxLayout*>(layout()); // above the buttons, in sight however long the list is
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(theme().px(24), 0, theme().px(24), theme().px(10));
+    row->addWidget(m_seen);
+    outside->insertLayout(outside->count() - 1, row);
     column()->addWidget(kit::label(theme(), tr("From now on nobody can change the design. Participants can be enrolled, each condition "
                                                "gets a sealed code, and every export carries this SHA-256 of the design:")));
     auto* sha = kit::label(theme(), grouped(catalogue::studySha256(catalogue::studyJson(design))), TextStyle::mono);

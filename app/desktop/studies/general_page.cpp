@@ -55,7 +55,7 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     const kit::Box box = titledBox(theme, tr("Aim"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    addStudyText(*grid, page, tr("Title"), QStringLiteral("design.title"), 1, [](StudyDesign& design) -> StudyText& { return design.title; });
+    addStudyText(*grid, page, tr("Title (required)"), QStringLiteral("design.title"), 1, [](StudyDesign& design) -> StudyText& { return design.title; });
     grid->explain(QStringLiteral("design.title"), tr("What the study goes by in lists, reports and exports."));
     grid->whole(tr("Planned participants"), QStringLiteral("design.planned"), draft.design().participantsPlanned, 0, 100000, [&draft](int now) {
         draft.change(GeneralPage::tr("Number of participants"), QStringLiteral("design.planned"), [now](StudyDesign& design) { design.participantsPlanned = now; });
@@ -76,7 +76,7 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
 /// The words of the template are not shown as if somebody had written them.
 void GeneralPage::addAim(FieldGrid& grid, const DesignPage& page) {
     const QString name = QStringLiteral("design.objective");
-    addStudyText(grid, page, tr("Aim"), name, 2, [](StudyDesign& design) -> StudyText& { return design.objective; });
+    addStudyText(grid, page, tr("Aim (required)"), name, 2, [](StudyDesign& design) -> StudyText& { return design.objective; });
     grid.explain(name, tr("One or two sentences: what is to be found out, and what is expected. It is frozen with the study."));
     auto* field = qobject_cast<QPlainTextEdit*>(grid.field(name));
     field->setPlaceholderText(tr("For example: whether tubes of 60 N/m and 120 N/m have the same Weber fraction. We expect no difference."));
@@ -91,11 +91,11 @@ QWidget* GeneralPage::ethicsBox(const DesignPage& page) {
     const kit::Box box = titledBox(theme, tr("Ethics and consent"));
     auto* grid = new FieldGrid(theme, page.app.locale(), page.readOnly);
     StudyDraft& draft = page.draft;
-    grid->text(tr("Ethics approval"), QStringLiteral("design.ethics"), QString::fromStdString(draft.design().ethics), [&draft](const QString& now) {
+    grid->text(tr("Ethics approval (required)"), QStringLiteral("design.ethics"), QString::fromStdString(draft.design().ethics), [&draft](const QString& now) {
         draft.change(GeneralPage::tr("Ethics approval"), QStringLiteral("design.ethics"), [&](StudyDesign& design) { design.ethics = now.trimmed().toStdString(); });
     }, true);
     grid->explain(QStringLiteral("design.ethics"), tr("The committee with the number and date of its approval, or why none is needed. It is frozen with the study."));
-    addStudyText(*grid, page, tr("Consent text"), QStringLiteral("design.consent"), 5, [](StudyDesign& design) -> StudyText& { return design.consent; });
+    addStudyText(*grid, page, tr("Consent text (required)"), QStringLiteral("design.consent"), 5, [](StudyDesign& design) -> StudyText& { return design.consent; });
     grid->explain(QStringLiteral("design.consent"), tr("What participants agree to before their first trial. The text that was shown is stored with each consent."));
     box.layout->addWidget(grid);
     return box.frame;

@@ -60,6 +60,8 @@ PreviewPage::~PreviewPage() {
         m_work->cancel();
 }
 
+bool PreviewPage::working() const { return m_start && !m_start->isEnabled(); }
+
 QWidget* PreviewPage::observerBox() {
     const Theme& theme = m_page.app.theme();
     const kit::Box box = kit::box(theme);

@@ -26,7 +26,8 @@ class PreviewPage final : public QWidget {
     Q_OBJECT
 public:
     explicit PreviewPage(const DesignPage& page, QWidget* parent = nullptr);
-    ~PreviewPage() override;
+    ~PreviewPage() override; ///< cancels what is at work
+    bool working() const;
 
 private:
     QWidget* observerBox();

@@ -309,6 +309,7 @@ void StudyScreen::note() {
 void StudyScreen::showPage() {
     if (!m_holder)
         return;
+    sayPreviewEnds();
     QWidget* before = m_page;
     const QString focused = before && before->isAncestorOf(focusWidget()) ? focusWidget()->objectName() : QString();
     m_page = makePage();
@@ -326,6 +327,11 @@ void StudyScreen::showPage() {
     if (!focused.isEmpty())
         if (auto* again = m_page->findChild<QWidget*>(focused))
             again->setFocus();
+}
+
+void StudyScreen::sayPreviewEnds() {
+    if (const auto* preview = qobject_cast<PreviewPage*>(m_page); preview && preview->working())
+        context().messages().information(tr("The preview was stopped, because its page was left. Nothing of it is kept: press Preview there to calculate it again."));
 }
 
 DesignPage StudyScreen::designPage() { return {context(), m_draft, readOnly(), m_language, m_open.blinding, m_open.masked}; }

@@ -37,6 +37,7 @@ public:
     QString help() const override;
     void enter() override;
     bool mayLeave() override;
+    bool mayLeaveDesign();
     std::vector<ScreenCommand> commands() override;
 
     StudyDraft& draft() { return m_draft; }
@@ -58,6 +59,7 @@ private:
     QWidget* toolRow();
     QWidget* stepRow();
     void showPage();
+    void sayPreviewEnds(); ///< where one is at work on the page that is left
     void showFaults();
     void step(int by);
     void goToField(int tab, int condition, const QString& field);

@@ -100,6 +100,13 @@ void StudyScreen::showState() {
 }
 
 bool StudyScreen::mayLeave() {
+    const bool leaves = mayLeaveDesign();
+    if (leaves)
+        sayPreviewEnds();
+    return leaves;
+}
+
+bool StudyScreen::mayLeaveDesign() {
     if (m_saved || readOnly() || !m_view)
         return true;
     const auto read = catalogue::readStudy(catalogue::studyJson(m_draft.design()), m_open.summary.key);

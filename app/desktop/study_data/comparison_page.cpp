@@ -34,11 +34,14 @@ void ComparisonPage::fill(QVBoxLayout& layout) {
         return say(session_report::comparisonSealed());
     if (!m_facts.comparisons.empty()) {
         layout.addWidget(table());
-        layout.addWidget(kit::label(theme, session_report::comparisonNote(), TextStyle::small, "muted"));
+        layout.addWidget(kit::label(theme, session_report::comparisonNote(session::testsThresholds(m_facts.comparisons)), TextStyle::small, "muted"));
     }
     if (std::any_of(m_facts.apexes.begin(), m_facts.apexes.end(), [](const auto& each) { return each.has_value(); }))
         return say(tr("Weber fractions are compared. The search for an apex has none: its groups tell errors in millimetres."));
-    for (const QString& words : session_report::comparisonSentences(m_facts.rolls, m_facts.comparisons, [this](std::size_t at) { return name(at); })) {
+    auto* rule = kit::label(theme, session_report::groupRule(), TextStyle::small, "muted");
+    rule->setObjectName(QStringLiteral("data.rule"));
+    layout.addWidget(rule);
+    for (const QString& words : session_report::comparisonSentences(m_facts.rolls, m_facts.comparisons, [this](std::size_t at) { return name(at); }, m_app.locale())) {
         auto* notice = kit::notice(theme, "info", words);
         notice->setObjectName(QStringLiteral("data.comparison_missing"));
         layout.addWidget(notice);
@@ -50,7 +53,8 @@ QString ComparisonPage::name(std::size_t condition) const {
 }
 
 QWidget* ComparisonPage::table() {
-    const std::vector<QString> headings = session_report::comparisonHeadings();
+    const bool thresholds = session::testsThresholds(m_facts.comparisons);
+    const std::vector<QString> headings = session_report::comparisonHeadings(thresholds);
     auto* table = new FittedTable(m_app.theme(), static_cast<int>(headings.size()));
     table->setObjectName(QStringLiteral("data.comparison_table"));
     table->setAccessibleName(tr("Conditions compared"));
@@ -58,7 +62,7 @@ QWidget* ComparisonPage::table() {
     table->setRowCount(static_cast<int>(m_facts.comparisons.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
         const session::ComparedConditions& each = m_facts.comparisons[static_cast<std::size_t>(row)];
-        const std::vector<QString> cells = session_report::comparisonRow(each, name(each.first), name(each.second), m_app.locale());
+        const std::vector<QString> cells = session_report::comparisonRow(each, name(each.first), name(each.second), thresholds, m_app.locale());
         for (int column = 0; column < static_cast<int>(cells.size()); ++column)
             table->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
     }

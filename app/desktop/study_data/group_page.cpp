@@ -221,6 +221,9 @@ void GroupPage::addGroupWords(QVBoxLayout& layout) const {
         words->setObjectName(i == 0 ? QStringLiteral("data.group_statement") : QStringLiteral("data.group_missing"));
         layout.addWidget(words);
     }
+    auto* rule = kit::label(theme, session_report::groupRule(), TextStyle::small, "muted");
+    rule->setObjectName(QStringLiteral("data.rule"));
+    layout.addWidget(rule);
 }
 
 } // namespace chiron::desktop

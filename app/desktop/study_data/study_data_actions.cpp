@@ -15,11 +15,40 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
 #include <QPointer>
 #include <QProgressDialog>
 #include <QTimer>
 
 namespace chiron::desktop {
+
+namespace {
+
+/// "study-csv-2", or the next that is free.
+QString freeFolder(const QString& folder) {
+    QString free = folder;
+    for (int n = 2; QFileInfo::exists(free); ++n)
+        free = QStringLiteral("%1-%2").arg(folder).arg(n);
+    return free;
+}
+
+/// The earlier export goes only once the new one is whole; until then it waits beside it.
+core::Result<void> inPlaceOf(const QString& folder, bool replaces, const std::function<core::Result<void>()>& write) {
+    if (!replaces)
+        return write();
+    const QString before = freeFolder(folder + QStringLiteral("-before"));
+    if (!QDir().rename(folder, before))
+        return core::fail(core::ErrorCode::storage, (folder + QStringLiteral(": the earlier export cannot be moved away")).toStdString());
+    auto done = write();
+    if (!done)
+        QDir().rename(before, folder);
+    else if (!QDir(before).removeRecursively())
+        return core::fail(core::ErrorCode::storage, (before + QStringLiteral(": the earlier export cannot be removed; the new one is whole")).toStdString());
+    return done;
+}
+
+} // namespace
 
 QWidget* StudyDataScreen::toolRow() {
     const Theme& theme = context().theme();
@@ -118,19 +147,50 @@ QString StudyDataScreen::written(const QString& where) const {
     return m_facts.study.summary.trials > 0 ? where : where + QLatin1Char(' ') + tr("There are no scored trials yet.");
 }
 
+void StudyDataScreen::chooseFolder(const QString& folder, const std::function<void(const QString&, bool)>& then) {
+    if (!QFileInfo::exists(folder))
+        return then(folder, false);
+    const bool ours = QFileInfo::exists(QDir(folder).filePath(QStringLiteral("dataset_description.json")));
+    auto* box = new QMessageBox(QMessageBox::Question, title(), tr("%1 is there already.").arg(QDir::toNativeSeparators(folder)), QMessageBox::NoButton, window());
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setObjectName(QStringLiteral("data.there"));
+    box->setInformativeText(ours ? tr("It is an earlier export. You can replace it with the data as they are now, or keep it and write the new export beside it.")
+                                 : tr("It is no export of a study, so it is not replaced. You can write the export beside it."));
+    QPushButton* cancel = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
+    cancel->setObjectName(QStringLiteral("data.there.cancel"));
+    QPushButton* replace = ours ? box->addButton(tr("Replace"), QMessageBox::DestructiveRole) : nullptr;
+    if (replace)
+        replace->setObjectName(QStringLiteral("data.there.replace"));
+    QPushButton* beside = box->addButton(tr("Write beside it"), QMessageBox::AcceptRole);
+    beside->setObjectName(QStringLiteral("data.there.beside"));
+    box->setDefaultButton(beside);
+    box->setEscapeButton(cancel);
+    connect(box, &QMessageBox::buttonClicked, this, [this, folder, then, replace, beside](const QAbstractButton* pressed) {
+        if (pressed == beside)
+            then(freeFolder(folder), false);
+        else if (replace && pressed == replace)
+            then(folder, true);
+        else
+            context().messages().information(tr("Nothing was exported. %1 is as it was.").arg(QDir::toNativeSeparators(folder)));
+    });
+    box->open();
+}
+
 void StudyDataScreen::exportCsvTo(const QString& parent) {
-    const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv"));
-    const ExportWords words{tr("Writing the tables …"), written(tr("The tables were written to %1.").arg(folder)), tr("The tables could not be written.")};
-    exportTo(words, [study = m_study, folder](database::Connection&, database::StudyReader& reader) {
-        return session::exportStudyCsv(reader, study, folder.toStdString());
+    chooseFolder(QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-csv")), [this](const QString& folder, bool replaces) {
+        const ExportWords words{tr("Writing the tables …"), written(tr("The tables were written to %1.").arg(folder)), tr("The tables could not be written.")};
+        exportTo(words, [study = m_study, folder, replaces](database::Connection&, database::StudyReader& reader) {
+            return inPlaceOf(folder, replaces, [&] { return session::exportStudyCsv(reader, study, folder.toStdString()); });
+        });
     });
 }
 
 void StudyDataScreen::exportBidsTo(const QString& parent) {
-    const QString folder = QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids"));
-    const ExportWords words{tr("Writing the BIDS dataset …"), written(tr("The BIDS dataset was written to %1.").arg(folder)), tr("The BIDS dataset could not be written.")};
-    exportTo(words, [study = m_study, folder, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
-        return session::exportStudyBids(reader, connection, actor, study, folder.toStdString());
+    chooseFolder(QDir(parent).filePath(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral("-bids")), [this](const QString& folder, bool replaces) {
+        const ExportWords words{tr("Writing the BIDS dataset …"), written(tr("The BIDS dataset was written to %1.").arg(folder)), tr("The BIDS dataset could not be written.")};
+        exportTo(words, [study = m_study, folder, replaces, actor = context().actor()](database::Connection& connection, database::StudyReader& reader) {
+            return inPlaceOf(folder, replaces, [&] { return session::exportStudyBids(reader, connection, actor, study, folder.toStdString()); });
+        });
     });
 }
 
@@ -153,7 +213,7 @@ void StudyDataScreen::exportPdfTo(const QString& file) {
     core::Result<void> done;
     if (connection) {
         database::StudyReader reader(**connection, context().actor());
-        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString());
+        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString(), {.withShown = m_withShown});
     } else {
         done = tl::unexpected(connection.error());
     }

@@ -20,11 +20,16 @@
 
 namespace chiron::desktop {
 
+namespace {
+constexpr auto kWithShown = "study_data_with_shown";
+}
+
 StudyDataScreen::StudyDataScreen(AppContext& context, const Place& place)
     : Screen(context, place), m_study(place.parameters.value(QStringLiteral("study")).toLongLong()),
       m_tab(std::clamp(place.parameters.value(QStringLiteral("tab")).toInt(), 0, tabs - 1)),
       m_condition(static_cast<std::size_t>(place.parameters.value(QStringLiteral("condition")).toUInt())),
-      m_run(place.parameters.value(QStringLiteral("run")).toLongLong()) {
+      m_run(place.parameters.value(QStringLiteral("run")).toLongLong()),
+      m_withShown(context.settings().ofPerson(context.actor().personId(), QString::fromLatin1(kWithShown), false).toBool()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     m_panel = new StatePanel(context.theme());
@@ -153,17 +158,6 @@ QWidget* StudyDataScreen::headRow() {
     });
     column->addWidget(kit::label(theme, title(), TextStyle::heading));
     column->addWidget(choice);
-    if (m_facts.anyShown) {
-        auto* shown = new QCheckBox(tr("Groups include runs with force shown, not felt"));
-        shown->setObjectName(QStringLiteral("data.with_shown"));
-        shown->setFont(theme.font(TextStyle::body));
-        shown->setChecked(m_withShown);
-        connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
-            m_withShown = checked;
-            load();
-        });
-        column->addWidget(shown);
-    }
     const database::StudySummary& study = m_facts.study.summary;
     QStringList words{study_words::state(study.state), tr("SHA-256 %1").arg(study_words::shortSha(study.sha256)),
                       tr("%n participant(s)", nullptr, study.participants), tr("%n scored trial(s)", nullptr, study.trials)};
@@ -172,7 +166,25 @@ QWidget* StudyDataScreen::headRow() {
     auto* facts = kit::label(theme, words.join(QStringLiteral(" · ")), TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("data.facts"));
     column->addWidget(facts);
+    if (!m_facts.sealed) // nothing of a group is shown there
+        column->addWidget(shownChoice());
     return head;
+}
+
+/// Always in sight, since it decides what every value on the pages is of; kept for whoever chose it.
+QWidget* StudyDataScreen::shownChoice() {
+    auto* shown = new QCheckBox(tr("Groups include runs with force shown, not felt"));
+    shown->setObjectName(QStringLiteral("data.with_shown"));
+    shown->setFont(context().theme().font(TextStyle::body));
+    shown->setToolTip(m_facts.anyShown ? tr("It applies to every page here and to the PDF, and is remembered.")
+                                       : tr("No run of this study was shown and not felt, so it changes nothing here. It is remembered."));
+    shown->setChecked(m_withShown);
+    connect(shown, &QCheckBox::clicked, this, [this](bool checked) {
+        m_withShown = checked;
+        context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kWithShown), checked);
+        load();
+    });
+    return shown;
 }
 
 void StudyDataScreen::note() {

@@ -47,6 +47,7 @@ private:
     void loaded(core::Result<StudyFacts> facts);
     void build();
     QWidget* headRow();
+    QWidget* shownChoice();
     ApexPage* listening(ApexPage* page);
     void showPage();
     void note();
@@ -54,6 +55,8 @@ private:
     // study_data_actions.cpp
     QWidget* toolRow();
     void askUnblind();
+    /// Where `folder` is there already: asks whether it is replaced, or kept beside the new one.
+    void chooseFolder(const QString& folder, const std::function<void(const QString& folder, bool replaces)>& then);
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
     bool mayExport();
@@ -72,7 +75,7 @@ private:
     database::StudyRunNumber m_run;
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
-    bool m_withShown = false;
+    bool m_withShown; ///< remembered of whoever is logged in
     bool m_exporting = false; ///< a folder is being written
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;

@@ -4,6 +4,7 @@
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 
+#include <QKeyEvent>
 #include <QProgressBar>
 #include <cmath>
 
@@ -69,6 +70,14 @@ void BreakPanel::countDown(double left_s, double of_s) {
 void BreakPanel::focusButton() {
     if (m_button->isVisibleTo(this))
         m_button->setFocus(Qt::OtherFocusReason);
+}
+
+void BreakPanel::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && m_button->isVisibleTo(this) && m_button->isEnabled() && !m_more->hasFocus())
+        m_button->click();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 } // namespace chiron::desktop

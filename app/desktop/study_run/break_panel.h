@@ -29,6 +29,9 @@ signals:
     void acted();
     void moreAsked();
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override; ///< Enter, on the button
+
 private:
     QLabel* m_title;
     QLabel* m_text;

@@ -2,6 +2,8 @@
 #include "desktop/study_run/run_screen.h"
 
 #include "desktop/sound/sound_loader.h"
+#include "desktop/studies/consent_dialog.h"
+#include "desktop/studies/enrol_dialog.h"
 #include "desktop/studies/participant_progress.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
@@ -183,18 +185,15 @@ QWidget* RunScreen::participantBox() {
     const ParticipantRow* row = participant();
     if (!row) {
         box.layout->addWidget(kit::label(theme, tr("Nobody is enrolled yet."), TextStyle::title));
-        auto* enrol = kit::button(theme, tr("Enrol somebody"), "primary", QStringLiteral("list-add-user"));
-        enrol->setObjectName(QStringLiteral("run.enrol"));
-        connect(enrol, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
-        box.layout->addWidget(enrol, 0, Qt::AlignLeft);
+        addEnrol(*box.layout, true);
         return box.frame;
     }
     box.layout->addWidget(kit::label(theme, m_participant, TextStyle::heading));
     if (row->participant.state == database::ParticipantState::enrolled) {
-        box.layout->addWidget(kit::notice(theme, "warning", tr("Consent is missing. Record it under the study's participants first.")));
-        auto* consent = kit::button(theme, tr("Open the participants"), "primary");
+        box.layout->addWidget(kit::notice(theme, "warning", tr("Consent is missing. Nothing can be begun before it is recorded.")));
+        auto* consent = kit::button(theme, tr("Record the consent …"), "primary", QStringLiteral("document-edit"));
         consent->setObjectName(QStringLiteral("run.consent"));
-        connect(consent, &QPushButton::clicked, this, [this] { context().navigator().go(QStringLiteral("study"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
+        connect(consent, &QPushButton::clicked, this, [this, who = row->participant] { askConsent(who); });
         box.layout->addWidget(consent, 0, Qt::AlignLeft);
         return box.frame;
     }
@@ -231,7 +230,32 @@ QWidget* RunScreen::participantBox() {
         step->setObjectName(QStringLiteral("run.next_step"));
         box.layout->addWidget(step);
     }
+    addEnrol(*box.layout, !offered);
     return box.frame;
+}
+
+/// Whoever has just seen somebody off needs the next one, here and not on another page.
+void RunScreen::addEnrol(QVBoxLayout& layout, bool first) {
+    if (study()->summary.state != database::StudyState::frozen)
+        return; // a closed study takes nobody in
+    auto* button = kit::button(context().theme(), participant() ? tr("Enrol the next participant …") : tr("Enrol somebody …"), first ? "primary" : "", QStringLiteral("list-add-user"));
+    button->setObjectName(QStringLiteral("run.enrol"));
+    connect(button, &QPushButton::clicked, this, &RunScreen::enrol);
+    layout.addWidget(button, 0, Qt::AlignLeft);
+}
+
+void RunScreen::enrol() {
+    auto* dialog = new EnrolDialog(context(), *study(), window());
+    connect(dialog, &EnrolDialog::enrolledAs, this, [this](const QString& code) { m_participant = code; });
+    connect(dialog, &EnrolDialog::changed, this, &RunScreen::load);
+    connect(dialog, &EnrolDialog::consentAsked, this, &RunScreen::askConsent);
+    dialog->open();
+}
+
+void RunScreen::askConsent(const database::Participant& participant) {
+    auto* dialog = new ConsentDialog(context(), *study(), participant, window());
+    connect(dialog, &ConsentDialog::changed, this, &RunScreen::load);
+    dialog->open();
 }
 
 QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next) {

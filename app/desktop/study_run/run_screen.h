@@ -41,6 +41,9 @@ private:
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
     QWidget* participantBox();
+    void addEnrol(QVBoxLayout& layout, bool first); ///< `first`: nothing else is left to do here
+    void enrol();
+    void askConsent(const database::Participant& participant);
     QWidget* soundNotice(); ///< of a study with masking sound on a machine that plays none; else null
     QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next);
     /// `run`: of the condition that is asked about, at `position`; null: asked once.

@@ -67,7 +67,7 @@ std::vector<ControlHint> studyControls(Task task, Attribute attribute, const Stu
 }
 
 QString studyKeys(Task, Attribute, const StudyHand& hand) {
-    const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly.");
+    const QString always = Words::tr("Space pauses. Esc stops force at once, and R brings it back slowly; Esc again asks whether to stop.");
     return hand.pointer ? Words::tr("%1 T frees the pointer, so that the answers can be clicked as well; a click in the scene takes it back and answers nothing.").arg(always)
                         : Words::tr("%1 The answers can be clicked as well.").arg(always);
 }

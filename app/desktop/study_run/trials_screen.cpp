@@ -32,6 +32,7 @@ using State = session::LiveStudyView::State;
 
 namespace {
 constexpr int kFrame_ms = 16;
+constexpr int kOnePress_ms = 600;      // shorter than the time between two trials, longer than a double press takes
 constexpr double kFreeMinute_s = 60.0; // long enough to try every control, short enough not to tire
 }
 
@@ -73,7 +74,7 @@ void TrialsScreen::begin() {
     }
     request.measuredDelay_s = measuredDelay_s(context().settings(), station->tools.front().device->descriptor());
     request.station = std::move(*station);
-    request.freeMinute_s = kFreeMinute_s;
+    request.freeMinute_s = place().parameters.value(QStringLiteral("free_minute_s"), kFreeMinute_s).toDouble();
     request.waitsAfterPractice = true;
     request.language = context().language().toStdString();
     request.nextStation = [] { return session::keyboardMouseStation(); };
@@ -100,22 +101,27 @@ void TrialsScreen::begin() {
 void TrialsScreen::showInstructions() {
     if (m_live->view().firstPart)
         return showWholeInstructions();
-    m_break->say(tr("The next part"), furtherPartText(), tr("Continue"));
+    m_break->say(tr("The next part"), furtherPartText(), tr("Continue (Enter)"));
     m_break->offer(tr("Read the whole instruction again"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
 }
 
-/// What stays the same, and what is different only as far as the instructions say it to participants.
+/// What the design says of it: what is the same, and what may differ. What else a researcher does otherwise (a glove, another hand) the design does not know,
+/// and nothing here denies it.
 QString TrialsScreen::furtherPartText() const {
     const session::ParticipantView study = session::participantView(m_live->design());
-    const bool differs = std::any_of(study.parts.begin(), study.parts.end(), [&](const session::PartView& part) {
-        return part.task != study.parts.front().task || part.apex() != study.parts.front().apex();
-    });
+    const auto anyOther = [&](const auto& same) {
+        return std::any_of(study.parts.begin(), study.parts.end(), [&](const session::PartView& part) { return !same(part, study.parts.front()); });
+    };
+    const bool differs = anyOther([](const session::PartView& a, const session::PartView& b) { return a.task == b.task && a.attribute == b.attribute; });
+    const bool otherNumber = anyOther([](const session::PartView& a, const session::PartView& b) { return a.trialsAtMost == b.trialsAtMost && a.trialsFixed == b.trialsFixed; });
     QStringList said;
-    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and how you answer it. Everything else stays the same.")
-                     : tr("You explore and answer as in the part before. Nothing changes in what you do."));
+    said << (differs ? tr("What you do may differ from the part before: the next page shows the question and how you answer it.")
+                     : tr("You explore and answer as in the part before, unless the experimenter tells you otherwise."));
+    if (otherNumber)
+        said << tr("The number of trials may be another.");
     const auto part = std::find_if(study.parts.begin(), study.parts.end(), [&](const session::PartView& each) { return each.condition == m_live->condition().id; });
     if (part != study.parts.end() && part->practice > 0 && m_live->view().tryLeft_s > 0.0)
         said << tr("It begins with %n practice trial(s), which do not count.", nullptr, part->practice);
@@ -123,7 +129,7 @@ QString TrialsScreen::furtherPartText() const {
 }
 
 void TrialsScreen::showWholeInstructions() {
-    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Continue"));
+    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Continue (Enter)"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
@@ -156,6 +162,7 @@ void TrialsScreen::go() {
     if (!running() || m_begun)
         return;
     m_begun = true;
+    m_wentOn.start();
     m_break->say(tr("One moment …"), {}, {});
     m_stage->setCurrentWidget(m_break); // until the scene is there, which then takes focus and pointer
     m_card->hide();
@@ -202,6 +209,7 @@ void TrialsScreen::onBreakButton() {
             showCard();
         return;
     }
+    m_wentOn.start();
     switch (m_live->view().state) {
     case State::tried:
         m_live->endTrying();
@@ -225,12 +233,25 @@ void TrialsScreen::onBreakButton() {
     }
 }
 
-/// Enter, where no button has the focus. What came by itself in the middle of an answer takes a press of its button, or R.
-void TrialsScreen::goOnByKey() {
+bool TrialsScreen::isPage() const { return m_page->isVisible() && (m_stage->currentWidget() == m_break || (m_card && m_stage->currentWidget() == m_card)); }
+
+/// A key that comes with the page was meant for what was there before it, and a second press for the page before: neither answers anything.
+/// Where the experimenter is to come, or force was taken away, going on is not the only thing to do.
+bool TrialsScreen::goOnByKey() {
+    if (m_wentOn.isValid() && m_wentOn.elapsed() < kOnePress_ms)
+        return true;
+    if (!isPage())
+        return false;
+    if (m_pageCame.isValid() && m_pageCame.elapsed() < kOnePress_ms)
+        return true;
     const State state = m_live ? m_live->view().state : State::starting;
-    if (m_begun && (state == State::tried || state == State::needsExperimenter || state == State::stopped))
-        return;
-    onBreakButton();
+    if (m_begun && (state == State::needsExperimenter || state == State::stopped || state == State::starting))
+        return true;
+    if (m_card)
+        go();
+    else
+        onBreakButton();
+    return true;
 }
 
 void TrialsScreen::answer(int answer, std::optional<double> value) {
@@ -249,10 +270,7 @@ void TrialsScreen::mark() {
 void TrialsScreen::pauseOrResume() {
     if (!running() || !m_begun || m_live->view().state == State::stopped)
         return; // that takes R; and before it has begun, the card
-    if (m_live->view().state == State::paused)
-        onBreakButton();
-    else
-        m_live->pause();
+    m_live->view().state == State::paused ? m_live->resume() : m_live->pause();
 }
 
 /// While the instructions are read nothing is rendered; and who has stopped force already wants more.

@@ -7,6 +7,7 @@
 #include "desktop/training/sound_cue_player.h"
 #include "session/study/live_sitting.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -34,7 +35,8 @@ class StatePanel;
 /// scene in which an apex is looked for) fills a window of its own where there is a second screen, and the experimenter's desk this one; with
 /// one screen the page fills this window, and the desk comes in its place for the experimenter alone: where the study blinds anybody with
 /// their password. Each trial is stored as it is answered; leaving keeps the run, which is resumed at the trial. Place: {study, participant,
-/// condition}; without a condition the participant's next one; with "one_screen" true a second screen is left alone. GUI thread.
+/// condition}; without a condition the participant's next one; with "one_screen" true a second screen is left alone; "free_minute_s" is another length of the
+/// free minute. GUI thread.
 class TrialsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -54,6 +56,9 @@ public:
 
     /// Why the device is not taken, in the language of the program; empty where it is refused for something else.
     static QString refusalWords(const session::SittingError& error, const QLocale& locale);
+
+    /// Why a trial does not count, as a participant is told it; whether an answer was right is not in it. `pulls`: objects are taken hold of.
+    static QString repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale);
 
 private:
     // trials_screen_build.cpp
@@ -80,7 +85,8 @@ private:
     QString stoppedText() const;
     QString triedText() const;
     QString trialText(const session::LiveStudyView& view) const; ///< "Trial 3 of 12"; nothing of how the procedure stands
-    QString untouchedText(const session::LiveStudyView& view) const;
+    QString repeatedText(const session::LiveStudyView& view) const;
+    QString comesAgainText() const;
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
@@ -109,7 +115,8 @@ private:
     void stripAction(); ///< the free minute, or the feedback of practice, was long enough
     void poll();
     void onBreakButton();
-    void goOnByKey();
+    bool goOnByKey(); ///< Enter or Space, on a page where going on is the only thing to do; false where the key means something else
+    bool isPage() const; ///< something to read, no trial
     void answer(int answer, std::optional<double> value);
     void mark(); ///< "here it is", of an apex
     void pauseOrResume();
@@ -139,6 +146,7 @@ private:
     QPushButton* m_leave = nullptr;
     ReadyCard* m_card = nullptr;
     QLabel* m_strip = nullptr;
+    QLabel* m_repeated = nullptr; ///< why the trial before did not count; empty where it did
     QPushButton* m_takeBack = nullptr;
     QPushButton* m_enough = nullptr;
     QStackedWidget* m_stage = nullptr;
@@ -165,6 +173,8 @@ private:
     bool m_asking = false;
     bool m_begun = false; ///< the instructions were read
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
+    QElapsedTimer m_pageCame; ///< by itself, where something else was at hand
+    QElapsedTimer m_wentOn;   ///< by a key
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;
     int m_sessions = 0; ///< whose pointer is connected

@@ -19,6 +19,7 @@
 #include "desktop/widgets/state_panel.h"
 #include "modules/exercises/comparison/simulation/comparison_parameters.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QProgressBar>
 #include <QStackedWidget>
@@ -128,7 +129,8 @@ QWidget* TrialsScreen::buildHead() {
     m_call->setObjectName(QStringLiteral("trials.experimenter"));
     connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
     row->addWidget(m_call);
-    m_stop = kit::button(theme, tr("Stop …"), "", QStringLiteral("media-playback-stop"));
+    m_stop = kit::button(theme, tr("Stop … (Esc twice)"), "", QStringLiteral("media-playback-stop"));
+    m_stop->setToolTip(tr("Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer."));
     m_stop->setObjectName(QStringLiteral("trials.stop"));
     connect(m_stop, &QPushButton::clicked, this, &TrialsScreen::askToStop);
     row->addWidget(m_stop);
@@ -147,6 +149,10 @@ QWidget* TrialsScreen::buildStage() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
     column->addWidget(buildStrip());
+    m_repeated = kit::label(theme, {}, TextStyle::body, "warning");
+    m_repeated->setObjectName(QStringLiteral("trials.repeated"));
+    m_repeated->setMinimumHeight(m_repeated->fontMetrics().height()); // its room is there while it is empty: nothing moves
+    column->addWidget(m_repeated);
     m_stage->addWidget(m_trial);
     return m_stage;
 }
@@ -242,12 +248,17 @@ void TrialsScreen::buildPlaces() {
 void TrialsScreen::buildKeys() {
     m_keys = new KeyFilter(*m_page); // wherever the page is: keys typed at the desk are no answers
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
-    connect(m_keys, &KeyFilter::pauseAsked, this, &TrialsScreen::pauseOrResume);
+    connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
+        if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isPage())
+            button->click(); // Space, as Enter, on the button that has the focus
+        else if (!goOnByKey())
+            pauseOrResume();
+    });
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {
-        if (m_stage->currentWidget() == m_break)
-            goOnByKey();
-        else if (!m_enough->isHidden())
+        if (!m_page->isVisible() || goOnByKey()) // keys at the desk are no answers
+            return;
+        if (!m_enough->isHidden())
             stripAction();
         else if (m_answers)
             m_answers->enterKey();

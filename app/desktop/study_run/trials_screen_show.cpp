@@ -47,8 +47,10 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         showScene(view);
     } else {
         const bool comes = m_stage->currentWidget() != m_break;
-        if (comes)
+        if (comes) {
             freePointer();
+            view.state == State::paused ? m_pageCame.invalidate() : m_pageCame.start();
+        }
         showBreak(view);
         if (comes && view.state != State::paused)
             m_page->setFocus(Qt::OtherFocusReason); // it came by itself: a key that was meant for the trial presses no button
@@ -91,6 +93,7 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
                      : view.mayTakeBack ? tr("Practice: this answer does not count. If it was a slip, take it back.")
                      : view.practice    ? tr("Practice: nothing counts yet.")
                                         : trialText(view));
+    m_repeated->setText(trying || view.practice ? QString() : repeatedText(view));
     m_takeBack->setVisible(view.mayTakeBack);
     m_enough->setText(trying ? tr("I am ready (Enter)") : tr("Next (Enter)"));
     m_enough->setVisible(trying || view.mayTakeBack);
@@ -126,6 +129,11 @@ static QString harderWords(const session::LiveStudyView& view, bool pulls, const
                  : TrialsScreen::tr("Press a little harder on %1: at least %2 N.").arg(namesOfPlaces(view, here), force);
 }
 
+static QString untouchedWords(double probe_N, const QLocale& locale) {
+    return probe_N > 0.0 ? TrialsScreen::tr("Not every object was felt with at least %1 N in time.").arg(study_words::plainNumber(probe_N, locale))
+                         : TrialsScreen::tr("Not every object was touched in time.");
+}
+
 /// What the hand has to do otherwise. `pulls`: objects are taken hold of.
 static QString handWords(const std::string& did, bool pulls) {
     if (did == "speed")
@@ -133,9 +141,29 @@ static QString handWords(const std::string& did, bool pulls) {
     return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.") : TrialsScreen::tr("You pressed too hard. Press more gently.");
 }
 
-QString TrialsScreen::untouchedText(const session::LiveStudyView& view) const {
-    return view.probe_N > 0.0 ? tr("Not every object was felt with at least %1 N in time.").arg(study_words::plainNumber(view.probe_N, context().locale()))
-                              : tr("Not every object was touched in time.");
+/// Where the procedure goes from answer to answer the same objects come at once; a list is gone on with, and has them later.
+QString TrialsScreen::comesAgainText() const {
+    return m_apex || session::trialsAreFixed(m_live->condition()) ? tr("It comes again later.") : tr("The same objects come again.");
+}
+
+/// A participant is told the kind of reason: what they can mend, or that it was not their doing. Which limit was passed is the experimenter's to read.
+QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale) {
+    if (reason == "untouched")
+        return untouchedWords(probe_N, locale);
+    if (reason == "speed" || reason == "peak_force")
+        return handWords(reason, pulls);
+    if (reason == "time")
+        return tr("No answer came in time.");
+    if (reason == "experimenter")
+        return tr("The experimenter took it out.");
+    return tr("The device did not work accurately enough in it. That was not your doing.");
+}
+
+QString TrialsScreen::repeatedText(const session::LiveStudyView& view) const {
+    if (view.repeated.empty())
+        return {};
+    const bool pulls = !m_apex && isTakenHold(m_live->condition().stimulus.attribute);
+    return tr("The last trial did not count. %1 %2").arg(repeatedWords(view.repeated, pulls, view.probe_N, context().locale()), comesAgainText());
 }
 
 QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
@@ -143,9 +171,11 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::trying:
         return tr("The answers are here. They are taken once the trials begin.");
     case State::coming:
+        if (!repeatedText(view).isEmpty()) // the line above says what became of them
+            return tr("The next objects are coming. Lift the tool off.");
         if (!view.hand.empty())
             return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
-        return view.again ? tr("%1 These objects come again. Lift the tool off.").arg(untouchedText(view)) : tr("The next objects are coming. Lift the tool off.");
+        return view.again ? tr("%1 These objects come again. Lift the tool off.").arg(untouchedWords(view.probe_N, context().locale())) : tr("The next objects are coming. Lift the tool off.");
     case State::arming:
         return tr("Force is starting. Hold still for a moment.");
     case State::feedback:
@@ -202,7 +232,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
 /// Why the supervisor took force away, where nobody stopped it.
 QString TrialsScreen::stoppedText() const {
     const haptics::DisplayState& state = m_live->training().display().latest();
-    const QString kept = tr("The clock stands still and everything so far is kept.");
+    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.");
     if (state.force != core::ForceState::fault)
         return kept;
     return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;
@@ -222,15 +252,15 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("One moment …"), {}, {});
         break;
     case State::tried:
-        m_break->say(tr("The free minute is over"), triedText(), tr("Continue"));
+        m_break->say(tr("The free minute is over"), triedText(), tr("Continue (Enter)"));
         break;
     case State::practised:
-        m_break->say(tr("Practice is over"), tr("From now on every answer counts. Press Continue when you are ready."), tr("Continue"));
+        m_break->say(tr("Practice is over"), tr("From now on every answer counts. Press Continue when you are ready."), tr("Continue (Enter)"));
         break;
     case State::breakDue:
         m_break->say(tr("Break"), view.breakLeft_s > 0.0 ? tr("Rest your hand. You can continue in %n second(s).", nullptr, static_cast<int>(std::ceil(view.breakLeft_s)))
                                                            : tr("Continue when you are ready."),
-                     tr("Continue"));
+                     tr("Continue (Enter)"));
         break;
     case State::needsExperimenter:
         m_break->say(tr("Please ask the experimenter"),
@@ -245,7 +275,7 @@ void TrialsScreen::showBreak(const session::LiveStudyView& view) {
         m_break->say(tr("Force is stopped"), stoppedText(), tr("Re-arm (R)"));
         break;
     case State::paused:
-        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Continue"));
+        m_break->say(tr("Paused"), tr("Everything so far is kept."), tr("Continue (Enter)"));
         break;
     default:
         m_break->say(tr("Thank you"), tr("Please call the experimenter."), {});

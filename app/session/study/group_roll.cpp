@@ -53,7 +53,7 @@ Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed) 
         return Presence::unfinished;
     if (hasWarning(estimate.warnings, WarningKind::allRight))
         return Presence::allRight;
-    if (hasWarning(estimate.warnings, WarningKind::chance) || hasWarning(estimate.warnings, WarningKind::priorEdgeHigh))
+    if (hasWarning(estimate.warnings, WarningKind::priorEdgeHigh))
         return Presence::guessing;
     return usable == psychophysics::Usable::priorMadeIt ? Presence::unbounded : Presence::noValue;
 }

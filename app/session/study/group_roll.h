@@ -21,7 +21,7 @@ enum class Presence : std::uint8_t {
     noAnswers,  ///< begun, and no answer counts yet
     unfinished, ///< no value, and the run was broken off: its few answers say nothing of the participant yet
     allRight,   ///< no value: the threshold is below what was presented
-    guessing,   ///< no value: it may be above what was presented
+    guessing,   ///< no value: the answers, as guesses would, leave open how large the threshold is
     unbounded,  ///< no value for another reason: the prior made it
     noValue,    ///< the answers give none
     shown,      ///< left out: objects were shown, not felt

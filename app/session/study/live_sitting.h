@@ -65,6 +65,8 @@ struct LiveStudyView {
     std::uint32_t grazed = 0;   ///< places that were in contact in this trial, however lightly, one bit each
     double probe_N = 0.0;       ///< a place counts as touched once its object answered with so much; 0: at any touch
     bool again = false;         ///< the trial before did not count, as its objects were gone before all were touched: it comes again
+    /// Why the trial before, which was no practice, did not count; told while the next one runs. Of any answer, right or wrong, it says nothing.
+    std::string repeated;
     std::string hand; ///< what the hand did in the trial before, for which it does not count: "peak_force" or "speed"; else empty
     bool mayTakeBack = false;   ///< an answer of practice, while its feedback is shown
     double tryLeft_s = 0.0;     ///< of the free minute

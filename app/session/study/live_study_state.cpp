@@ -122,6 +122,7 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     view.right.reset();
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
     view.again = trial.spoiled == "untouched";
+    view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
     view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled); // practice was told with its feedback, and does not come again
     if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
         view.right = trial.answer == correct;

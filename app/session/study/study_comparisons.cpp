@@ -38,11 +38,13 @@ RunEstimate together(const std::vector<const RunEstimate*>& runs) {
     return result;
 }
 
-/// By participant; of those whom the group is of.
+/// By participant; of those whom the group's value uses.
 std::map<std::string, RunEstimate> byParticipant(const AnalysedCondition& condition) {
     std::map<std::string, std::vector<const RunEstimate*>> runs;
     for (const psychophysics::GroupMember& member : condition.group.members) {
         const AnalysedRun& run = condition.runs[static_cast<std::size_t>(member.index)];
+        if (run.presence != Presence::used)
+            continue;
         runs[run.participant.code].push_back(&run.estimate);
     }
     std::map<std::string, RunEstimate> people;
@@ -83,6 +85,10 @@ psychophysics::Task taskOf(const StudyAnalysis& study, std::size_t condition) {
 bool adapts(const psychophysics::Condition& condition) {
     return std::any_of(condition.procedures.begin(), condition.procedures.end(),
                        [](const psychophysics::ProcedureSpec& spec) { return !psychophysics::kindFor(spec).trialsAreFixed(); });
+}
+
+bool testsThresholds(const std::vector<ComparedConditions>& compared) {
+    return std::any_of(compared.begin(), compared.end(), [](const ComparedConditions& each) { return std::isfinite(each.models.pValue); });
 }
 
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed) {

@@ -23,8 +23,11 @@ struct ComparedConditions {
 /// Whether answers decide which difference comes next.
 bool adapts(const psychophysics::Condition& condition);
 
-/// Every two conditions whose groups give a Weber fraction, of those people whom the groups are of: paired by participant where at least two have done
-/// both, else as two groups. A participant with several runs of a condition counts once: the geometric mean of what they say. None while the
+/// Whether any of them could test separate thresholds: of adaptive procedures none does.
+bool testsThresholds(const std::vector<ComparedConditions>& compared);
+
+/// Every two conditions whose groups give a Weber fraction, of those people whom the groups' values use (Presence::used): paired by participant where at
+/// least two have a value in both, else as two groups of those who have one in only one of them. A participant with several runs of a condition counts once: the geometric mean of what they say. None while the
 /// study is blinded: a difference that is watched as it grows is not a test any more.
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed);
 

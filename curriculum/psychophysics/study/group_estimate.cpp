@@ -37,7 +37,7 @@ bool hasWeber(const RunEstimate& run) {
 }
 
 LogWeber logWeberOf(const RunEstimate& run) {
-    if (!hasWeber(run) || priorMadeIt(run))
+    if (!hasWeber(run) || usableInGroup(run) != Usable::yes) // of numbers said there is none
         return {};
     const double low = std::log10(run.weber95.low);
     const double high = std::log10(run.weber95.high);

@@ -8,7 +8,8 @@
 
 namespace chiron::psychophysics {
 
-/// Whether an estimate counts in its group's value, or why it does not.
+/// Whether an estimate counts in its group's value and in comparisons, or why it does not: the one rule for both. What decides is whether the answers
+/// bound the value at both ends; other warnings (few trials, answers that could be guesses) leave nobody out, since the interval tells as much.
 enum class Usable : std::uint8_t {
     yes,
     noValue,     ///< no Weber fraction above zero with an interval; of numbers said no exponent

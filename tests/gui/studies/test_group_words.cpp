@@ -5,6 +5,7 @@
 #include "session/study/study_analysis.h"
 #include "session_report/group_words.h"
 #include "session_report/marked_estimates.h"
+#include "session_report/study_comparison_words.h"
 
 #include <QtTest>
 
@@ -48,6 +49,8 @@ private slots:
     void whyARunIsNotUsed();
     void theGroupAgreesWithItsRoll();
     void comparisonsSayWhatTheyWaitFor();
+    void whatAComparisonLacksIsSaid();
+    void oneRuleForGroupsAndComparisons();
     void doubtIsSeen();
 };
 
@@ -143,20 +146,78 @@ void TestGroupWords::theGroupAgreesWithItsRoll() {
 void TestGroupWords::comparisonsSayWhatTheyWaitFor() {
     using session_report::comparisonSentences;
     const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}});
-    QStringList said = comparisonSentences({soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf);
+    QStringList said = comparisonSentences({soft, rollOf({{"A", Presence::notBegun}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
     QVERIFY2(said.front().contains(QStringLiteral("“Stiff” has no group value")), qPrintable(said.front()));
     QVERIFY(said.join(u' ').contains(QStringLiteral("A is not in this comparison (“Soft”: in the group value; “Stiff”: not begun)")));
     QVERIFY(said.join(u' ').contains(QStringLiteral("B is not in this comparison (“Soft”: in the group value; “Stiff”: every answer was right)")));
-    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf);
-    QVERIFY2(said.front().contains(QStringLiteral("only A has a usable value in both")), qPrintable(said.front()));
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::allRight}})}, {}, nameOf, kEnglish);
+    QVERIFY2(said.front().contains(QStringLiteral("only A has a value in both")), qPrintable(said.front()));
     session::ComparedConditions paired{0, 1, {}, {}};
-    QVERIFY(comparisonSentences({soft, soft}, {paired}, nameOf).isEmpty());
-    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired}, nameOf);
+    QVERIFY(comparisonSentences({soft, soft}, {paired}, nameOf, kEnglish).isEmpty());
+    said = comparisonSentences({soft, rollOf({{"A", Presence::used}, {"B", Presence::shown}})}, {paired}, nameOf, kEnglish);
     QCOMPARE(said.size(), 1); // it is there, and says who is not in it
     QVERIFY(said.front().startsWith(QStringLiteral("B is not in this comparison")));
     session::ComparedConditions groups{0, 1, {}, {}};
     groups.weber.paired = false;
-    QVERIFY(comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::notBegun}}), rollOf({{"A", Presence::notBegun}, {"B", Presence::used}})}, {groups}, nameOf).isEmpty());
+    groups.weber.pValue = 0.5;
+    QVERIFY(comparisonSentences({rollOf({{"A", Presence::used}, {"B", Presence::notBegun}}), rollOf({{"A", Presence::notBegun}, {"B", Presence::used}})}, {groups}, nameOf, kEnglish).isEmpty());
+}
+
+/// A dash has its reason, and whoever is in both of two groups that are compared is told why they are in neither.
+void TestGroupWords::whatAComparisonLacksIsSaid() {
+    session::ComparedConditions groups{0, 1, {}, {}};
+    groups.weber.paired = false;
+    groups.weber.first = 1;
+    groups.weber.second = 2;
+    const auto soft = rollOf({{"A", Presence::used}, {"B", Presence::used}, {"C", Presence::notBegun}, {"D", Presence::guessing}, {"W", Presence::withdrawn}});
+    const auto stiff = rollOf({{"A", Presence::used}, {"B", Presence::unfinished}, {"C", Presence::used}, {"D", Presence::used}, {"W", Presence::withdrawn}});
+    const QStringList said = session_report::comparisonSentences({soft, stiff}, {groups}, nameOf, kEnglish);
+    QCOMPARE(said.size(), 3);
+    QVERIFY2(said[0].contains(QStringLiteral("needs at least two people, and these have 1 and 2")), qPrintable(said[0]));
+    QVERIFY2(said[1].startsWith(QStringLiteral("A is not in this comparison: it is of two groups")), qPrintable(said[1]));
+    QVERIFY2(said[2].startsWith(QStringLiteral("W: withdrawn")), qPrintable(said[2]));
+    QCOMPARE(session_report::comparisonHeadings(false).size(), session_report::comparisonRow(groups, QStringLiteral("a"), QStringLiteral("b"), false, kEnglish).size());
+    QCOMPARE(session_report::comparisonHeadings(true).size(), session_report::comparisonHeadings(false).size() + 1);
+    QVERIFY(!session_report::comparisonNote(false).contains(QStringLiteral("thresholds")));
+}
+
+/// The same warning never counts for one run and not for another: what decides is whether the answers bound the value, in groups and comparisons.
+void TestGroupWords::oneRuleForGroupsAndComparisons() {
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::chance}}), true), Presence::used);
+    QCOMPARE(session::presenceOf(estimateWith(0.1, {{WarningKind::priorEdgeHigh}}), true), Presence::guessing);
+    QVERIFY(!session_report::presenceWords(Presence::guessing).contains(QStringLiteral("guess"))); // what leaves it out is the end of the value
+    QVERIFY(session_report::groupRule().contains(QStringLiteral("bound its value")));
+
+    // A and B did both conditions; B's answers do not bound the second value. C did the second alone.
+    session::StudyAnalysis study;
+    study.design.conditions.resize(2);
+    study.conditions.resize(2);
+    const auto add = [&study](std::size_t condition, const char* code, std::vector<psychophysics::Warning> warnings) {
+        session::AnalysedRun run;
+        run.participant.code = code;
+        run.estimate = estimateWith(0.1, std::move(warnings));
+        run.presence = session::presenceOf(run.estimate, true);
+        study.conditions[condition].runs.push_back(std::move(run));
+    };
+    add(0, "A", {});
+    add(0, "B", {{WarningKind::chance}});
+    add(1, "A", {});
+    add(1, "B", {{WarningKind::chance}, {WarningKind::priorEdgeHigh}});
+    add(1, "C", {});
+    for (std::size_t i = 0; i < 2; ++i) {
+        study.conditions[i].condition = study.design.conditions[i].id = i == 0 ? "soft" : "stiff";
+        std::vector<psychophysics::RunEstimate> estimates;
+        for (const session::AnalysedRun& run : study.conditions[i].runs)
+            estimates.push_back(run.estimate);
+        study.conditions[i].group = psychophysics::estimateGroup(estimates, 1);
+        QCOMPARE(study.conditions[i].group.participants, 2);
+    }
+    const auto compared = session::compareAll(study, 1);
+    QCOMPARE(compared.size(), std::size_t{1});
+    QVERIFY(!compared.front().weber.paired); // only A has a value in both: two groups, of B and of C
+    QCOMPARE(compared.front().weber.first, 1);
+    QCOMPARE(compared.front().weber.second, 1);
+    QVERIFY(!session::testsThresholds(compared));
 }
 
 void TestGroupWords::doubtIsSeen() {

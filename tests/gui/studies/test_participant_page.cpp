@@ -44,6 +44,11 @@ private slots:
     void aFurtherPartIsShort();
     void aClickInTheSceneAnswersNothing();
     void practiceIsTakenBack();
+    void aTrialThatDoesNotCountIsTold();
+    void everyReasonHasWords();
+    void enterAndSpaceGoOn();
+    void aDoublePressAnswersNothing();
+    void stopIsReachedWithACapturedPointer();
     void theDeskTakesThePassword();
     void whoLeavesMidTrialSeesTheNeutralEnd();
     void aPilotIsNamed();
@@ -57,7 +62,21 @@ private slots:
 private:
     /// A frozen study and a participant who has consented.
     void prepare(const std::string& key, const std::function<void(psychophysics::StudyDesign&)>& change = {});
-    desktop::TrialsScreen* sit(bool oneScreen = true);
+    desktop::TrialsScreen* sit(bool oneScreen = true, double freeMinute_s = 60.0);
+    void press(int key) { QTest::keyClick(m_site->window.get(), static_cast<Qt::Key>(key)); }
+    QString said(desktop::TrialsScreen* screen, const char* label) { return page(screen)->findChild<QLabel*>(QLatin1String(label))->text(); }
+    /// Again and again, as somebody does who waits for it: a key that comes too early is not taken.
+    bool pressUntil(int key, const std::function<bool()>& there) {
+        return QTest::qWaitFor(
+            [&] {
+                if (there())
+                    return true;
+                press(key);
+                QTest::qWait(100);
+                return there();
+            },
+            kPatience_ms);
+    }
     bool canAnswer(desktop::TrialsScreen* screen) {
         return QTest::qWaitFor([screen] { return screen->live()->view().canAnswer; }, kPatience_ms);
     }
@@ -104,9 +123,9 @@ void TestParticipantPage::prepare(const std::string& key, const std::function<vo
     m_participant = tests::addParticipant(*m_site, rhea, m_study, design, "somebody");
 }
 
-desktop::TrialsScreen* TestParticipantPage::sit(bool oneScreen) {
+desktop::TrialsScreen* TestParticipantPage::sit(bool oneScreen, double freeMinute_s) {
     m_site->go(QStringLiteral("study_trials"), {{QStringLiteral("study"), qlonglong(m_study)}, {QStringLiteral("participant"), QString::fromStdString(m_participant.code)},
-                                              {QStringLiteral("one_screen"), oneScreen}});
+                                              {QStringLiteral("one_screen"), oneScreen}, {QStringLiteral("free_minute_s"), freeMinute_s}});
     auto* screen = m_site->screen<desktop::TrialsScreen>();
     return screen && screen->live() ? screen : nullptr;
 }
@@ -311,6 +330,121 @@ void TestParticipantPage::practiceIsTakenBack() {
         tests::sittingButton(screen, button)->click();
     QTRY_COMPARE_WITH_TIMEOUT(stored().size(), std::size_t(3), kPatience_ms);
     QVERIFY(!screen->live()->view().mayTakeBack); // what counts, counts
+}
+
+/// Said while the trial is done again, and gone with the next that counts. The count stands still, and somebody reads why.
+void TestParticipantPage::aTrialThatDoesNotCountIsTold() {
+    for (const bool list : {false, true}) {
+        prepare(list ? "told_list" : "told", [list](psychophysics::StudyDesign& design) {
+            if (!list)
+                return;
+            design.conditions[0].task = psychophysics::Task::twoAfc;
+            design.conditions[0].procedures = {psychophysics::ConstantSpec{{design.conditions[0].stimulus.differences.back()}, 10, true}};
+        });
+        desktop::TrialsScreen* screen = sit();
+        QVERIFY(screen && tests::beginTrials(screen));
+        QVERIFY(canAnswer(screen));
+        QVERIFY(said(screen, "trials.repeated").isEmpty());
+        screen->live()->spoil();
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->numbers().spoiled, 1, kPatience_ms);
+        QVERIFY(canAnswer(screen));
+        const QString expected = QStringLiteral("The last trial did not count. The experimenter took it out. ") +
+                                 (list ? QStringLiteral("It comes again later.") : QStringLiteral("The same objects come again."));
+        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "trials.repeated"), expected, kPatience_ms);
+        QVERIFY(said(screen, "trials.strip").startsWith(QStringLiteral("Trial 1 of")));
+        for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+            if (auto* answer = tests::sittingButton(screen, button))
+                answer->click();
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->numbers().scored, 1, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(said(screen, "trials.repeated").isEmpty(), kPatience_ms);
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+}
+
+/// In every language, and of whether an answer was right they tell nothing.
+void TestParticipantPage::everyReasonHasWords() {
+    const QLocale locale(QLocale::English);
+    QStringList told;
+    for (const char* reason : {"untouched", "speed", "peak_force", "time", "experimenter", "late_ticks"}) {
+        const QString words = desktop::TrialsScreen::repeatedWords(reason, true, 0.3, locale);
+        QVERIFY2(!words.isEmpty() && !words.contains(QLatin1Char('_')) && !told.contains(words), reason);
+        for (const char* never : {"right", "wrong", "correct", "mistake"})
+            QVERIFY2(!words.contains(QLatin1String(never), Qt::CaseInsensitive), qPrintable(words));
+        told << words;
+    }
+    for (const char* device : {"saturation", "force_error", "stiffness_error"}) // which limit it was might tell what the object was
+        QCOMPARE(desktop::TrialsScreen::repeatedWords(device, true, 0.3, locale), told.back());
+}
+
+/// Every page on which nothing else is to be done, from the instructions to the first trial that counts.
+void TestParticipantPage::enterAndSpaceGoOn() {
+    for (const int key : {int(Qt::Key_Return), int(Qt::Key_Space)}) {
+        prepare(key == Qt::Key_Space ? "by_space" : "by_enter", [](psychophysics::StudyDesign& design) { design.trial.practiceTrials = 1; });
+        desktop::TrialsScreen* screen = sit(true, 1.0);
+        QVERIFY(screen);
+        QCOMPARE(said(screen, "break.title"), QStringLiteral("Before you begin"));
+        const auto card = [&] { return page(screen)->findChild<desktop::ReadyCard*>(); };
+        QVERIFY(pressUntil(key, [&] { return card() != nullptr; }));
+        QVERIFY(pressUntil(key, [&] { return !card(); }));
+        QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::tried, kPatience_ms); // the free minute ends by itself
+        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("The free minute is over"), kPatience_ms);
+        QVERIFY(pressUntil(key, [&] { return screen->live()->view().state != State::tried; }));
+        QVERIFY(canAnswer(screen));
+        QVERIFY(screen->live()->view().practice && stored().empty());
+        for (const char* button : {"answer.2", "answer.0", "answer.confirm"})
+            tests::sittingButton(screen, button)->click();
+        QTRY_VERIFY_WITH_TIMEOUT(screen->live()->view().mayTakeBack, kPatience_ms);
+        QVERIFY(pressUntil(Qt::Key_Return, [&] { return screen->live()->view().state == State::practised; })); // here another thing can be done, so Space pauses
+        QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("Practice is over"), kPatience_ms);
+        QVERIFY(pressUntil(key, [&] { return screen->live()->view().state != State::practised; }));
+        QVERIFY(canAnswer(screen));
+        QCOMPARE(stored().size(), std::size_t(1));
+        QVERIFY(tests::stopSitting(*m_site, screen));
+    }
+}
+
+/// The second press of two was meant for the page that is gone.
+void TestParticipantPage::aDoublePressAnswersNothing() {
+    prepare("double", [](psychophysics::StudyDesign& design) {
+        design.trial.betweenTrials_s = 0.05;
+    });
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    QTest::qWait(800); // "Go" was pressed longer ago than a double press takes
+    press(Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::paused, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(said(screen, "break.title"), QStringLiteral("Paused"), kPatience_ms);
+    press(Qt::Key_Return);
+    press(Qt::Key_Return);
+    press(Qt::Key_Space); // nor does a third one pause again
+    QVERIFY(canAnswer(screen));
+    QVERIFY(stored().empty());
+    QVERIFY(tests::stopSitting(*m_site, screen));
+}
+
+/// No pointer is needed for it, and the page says which key.
+void TestParticipantPage::stopIsReachedWithACapturedPointer() {
+    prepare("captured");
+    desktop::TrialsScreen* screen = sit();
+    QVERIFY(screen && tests::beginTrials(screen));
+    QVERIFY(canAnswer(screen));
+    QVERIFY(tests::sittingButton(screen, "trials.stop")->text().contains(QStringLiteral("Esc")));
+    press(Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::stopped, kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(said(screen, "break.text").contains(QStringLiteral("Esc to stop the sitting")), qPrintable(said(screen, "break.text")), kPatience_ms);
+    bool asked = false;
+    QTimer look;
+    connect(&look, &QTimer::timeout, this, [&] {
+        if (auto* button = m_site->find<QPushButton>(QStringLiteral("trials.ask.stop"))) {
+            asked = true;
+            button->click();
+        }
+    });
+    look.start(100);
+    press(Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(asked && screen->live()->finished() && !screen->isBusy(), kPatience_ms);
+    QVERIFY(tests::stopSitting(*m_site, screen));
 }
 
 /// F2 shows nobody anything: the password of whoever is logged in is asked for, and a wrong one leaves the page as it is.

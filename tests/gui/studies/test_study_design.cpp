@@ -74,6 +74,8 @@ private slots:
     void numbersAreReadAsTheyWereMeant();
     void anUnreadNumberKeepsItsPage();
     void placeholdersAreNotFrozen();
+    void aPreviewThatIsLeftIsTold();
+    void whatIsRequiredIsMarked();
     void aPilotIsKeptApart();
 
 private:
@@ -682,6 +684,42 @@ void TestStudyDesign::placeholdersAreNotFrozen() {
     QVERIFY2(text("check.duration.words").contains(QStringLiteral("as simulated")), qPrintable(text("check.duration.words")));
     screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.trial.practiceTrials = 0; }, true);
     QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("check.practice.go"), kPatience_ms); // the lines follow the design
+}
+
+void TestStudyDesign::aPreviewThatIsLeftIsTold() {
+    QStringList told;
+    QObject hears; // no longer than what it writes to
+    connect(&m_site->context.messages(), &desktop::Messages::told, &hears, [&told](const desktop::Message& message) { told << message.text; });
+    const auto stopped = [&told] { return told.join(QLatin1Char('|')).contains(QStringLiteral("The preview was stopped")); };
+    openDraft(tests::smallStudy("left_preview"), StudyScreen::previewTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QSpinBox>("preview.runs"), kPatience_ms);
+    shown<QSpinBox>("preview.runs")->setValue(2000); // long enough to be left
+    click("preview.start");
+    screen()->showTab(StudyScreen::generalTab);
+    QVERIFY2(stopped(), qPrintable(told.join(QLatin1Char('|'))));
+    told.clear();
+    screen()->showTab(StudyScreen::previewTab);
+    QTRY_VERIFY_WITH_TIMEOUT(shown<QPushButton>("preview.start"), kPatience_ms);
+    m_site->go(QStringLiteral("studies")); // with nothing at work nothing is said
+    QVERIFY(!stopped());
+}
+
+/// What freezing asks for is said where it is typed, and what freezing asks at last is in sight of its button.
+void TestStudyDesign::whatIsRequiredIsMarked() {
+    openDraft(tests::smallStudy("required"));
+    for (const char* field : {"design.title", "design.objective", "design.ethics", "design.consent"})
+        QVERIFY2(find<QWidget>(field)->accessibleName().contains(QStringLiteral("required")), field);
+    screen()->draft().change({}, {}, [](psychophysics::StudyDesign& study) { study.ethics = "Not needed."; }, true);
+    screen()->showTab(StudyScreen::checkTab);
+    QVERIFY(saved());
+    click("check.freeze");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QDialog>(QStringLiteral("freeze")), kPatience_ms);
+    auto* dialog = m_site->find<QDialog>(QStringLiteral("freeze"));
+    auto* seen = dialog->findChild<QCheckBox*>(QStringLiteral("freeze.seen"));
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog->findChild<desktop::CheckList*>()->has(desktop::FreezeCheck::State::waiting), kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(seen->isVisible(), kPatience_ms); // nobody has tried it
+    QVERIFY(dialog->rect().contains(QRect(seen->mapTo(dialog, QPoint()), seen->size())) && !seen->visibleRegion().isEmpty());
+    click("freeze.cancel");
 }
 
 /// With the real screens, on this station; and nothing of it is the study's.

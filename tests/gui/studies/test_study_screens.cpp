@@ -53,6 +53,8 @@ private slots:
     void dataAndUnblinding();
     void everyWayOutOfAnExportIsTold();
     void theTableOfTrialsFits();
+    void whatGroupsIncludeIsRemembered();
+    void theNextParticipantIsEnrolledWhereTheyAreRun();
     void archivedWithUndo();
 
 private:
@@ -448,14 +450,70 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
     QVERIFY(!QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     told.clear();
-    screen->exportCsvTo(folder.path()); // it is there already
-    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("could not be written"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    const QString tables = QDir(folder.path()).filePath(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).front());
+    const auto again = [&](const char* choice) { // it is there already: somebody is asked
+        told.clear();
+        screen->exportCsvTo(folder.path());
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QLatin1String(choice)), kPatience_ms);
+        m_site->find<QPushButton>(QLatin1String(choice))->click();
+    };
+    QFile mark(QDir(tables).filePath(QStringLiteral("mark")));
+    QVERIFY(mark.open(QIODevice::WriteOnly));
+    again("data.there.cancel");
+    QVERIFY2(hasTold("is as it was"), qPrintable(told.join(QLatin1Char('|'))));
+    again("data.there.beside");
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QVERIFY(QFileInfo::exists(tables + QStringLiteral("-2/trials.csv")) && mark.exists());
+    again("data.there.replace");
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+    QVERIFY(QFileInfo::exists(tables + QStringLiteral("/trials.csv")) && !mark.exists());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 2);
+    QVERIFY(QDir(tables).removeRecursively() && QDir().mkpath(tables)); // a folder that is nobody's export is never replaced
+    again("data.there.beside");
+    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.there.replace")));
+    QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 
     const QTemporaryDir other;
     told.clear();
     screen->exportCsvTo(other.path());
     m_site->go(QStringLiteral("studies")); // and the screen is gone when it is done
     QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
+}
+
+/// Whoever looks again finds it as they left it.
+void TestStudyScreens::whatGroupsIncludeIsRemembered() {
+    const auto open = [this] {
+        go("study_data", {{QStringLiteral("study"), qlonglong(m_data)}});
+        return QTest::qWaitFor([this] { return m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) != nullptr; }, kPatience_ms);
+    };
+    QVERIFY(open());
+    auto* shown = m_site->find<QCheckBox>(QStringLiteral("data.with_shown"));
+    QVERIFY(shown->isVisible() && !shown->isChecked());
+    shown->click();
+    go("studies");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QCheckBox>(QStringLiteral("data.with_shown")), kPatience_ms);
+    QVERIFY(open());
+    QVERIFY(m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->isChecked());
+    m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("data.with_shown")) && !m_site->find<QCheckBox>(QStringLiteral("data.with_shown"))->isChecked(), kPatience_ms);
+}
+
+/// From the page where somebody was just seen off: enrolled, agreed, and ready to begin.
+void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
+    go("study_run", {{QStringLiteral("study"), qlonglong(m_data)}});
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.enrol")), kPatience_ms);
+    click("run.enrol");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QLineEdit>(QStringLiteral("enrol.identity")), kPatience_ms);
+    m_site->find<QLineEdit>(QStringLiteral("enrol.identity"))->setText(QStringLiteral("The next one"));
+    click("enrol.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("enrol.consent")), kPatience_ms);
+    const QString code = m_site->find<QLabel>(QStringLiteral("enrol.code"))->text();
+    click("enrol.consent");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")), kPatience_ms);
+    m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
+    click("consent.accept");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
+    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), code);
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.

@@ -124,6 +124,7 @@ void LiveApex::State::note(const TrialFidelity& fidelity) {
     const database::StudyTrial& trial = trials.back();
     numbers.lastFidelity = forcesTell() ? withoutForces(fidelity) : fidelity;
     numbers.lastSpoiled = database::shownReason(trial.spoiled, blinding);
+    view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
     summarise();
     if (study.design.trial.feedback && !trial.practice && trial.value && trial.spoiled.empty() && !progress.done()) {
         view.beside_m = trial.value;
