@@ -10,48 +10,47 @@ namespace chiron::desktop {
 
 using core::LaparoscopyStep;
 using simulation::TubeTask;
-using Words = GraspTexts;
 
 namespace {
 
 QString graspTube(TubeTask task) {
     switch (task) {
-    case TubeTask::twoHanded: return Words::tr("Take hold of both ends of the tube, one with each instrument");
-    case TubeTask::transfer: return Words::tr("Take hold of the end of the tube with the right instrument");
+    case TubeTask::twoHanded: return GraspTexts::tr("Take hold of both ends of the tube, one with each instrument");
+    case TubeTask::transfer: return GraspTexts::tr("Take hold of the end of the tube with the right instrument");
     case TubeTask::hold:
     case TubeTask::stretch: break;
     }
-    return Words::tr("Take hold of the end of the tube");
+    return GraspTexts::tr("Take hold of the end of the tube");
 }
 
 QString holdTube(TubeTask task) {
     switch (task) {
-    case TubeTask::stretch: return Words::tr("At the mark: hold it there");
-    case TubeTask::transfer: return Words::tr("At the target: hold it there");
+    case TubeTask::stretch: return GraspTexts::tr("At the mark: hold it there");
+    case TubeTask::transfer: return GraspTexts::tr("At the target: hold it there");
     case TubeTask::hold:
     case TubeTask::twoHanded: break;
     }
-    return Words::tr("In the band: keep the tension there");
+    return GraspTexts::tr("In the band: keep the tension there");
 }
 
 QString tubeText(const core::LaparoscopyCues& cues, TubeTask task) {
     if (cues.torn)
-        return Words::tr("The tube is torn: this trial is over");
+        return GraspTexts::tr("The tube is torn: this trial is over");
     switch (cues.step) {
     case LaparoscopyStep::grasp: return graspTube(task);
     case LaparoscopyStep::stretch:
-        return task == TubeTask::stretch ? Words::tr("Stretch the tube to the mark, and no farther")
-                                         : Words::tr("Pull until the tension is in its band");
+        return task == TubeTask::stretch ? GraspTexts::tr("Stretch the tube to the mark, and no farther")
+                                         : GraspTexts::tr("Pull until the tension is in its band");
     case LaparoscopyStep::hold: return holdTube(task);
-    case LaparoscopyStep::handOver: return Words::tr("Take the tube over with the left instrument, then let go with the right one");
-    case LaparoscopyStep::lift: return Words::tr("Lift the end of the tube");
-    case LaparoscopyStep::carry: return Words::tr("Bring the end of the tube to the target");
-    case LaparoscopyStep::place: return Words::tr("Let go of the end of the tube");
-    case LaparoscopyStep::retract: return Words::tr("Retract the fold of tissue with the third instrument until the pull is in the band");
-    case LaparoscopyStep::done: return Words::tr("Done: the next tube follows");
+    case LaparoscopyStep::handOver: return GraspTexts::tr("Take the tube over with the left instrument, then let go with the right one");
+    case LaparoscopyStep::lift: return GraspTexts::tr("Lift the end of the tube");
+    case LaparoscopyStep::carry: return GraspTexts::tr("Bring the end of the tube to the target");
+    case LaparoscopyStep::place: return GraspTexts::tr("Let go of the end of the tube");
+    case LaparoscopyStep::retract: return GraspTexts::tr("Retract the fold of tissue with the third instrument until the pull is in the band");
+    case LaparoscopyStep::done: return GraspTexts::tr("Done: the next tube follows");
     case LaparoscopyStep::none: break;
     }
-    return Words::tr("Wait for the tube");
+    return GraspTexts::tr("Wait for the tube");
 }
 
 QString heldTube(const core::LaparoscopyCues& cues) {
@@ -59,12 +58,12 @@ QString heldTube(const core::LaparoscopyCues& cues) {
     for (int i = 0; i < cues.grips; ++i)
         held += cues.gripHeldBy[static_cast<std::size_t>(i)] != 0 ? 1 : 0;
     if (cues.foldHeldBy != 0)
-        return held > 1   ? Words::tr("Holding: the fold and two places of the tube")
-               : held > 0 ? Words::tr("Holding: the fold and one place of the tube")
-                          : Words::tr("Holding: the fold");
+        return held > 1   ? GraspTexts::tr("Holding: the fold and two places of the tube")
+               : held > 0 ? GraspTexts::tr("Holding: the fold and one place of the tube")
+                          : GraspTexts::tr("Holding: the fold");
     if (held > 0)
-        return held > 1 ? Words::tr("Holding: the tube at two points") : Words::tr("Holding: the tube");
-    return Words::tr("Holding: nothing");
+        return held > 1 ? GraspTexts::tr("Holding: the tube at two points") : GraspTexts::tr("Holding: the tube");
+    return GraspTexts::tr("Holding: nothing");
 }
 
 } // namespace

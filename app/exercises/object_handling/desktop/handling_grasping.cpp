@@ -11,37 +11,36 @@ namespace chiron::desktop {
 
 using simulation::HandlingTask;
 using core::LaparoscopyStep;
-using Words = GraspTexts;
 
 namespace {
 
 QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
     switch (cues.step) {
     case LaparoscopyStep::grasp:
-        return task == HandlingTask::weigh ? Words::tr("Lift one object after the other and find the heaviest")
-                                           : Words::tr("Grasp the object gently");
-    case LaparoscopyStep::lift: return Words::tr("Lift it up");
+        return task == HandlingTask::weigh ? GraspTexts::tr("Lift one object after the other and find the heaviest")
+                                           : GraspTexts::tr("Grasp the object gently");
+    case LaparoscopyStep::lift: return GraspTexts::tr("Lift it up");
     case LaparoscopyStep::carry:
-        return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
-                                           : Words::tr("Bring it over the ring");
-    case LaparoscopyStep::place: return Words::tr("Set it down inside the ring and let go");
-    case LaparoscopyStep::hold: return Words::tr("In the ring: let it lie still");
-    case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
+        return task == HandlingTask::weigh ? GraspTexts::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
+                                           : GraspTexts::tr("Bring it over the ring");
+    case LaparoscopyStep::place: return GraspTexts::tr("Set it down inside the ring and let go");
+    case LaparoscopyStep::hold: return GraspTexts::tr("In the ring: let it lie still");
+    case LaparoscopyStep::done: return GraspTexts::tr("Done: the next one follows");
     case LaparoscopyStep::none:
     case LaparoscopyStep::stretch:
     case LaparoscopyStep::retract:
     case LaparoscopyStep::handOver: break;
     }
-    return Words::tr("Wait for the object");
+    return GraspTexts::tr("Wait for the object");
 }
 
 QString heldObject(const core::LaparoscopyCues& cues, const QLocale& locale) {
     const int bodies = std::min(cues.bodies, static_cast<int>(core::LaparoscopyCues::kMaxBodies));
     for (int i = 0; i < bodies; ++i)
         if (cues.body[static_cast<std::size_t>(i)].heldBy != 0)
-            return bodies > 1 ? Words::tr("Holding: object %1 of %2").arg(locale.toString(i + 1), locale.toString(bodies))
-                              : Words::tr("Holding: the object");
-    return Words::tr("Holding: nothing");
+            return bodies > 1 ? GraspTexts::tr("Holding: object %1 of %2").arg(locale.toString(i + 1), locale.toString(bodies))
+                              : GraspTexts::tr("Holding: the object");
+    return GraspTexts::tr("Holding: nothing");
 }
 
 } // namespace
