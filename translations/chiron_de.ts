@@ -14991,7 +14991,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>Groups include runs with force shown, not felt</source>
-        <translation>Gruppen enthalten auch Läufe mit gezeigter, nicht gefühlter Kraft</translation>
+        <translation>Auch Läufe mit nur gezeigter Kraft einbeziehen</translation>
     </message>
     <message>
         <source>The results of a study.

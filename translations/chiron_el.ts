@@ -14991,7 +14991,7 @@ With real-time priority the loop stays on time whatever else the computer does. 
     </message>
     <message>
         <source>Groups include runs with force shown, not felt</source>
-        <translation>Οι ομάδες περιλαμβάνουν και εκτελέσεις με δύναμη μόνο σε προβολή</translation>
+        <translation>Και εκτελέσεις με δύναμη μόνο σε προβολή</translation>
     </message>
     <message>
         <source>The results of a study.
