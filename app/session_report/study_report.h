@@ -13,13 +13,14 @@ namespace chiron::session_report {
 
 /// The printable report of a study: design with its SHA-256, participants by code, each condition's curves and estimates per person and
 /// as a group, fidelity, questionnaires, warnings. While a blind experimenter's study is not unblinded, conditions go by their sealed
-/// codes. A4, PDF/A-1b. Needs a QApplication; GUI thread; may take seconds (bootstraps). `language` picks the design's texts. Replaces `path` only when
+/// codes. A4, PDF/A-1b. Needs a QApplication; GUI thread; may take seconds (bootstraps). `language` picks the design's texts;
+/// `site` is what the site is called, for the head of each page. Replaces `path` only when
 /// the whole file is written. Failure: wrongUse for a draft, notFound, notAllowed, storage.
 core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language = "en");
+                                    const report::PlotTheme& theme, const std::string& language = "en", const QString& site = {});
 
 /// The same pages on somebody's own device. GUI thread. Failure: as above.
 core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language = "en");
+                                    const report::PlotTheme& theme, const std::string& language = "en", const QString& site = {});
 
 } // namespace chiron::session_report

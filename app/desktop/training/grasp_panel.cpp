@@ -65,7 +65,7 @@ void GraspPanel::addHead() {
     head->addWidget(m_held, 1);
     head->addWidget(m_elapsed, 0, Qt::AlignTop);
     m_column->addLayout(head);
-    m_step = kit::label(m_theme, stepText({}, m_grasping), TextStyle::strong);
+    m_step = kit::label(m_theme, stepText({}, m_grasping, m_locale), TextStyle::strong);
     m_step->setObjectName(QStringLiteral("training.step"));
     m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing()); // nothing below it jumps
     m_column->addWidget(m_step);
@@ -187,7 +187,7 @@ void GraspPanel::showBars(const haptics::DisplayState& state) {
 }
 
 void GraspPanel::showWords(const haptics::DisplayState& state) {
-    m_step->setText(stepText(state.laparoscopy, m_grasping));
+    m_step->setText(stepText(state.laparoscopy, m_grasping, m_locale));
     m_held->setText(heldText(state.laparoscopy, m_grasping, m_locale));
     if (m_dwell)
         m_dwell->setValue(qRound(100.0 * std::clamp(state.laparoscopy.dwell, 0.0, 1.0)));

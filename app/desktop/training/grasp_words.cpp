@@ -57,7 +57,13 @@ QString tubeText(const core::LaparoscopyCues& cues, TubeTask task) {
     return Words::tr("Wait for the tube");
 }
 
-QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
+QString placeText(const session::LevelLimits& limits, const QLocale& locale) {
+    return limits.placement_mm ? Words::tr("Set it down in the middle of the ring, at most %1 mm off, and let go").arg(locale.toString(*limits.placement_mm, 'g', 3))
+                               : Words::tr("Set it down inside the ring and let go");
+}
+
+QString handlingText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale) {
+    const HandlingTask task = grasping.handling->task;
     switch (cues.step) {
     case LaparoscopyStep::grasp:
         return task == HandlingTask::weigh ? Words::tr("Lift one object after the other and find the heaviest")
@@ -66,7 +72,7 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
     case LaparoscopyStep::carry:
         return task == HandlingTask::weigh ? Words::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
                                            : Words::tr("Bring it over the ring");
-    case LaparoscopyStep::place: return Words::tr("Set it down inside the ring and let go");
+    case LaparoscopyStep::place: return placeText(grasping.limits, locale);
     case LaparoscopyStep::hold: return Words::tr("In the ring: let it lie still");
     case LaparoscopyStep::done: return Words::tr("Done: the next one follows");
     case LaparoscopyStep::none:
@@ -79,10 +85,10 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
 
 } // namespace
 
-QString stepText(const core::LaparoscopyCues& cues, const Grasping& grasping) {
+QString stepText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale) {
     if (grasping.tube)
         return tubeText(cues, grasping.tube->task);
-    return grasping.handling ? handlingText(cues, grasping.handling->task) : QString();
+    return grasping.handling ? handlingText(cues, grasping, locale) : QString();
 }
 
 QString heldText(const core::LaparoscopyCues& cues, const Grasping& grasping, const QLocale& locale) {

@@ -323,15 +323,15 @@ private slots:
             cues.step = static_cast<core::LaparoscopyStep>(s);
             for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded}) {
                 tube.task = task;
-                say({stepText(cues, {&tube, nullptr})});
+                say({stepText(cues, {&tube, nullptr}, m_locale)});
             }
             for (const auto task : {simulation::HandlingTask::weigh, simulation::HandlingTask{}}) {
                 handling.task = task;
-                say({stepText(cues, {nullptr, &handling})});
+                say({stepText(cues, {nullptr, &handling}, m_locale)});
             }
         }
         cues.torn = true;
-        say({stepText(cues, {&tube, nullptr}), stepText(cues, {nullptr, &handling}), stepText(cues, {})});
+        say({stepText(cues, {&tube, nullptr}, m_locale), stepText(cues, {nullptr, &handling}, m_locale), stepText(cues, {}, m_locale)});
         cues = {};
         cues.grips = 2;
         for (const auto& [first, second, third, fold] : {std::tuple{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 4}, {1, 0, 0, 4}, {1, 2, 0, 4}}) {

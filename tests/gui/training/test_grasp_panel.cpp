@@ -54,15 +54,19 @@ private slots:
             cues.step = static_cast<LaparoscopyStep>(step);
             for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
                 tube.task = task;
-                QVERIFY(!stepText(cues, atTube).isEmpty());
+                QVERIFY(!stepText(cues, atTube, QLocale(QLocale::English)).isEmpty());
             }
-            QVERIFY(!stepText(cues, atObjects).isEmpty());
-            said.insert(stepText(cues, atTube));
+            QVERIFY(!stepText(cues, atObjects, QLocale(QLocale::English)).isEmpty());
+            said.insert(stepText(cues, atTube, QLocale(QLocale::English)));
         }
         QCOMPARE(said.size(), std::size_t(10)); // of a transfer: one each
         core::LaparoscopyCues torn;
         torn.torn = true;
-        QVERIFY(stepText(torn, atTube).contains(QStringLiteral("torn")));
+        core::LaparoscopyCues over;
+        over.step = LaparoscopyStep::place;
+        atObjects.limits.placement_mm = 5.0; // who sets it down knows how far from the middle is too far
+        QVERIFY(stepText(over, atObjects, QLocale(QLocale::English)).contains(QStringLiteral("5 mm")));
+        QVERIFY(stepText(torn, atTube, QLocale(QLocale::English)).contains(QStringLiteral("torn")));
     }
 
     void everyValueIsShown() {

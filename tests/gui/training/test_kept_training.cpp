@@ -95,6 +95,7 @@ haptics::DisplayState overLimits() {
     }
     state.trial = 2;
     state.timeLeft_s = 3.0;
+    state.tick = 4'000;
     state.lateTicks = 3;
     state.endoscope.stage = core::ProcedureStage::inspection;
     state.endoscope.landmarksSeen = 0b101;
