@@ -247,6 +247,10 @@
         <source>My account</source>
         <translation>Mein Konto</translation>
     </message>
+    <message>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -894,6 +898,10 @@ Einzelheiten: %2</translation>
         <source>Pull on the fold: %1 N at most</source>
         <translation>Zug an der Falte: höchstens %1 N</translation>
     </message>
+    <message>
+        <source>At the end: %1 mm from the middle of the ring at most, on average</source>
+        <translation>Am Ende: im Mittel höchstens %1 mm von der Ringmitte entfernt</translation>
+    </message>
 </context>
 <context>
     <name>GraspNote</name>
@@ -1075,6 +1083,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>In the ring: let it lie still</source>
         <translation>Im Ring: liegen lassen</translation>
+    </message>
+    <message>
+        <source>Set it down in the middle of the ring, at most %1 mm off, and let go</source>
+        <translation>In der Mitte des Rings ablegen, höchstens %1 mm daneben, und loslassen</translation>
     </message>
 </context>
 <context>
@@ -2096,10 +2108,6 @@ Einzelheiten: %2</translation>
         <translation>die wahre Lage des Scheitels ist nicht bekannt</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow for them.</source>
-        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen. Der Ring zeigt, wohin die Harnröhre weiter vorn führt; in einer Biegung bleiben deshalb einige Grad, obwohl er in der Bildmitte liegt. Die Bestehensgrenzen berücksichtigen das.</translation>
-    </message>
-    <message>
         <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
         <translation>Der Winkel zwischen Endoskop und Harnröhre am Ort der Spitze, beim Einführen, bis 10 mm vor und nach der Biegung, wo das Endoskop gedreht werden muss. In einer Linie ist die Wand nahe der Spitze rundum gleich breit.</translation>
     </message>
@@ -2118,6 +2126,10 @@ Einzelheiten: %2</translation>
     <message>
         <source>Largest misalignment</source>
         <translation>Größte Fehlausrichtung</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
+        <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen, und ein Führungsring ist doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
     </message>
 </context>
 <context>
@@ -4040,18 +4052,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Tabulatoren</translation>
     </message>
     <message>
-        <source>Added</source>
-        <translation>Wird hinzugefügt</translation>
-    </message>
-    <message>
-        <source>Left as it is</source>
-        <translation>Bleibt, wie sie ist</translation>
-    </message>
-    <message>
-        <source>Updated</source>
-        <translation>Wird aktualisiert</translation>
-    </message>
-    <message>
         <source>Nothing to change</source>
         <translation>Nichts zu ändern</translation>
     </message>
@@ -4254,6 +4254,22 @@ Möchten Sie die Datei ersetzen?</translation>
         <source>Nothing to import: everybody on the list is already here.</source>
         <translation>Nichts zu importieren: Alle auf der Liste sind schon da.</translation>
     </message>
+    <message>
+        <source>Would be added</source>
+        <translation>Würde hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Would be left as it is</source>
+        <translation>Bliebe, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Would be updated</source>
+        <translation>Würde aktualisiert</translation>
+    </message>
+    <message>
+        <source>Cannot be imported yet</source>
+        <translation>Kann noch nicht importiert werden</translation>
+    </message>
 </context>
 <context>
     <name>Screens</name>
@@ -4299,7 +4315,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Storage</source>
-        <translation>Speicher</translation>
+        <translation>Datensicherung</translation>
     </message>
     <message>
         <source>Station</source>
@@ -4683,6 +4699,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Standort</translation>
     </message>
     <message>
         <source>Checked by</source>
@@ -7176,6 +7196,14 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <source>A short name without commas, such as &quot;ada&quot;.</source>
         <translation>Ein kurzer Name ohne Kommas, zum Beispiel „ada“.</translation>
     </message>
+    <message>
+        <source>Name of the site, such as the clinic&apos;s (may be left empty)</source>
+        <translation>Name des Standorts, etwa der Klinik (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
+        <translation>Erscheint bei der Anmeldung, auf Passwortzetteln und auf Berichten. Die Administration kann ihn in den Einstellungen ändern.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AnswerPanel</name>
@@ -7444,7 +7472,7 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     </message>
     <message>
         <source>Open storage</source>
-        <translation>Speicher öffnen</translation>
+        <translation>Datensicherung öffnen</translation>
     </message>
 </context>
 <context>
@@ -8499,6 +8527,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
         <translation>%1 kann jetzt nicht gelöscht werden. Sie können sich nicht selbst löschen, und es darf keine Sitzung laufen.</translation>
     </message>
+    <message>
+        <source>This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is erased with &quot;Erase a participant&quot;.</source>
+        <translation>Hier werden ein Konto gelöscht und wer die Person in den Studien war, deren Schlüssel das Konto nennt. Wer nur unter einem Code bekannt ist, wird mit „Teilnehmer/in löschen“ gelöscht.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseParticipantDialog</name>
@@ -8547,6 +8579,10 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>%1 cannot be erased now: no session of the participant may be running.</source>
         <translation>%1 kann jetzt nicht gelöscht werden: Es darf keine Sitzung dieser Person laufen.</translation>
+    </message>
+    <message>
+        <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
+        <translation>Hier wird gelöscht, wer in einer Studie hinter dem Code steht; ein Konto derselben Person bleibt bestehen. Um ein Konto zu löschen, wählen Sie die Person in der Liste und drücken Sie „Löschen“.</translation>
     </message>
 </context>
 <context>
@@ -9547,7 +9583,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>Storage</source>
-        <translation>Speicher</translation>
+        <translation>Datensicherung</translation>
     </message>
     <message>
         <source>The database uses %1; %2 is free.</source>
@@ -9555,7 +9591,7 @@ Drücken Sie erneut, um den Durchgang ohne diese Angaben zu beenden.</translatio
     </message>
     <message>
         <source>Open storage</source>
-        <translation>Speicher öffnen</translation>
+        <translation>Datensicherung öffnen</translation>
     </message>
     <message>
         <source>The last session ran with real-time priority.</source>
@@ -9719,7 +9755,7 @@ If you have not trained yet, you can try an exercise here in about a minute. Tra
 The list on the left leads to all other screens; Ctrl+K finds any command by its name.</source>
         <translation>Ihr nächster Schritt, je nach Ihrer Rolle.
 
-Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Speicher und Arbeitsplatz in Ordnung sind.
+Wenn Sie noch nicht trainiert haben, können Sie hier in etwa einer Minute eine Übung ausprobieren. Lernende machen mit einer Schaltfläche bei der nächsten Stufe weiter, wählen eine beliebige Stufe aus den Übungen und sehen ihre letzten Ergebnisse. Ausbilderinnen und Ausbilder sehen die Sitzungen, die sie sich ansehen sollten, abgebrochene oder nicht bestandene zuerst, und wer zuletzt trainiert hat. Die Administration sieht, ob Personen, Datensicherung und Arbeitsplatz in Ordnung sind.
 
 Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl nach seinem Namen.</translation>
     </message>
@@ -9803,17 +9839,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
             <numerusform>%n Messpunkte konnten nicht aufgezeichnet werden: Diese Sitzung wird unvollständig.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Recording complete; %n ticks late</source>
-        <translation>
-            <numerusform>Aufzeichnung vollständig; %n Takt verspätet</numerusform>
-            <numerusform>Aufzeichnung vollständig; %n Takte verspätet</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Recording complete; every tick on time</source>
-        <translation>Aufzeichnung vollständig; jeder Takt pünktlich</translation>
-    </message>
     <message>
         <source>Tip of the tool (mm)</source>
         <translation>Instrumentenspitze (mm)</translation>
@@ -9825,6 +9850,14 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>away</source>
         <translation>weg</translation>
+    </message>
+    <message>
+        <source>Recording complete; nothing is lost. %1 % of the force updates came late.</source>
+        <translation>Aufzeichnung vollständig; nichts ging verloren. %1 % der Kraftwerte kamen verspätet.</translation>
+    </message>
+    <message>
+        <source>Recording complete; every force update on time</source>
+        <translation>Aufzeichnung vollständig; jeder Kraftwert pünktlich</translation>
     </message>
 </context>
 <context>
@@ -13098,7 +13131,7 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     </message>
     <message>
         <source>Manages people, storage and the station</source>
-        <translation>Verwaltet Personen, Speicher und Arbeitsplatz</translation>
+        <translation>Verwaltet Personen, Datensicherung und Arbeitsplatz</translation>
     </message>
     <message>
         <source>Roles (at least one)</source>
@@ -13138,8 +13171,8 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
         <translation>Ihre Rollen sind geändert. Melden Sie sich neu an, um die zugehörigen Ansichten zu sehen.</translation>
     </message>
     <message>
-        <source>Switch user</source>
-        <translation>Person wechseln</translation>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
     </message>
 </context>
 <context>
@@ -13232,6 +13265,30 @@ Wählen Sie eine Übung, eine Stufe und eine Messgröße. Die Kurve hat einen Pu
     <message>
         <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
         <translation>Die Zettel wurden weder gedruckt noch gespeichert. Wenn Sie dieses Fenster noch einmal schließen, sind die Passwörter verloren; Sie können dann nur einzeln neue vergeben.</translation>
+    </message>
+    <message>
+        <source>The list has words that are not roles here. Choose what each of them stands for, or correct the file.</source>
+        <translation>Die Liste enthält Wörter, die hier keine Rollen sind. Wählen Sie, wofür jedes steht, oder berichtigen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>No role is given</source>
+        <translation>Keine Rolle ist angegeben</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>Role that %1 stands for</source>
+        <translation>Rolle, für die %1 steht</translation>
+    </message>
+    <message>
+        <source>Choose a role …</source>
+        <translation>Rolle wählen …</translation>
+    </message>
+    <message>
+        <source>Nothing can be imported yet: choose above what the words stand for, or correct these lines in the file and choose it again.</source>
+        <translation>Es kann noch nichts importiert werden: Wählen Sie oben, wofür die Wörter stehen, oder berichtigen Sie diese Zeilen in der Datei und wählen Sie sie erneut.</translation>
     </message>
 </context>
 <context>
@@ -13991,14 +14048,6 @@ Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitz
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>How the program looks and sounds on this station.
-
-Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.</source>
-        <translation>So sieht das Programm an diesem Arbeitsplatz aus, und so klingt es.
-
-Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davon ändert, was aufgezeichnet oder wie es gewertet wird.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -14054,6 +14103,18 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
         <translation>Alles Hörbare wird auch angezeigt. Die Kraft dahinter wird auch bei ausgeschaltetem Ton aufgezeichnet.</translation>
     </message>
+    <message>
+        <source>How the program looks and sounds on this station.
+
+Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.
+
+Administrators also give the site its name here.</source>
+        <translation>So sieht das Programm an diesem Arbeitsplatz aus, und so klingt es.
+
+Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davon ändert, was aufgezeichnet oder wie es gewertet wird.
+
+Die Administration gibt hier auch dem Standort seinen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SideBar</name>
@@ -14070,10 +14131,6 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
         <translation>Sperren</translation>
     </message>
     <message>
-        <source>Switch user</source>
-        <translation>Person wechseln</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -14087,6 +14144,14 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>My account</source>
         <translation>Mein Konto</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Back to the login screen, where somebody else can log in</source>
+        <translation>Zurück zur Anmeldung, wo sich jemand anderes anmelden kann</translation>
     </message>
 </context>
 <context>
@@ -14102,6 +14167,45 @@ Jede Auswahl gilt sofort und bleibt auf diesem Computer gespeichert. Nichts davo
     <message>
         <source>over the limit</source>
         <translation>über der Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SiteBox</name>
+    <message>
+        <source>Site</source>
+        <translation>Standort</translation>
+    </message>
+    <message>
+        <source>Name of the site, such as the clinic&apos;s (may be left empty)</source>
+        <translation>Name des Standorts, etwa der Klinik (darf leer bleiben)</translation>
+    </message>
+    <message>
+        <source>Everybody sees it at the login, on password slips and at the top of reports. A change stands in the audit trail.</source>
+        <translation>Alle sehen ihn bei der Anmeldung, auf Passwortzetteln und oben auf Berichten. Eine Änderung steht im Prüfprotokoll.</translation>
+    </message>
+    <message>
+        <source>Save the site&apos;s name</source>
+        <translation>Namen des Standorts speichern</translation>
+    </message>
+    <message>
+        <source>The site&apos;s name could not be read.
+%1</source>
+        <translation>Der Name des Standorts konnte nicht gelesen werden.
+%1</translation>
+    </message>
+    <message>
+        <source>The site has no name any more.</source>
+        <translation>Der Standort hat keinen Namen mehr.</translation>
+    </message>
+    <message>
+        <source>The site is now called %1.</source>
+        <translation>Der Standort heißt jetzt %1.</translation>
+    </message>
+    <message>
+        <source>The site&apos;s name was not changed.
+%1</source>
+        <translation>Der Name des Standorts wurde nicht geändert.
+%1</translation>
     </message>
 </context>
 <context>
@@ -14385,7 +14489,7 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     <name>chiron::desktop::StorageScreen</name>
     <message>
         <source>Storage</source>
-        <translation>Speicher</translation>
+        <translation>Datensicherung</translation>
     </message>
     <message>
         <source>Free space</source>
@@ -15537,6 +15641,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>%1 Nothing counts yet.</source>
         <translation>%1 Noch zählt nichts.</translation>
+    </message>
+    <message>
+        <source>The mouse moves the instrument. Space pauses and frees it.</source>
+        <translation>Die Maus bewegt das Instrument. Die Leertaste pausiert und gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>Space frees the mouse</source>
+        <translation>Die Leertaste gibt die Maus frei</translation>
+    </message>
+    <message>
+        <source>Click in the scene to work on</source>
+        <translation>Klicken Sie in die Szene, um weiterzuarbeiten</translation>
     </message>
 </context>
 <context>

@@ -247,6 +247,10 @@
         <source>My account</source>
         <translation>Ο λογαριασμός μου</translation>
     </message>
+    <message>
+        <source>Log out</source>
+        <translation>Αποσύνδεση</translation>
+    </message>
 </context>
 <context>
     <name>ControlGuide</name>
@@ -894,6 +898,10 @@ Details: %2</source>
         <source>Pull on the fold: %1 N at most</source>
         <translation>Έλξη της πτυχής: έως %1 N</translation>
     </message>
+    <message>
+        <source>At the end: %1 mm from the middle of the ring at most, on average</source>
+        <translation>Στο τέλος: έως %1 mm από το κέντρο του δακτυλίου, κατά μέσο όρο</translation>
+    </message>
 </context>
 <context>
     <name>GraspNote</name>
@@ -1075,6 +1083,10 @@ Details: %2</source>
     <message>
         <source>In the ring: let it lie still</source>
         <translation>Στον δακτύλιο: αφήστε το ακίνητο</translation>
+    </message>
+    <message>
+        <source>Set it down in the middle of the ring, at most %1 mm off, and let go</source>
+        <translation>Ακουμπήστε το στο κέντρο του δακτυλίου, με απόκλιση έως %1 mm, και αφήστε το</translation>
     </message>
 </context>
 <context>
@@ -2096,10 +2108,6 @@ Details: %2</source>
         <translation>η αληθινή θέση της κορυφής δεν είναι γνωστή</translation>
     </message>
     <message>
-        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow for them.</source>
-        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται. Ο δακτύλιος δείχνει πού οδηγεί η ουρήθρα πιο μπροστά, γι’ αυτό σε μια καμπή μένουν λίγες μοίρες ενώ αυτός είναι στο κέντρο· τα όρια επιτυχίας το λαμβάνουν υπόψη.</translation>
-    </message>
-    <message>
         <source>The angle between the endoscope and the urethra at its tip, on the way in, within 10 mm of the bend, where the endoscope has to be turned. In line, the wall near the tip is equally wide all round.</source>
         <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και την ουρήθρα εκεί που ήταν η άκρη του, κατά την εισαγωγή, ως 10 mm από την καμπή, όπου το ενδοσκόπιο πρέπει να στραφεί. Όταν ευθυγραμμίζονται, το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα.</translation>
     </message>
@@ -2118,6 +2126,10 @@ Details: %2</source>
     <message>
         <source>Largest misalignment</source>
         <translation>Μέγιστη απόκλιση ευθυγράμμισης</translation>
+    </message>
+    <message>
+        <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
+        <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται, και ο δακτύλιος που καθοδηγεί είναι διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
     </message>
 </context>
 <context>
@@ -4040,18 +4052,6 @@ Do you want to replace it?</source>
         <translation>στηλοθέτες</translation>
     </message>
     <message>
-        <source>Added</source>
-        <translation>Προσθήκη</translation>
-    </message>
-    <message>
-        <source>Left as it is</source>
-        <translation>Μένει ως έχει</translation>
-    </message>
-    <message>
-        <source>Updated</source>
-        <translation>Ενημέρωση</translation>
-    </message>
-    <message>
         <source>Nothing to change</source>
         <translation>Καμία αλλαγή</translation>
     </message>
@@ -4253,6 +4253,22 @@ Do you want to replace it?</source>
     <message>
         <source>Nothing to import: everybody on the list is already here.</source>
         <translation>Δεν υπάρχει τίποτα για εισαγωγή: όλοι στη λίστα είναι ήδη εδώ.</translation>
+    </message>
+    <message>
+        <source>Would be added</source>
+        <translation>Θα προστεθεί</translation>
+    </message>
+    <message>
+        <source>Would be left as it is</source>
+        <translation>Θα μείνει ως έχει</translation>
+    </message>
+    <message>
+        <source>Would be updated</source>
+        <translation>Θα ενημερωθεί</translation>
+    </message>
+    <message>
+        <source>Cannot be imported yet</source>
+        <translation>Δεν εισάγεται ακόμη</translation>
     </message>
 </context>
 <context>
@@ -4683,6 +4699,10 @@ Do you want to replace it?</source>
     <message>
         <source>Result</source>
         <translation>Αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Κέντρο</translation>
     </message>
     <message>
         <source>Checked by</source>
@@ -7176,6 +7196,14 @@ Administrators can make a recovery code for themselves here; with it they can se
         <source>A short name without commas, such as &quot;ada&quot;.</source>
         <translation>Ένα σύντομο όνομα χωρίς κόμματα, π.χ. «eleni».</translation>
     </message>
+    <message>
+        <source>Name of the site, such as the clinic&apos;s (may be left empty)</source>
+        <translation>Όνομα του κέντρου, π.χ. της κλινικής (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Shown at the login, on password slips and on reports. Administrators can change it in the settings.</source>
+        <translation>Εμφανίζεται στη σύνδεση, στα σημειώματα κωδικών και στις αναφορές. Οι διαχειριστές μπορούν να το αλλάξουν στις ρυθμίσεις.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::AnswerPanel</name>
@@ -8499,6 +8527,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <source>%1 cannot be erased now. You cannot erase yourself, and no session may be running.</source>
         <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν μπορείτε να διαγράψετε τον εαυτό σας και δεν πρέπει να υπάρχει συνεδρία σε εξέλιξη.</translation>
     </message>
+    <message>
+        <source>This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is erased with &quot;Erase a participant&quot;.</source>
+        <translation>Εδώ διαγράφεται ένας λογαριασμός, μαζί με το ποιος ήταν το πρόσωπο στις μελέτες που το κλειδί τους κατονομάζει τον λογαριασμό. Όποιος είναι γνωστός μόνο με κωδικό διαγράφεται με το «Διαγραφή συμμετέχοντα».</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::EraseParticipantDialog</name>
@@ -8547,6 +8579,10 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>%1 cannot be erased now: no session of the participant may be running.</source>
         <translation>Δεν γίνεται τώρα διαγραφή: %1. Δεν πρέπει να υπάρχει συνεδρία του συμμετέχοντα σε εξέλιξη.</translation>
+    </message>
+    <message>
+        <source>This erases who stands behind the code in one study; an account of the same person stays. To erase an account, choose the person in the list and press &quot;Erase&quot;.</source>
+        <translation>Εδώ διαγράφεται ποιος βρίσκεται πίσω από τον κωδικό σε μία μελέτη· ένας λογαριασμός του ίδιου προσώπου παραμένει. Για να διαγράψετε λογαριασμό, επιλέξτε το πρόσωπο στον κατάλογο και πατήστε «Διαγραφή στοιχείων».</translation>
     </message>
 </context>
 <context>
@@ -9803,17 +9839,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
             <numerusform>%n δείγματα δεν καταγράφηκαν: αυτή η συνεδρία θα είναι ελλιπής.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Recording complete; %n ticks late</source>
-        <translation>
-            <numerusform>Πλήρης καταγραφή· καθυστέρησε %n κύκλος</numerusform>
-            <numerusform>Πλήρης καταγραφή· καθυστέρησαν %n κύκλοι</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Recording complete; every tick on time</source>
-        <translation>Πλήρης καταγραφή· κανένας κύκλος με καθυστέρηση</translation>
-    </message>
     <message>
         <source>Tip of the tool (mm)</source>
         <translation>Άκρη εργαλείου (mm)</translation>
@@ -9825,6 +9850,14 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>away</source>
         <translation>εμπρός</translation>
+    </message>
+    <message>
+        <source>Recording complete; nothing is lost. %1 % of the force updates came late.</source>
+        <translation>Πλήρης καταγραφή· τίποτα δεν χάθηκε. Το %1 % των ενημερώσεων της δύναμης καθυστέρησε.</translation>
+    </message>
+    <message>
+        <source>Recording complete; every force update on time</source>
+        <translation>Πλήρης καταγραφή· καμία ενημέρωση της δύναμης δεν καθυστέρησε</translation>
     </message>
 </context>
 <context>
@@ -13138,8 +13171,8 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
         <translation>Οι ρόλοι σας άλλαξαν. Συνδεθείτε ξανά για να δείτε τις αντίστοιχες οθόνες.</translation>
     </message>
     <message>
-        <source>Switch user</source>
-        <translation>Αλλαγή χρήστη</translation>
+        <source>Log out</source>
+        <translation>Αποσύνδεση</translation>
     </message>
 </context>
 <context>
@@ -13232,6 +13265,30 @@ Choose an exercise, a level and a metric. The curve has a point for each complet
     <message>
         <source>The slips have been neither printed nor saved. If you close this window again, the passwords are gone; you can then only set new ones, one by one.</source>
         <translation>Τα σημειώματα ούτε τυπώθηκαν ούτε αποθηκεύτηκαν. Αν κλείσετε ξανά αυτό το παράθυρο, οι κωδικοί πρόσβασης χάνονται· μετά μπορείτε μόνο να ορίσετε νέους, έναν έναν.</translation>
+    </message>
+    <message>
+        <source>The list has words that are not roles here. Choose what each of them stands for, or correct the file.</source>
+        <translation>Ο κατάλογος έχει λέξεις που δεν είναι ρόλοι εδώ. Επιλέξτε τι σημαίνει η καθεμία ή διορθώστε το αρχείο.</translation>
+    </message>
+    <message>
+        <source>No role is given</source>
+        <translation>Δεν δίνεται ρόλος</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>Role that %1 stands for</source>
+        <translation>Ρόλος που σημαίνει: %1</translation>
+    </message>
+    <message>
+        <source>Choose a role …</source>
+        <translation>Επιλέξτε ρόλο …</translation>
+    </message>
+    <message>
+        <source>Nothing can be imported yet: choose above what the words stand for, or correct these lines in the file and choose it again.</source>
+        <translation>Η εισαγωγή δεν γίνεται ακόμη: επιλέξτε παραπάνω τι σημαίνουν οι λέξεις ή διορθώστε αυτές τις γραμμές στο αρχείο και επιλέξτε το ξανά.</translation>
     </message>
 </context>
 <context>
@@ -13991,14 +14048,6 @@ Press Return or double-click to open the debrief of the selected session, Ctrl+P
         <translation>Ρυθμίσεις</translation>
     </message>
     <message>
-        <source>How the program looks and sounds on this station.
-
-Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.</source>
-        <translation>Η εμφάνιση και ο ήχος του προγράμματος σε αυτόν τον σταθμό.
-
-Κάθε επιλογή ισχύει αμέσως και μένει σε αυτόν τον υπολογιστή. Τίποτα εδώ δεν αλλάζει όσα καταγράφονται ή τη βαθμολόγησή τους.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Γλώσσα</translation>
     </message>
@@ -14054,6 +14103,18 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <source>Everything that can be heard is also shown. The force behind it is recorded even when the sound is off.</source>
         <translation>Ό,τι ακούγεται φαίνεται και στην οθόνη. Η δύναμη πίσω του καταγράφεται και με τον ήχο κλειστό.</translation>
     </message>
+    <message>
+        <source>How the program looks and sounds on this station.
+
+Every choice takes effect at once and is remembered on this computer. Nothing here changes what is recorded or how it is scored.
+
+Administrators also give the site its name here.</source>
+        <translation>Η εμφάνιση και ο ήχος του προγράμματος σε αυτόν τον σταθμό.
+
+Κάθε επιλογή ισχύει αμέσως και μένει σε αυτόν τον υπολογιστή. Τίποτα εδώ δεν αλλάζει όσα καταγράφονται ή τη βαθμολόγησή τους.
+
+Οι διαχειριστές δίνουν εδώ και το όνομα του κέντρου.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SideBar</name>
@@ -14070,10 +14131,6 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
         <translation>Κλείδωμα</translation>
     </message>
     <message>
-        <source>Switch user</source>
-        <translation>Αλλαγή χρήστη</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
@@ -14087,6 +14144,14 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>My account</source>
         <translation>Λογαριασμός</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>Αποσύνδεση</translation>
+    </message>
+    <message>
+        <source>Back to the login screen, where somebody else can log in</source>
+        <translation>Πίσω στην οθόνη σύνδεσης, όπου μπορεί να συνδεθεί κάποιος άλλος</translation>
     </message>
 </context>
 <context>
@@ -14102,6 +14167,45 @@ Every choice takes effect at once and is remembered on this computer. Nothing he
     <message>
         <source>over the limit</source>
         <translation>πάνω από το όριο</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::SiteBox</name>
+    <message>
+        <source>Site</source>
+        <translation>Κέντρο</translation>
+    </message>
+    <message>
+        <source>Name of the site, such as the clinic&apos;s (may be left empty)</source>
+        <translation>Όνομα του κέντρου, π.χ. της κλινικής (προαιρετικό)</translation>
+    </message>
+    <message>
+        <source>Everybody sees it at the login, on password slips and at the top of reports. A change stands in the audit trail.</source>
+        <translation>Όλοι το βλέπουν στη σύνδεση, στα σημειώματα κωδικών και στην κορυφή των αναφορών. Κάθε αλλαγή σημειώνεται στο αρχείο ελέγχου.</translation>
+    </message>
+    <message>
+        <source>Save the site&apos;s name</source>
+        <translation>Αποθήκευση του ονόματος</translation>
+    </message>
+    <message>
+        <source>The site&apos;s name could not be read.
+%1</source>
+        <translation>Το όνομα του κέντρου δεν διαβάστηκε.
+%1</translation>
+    </message>
+    <message>
+        <source>The site has no name any more.</source>
+        <translation>Το κέντρο δεν έχει πια όνομα.</translation>
+    </message>
+    <message>
+        <source>The site is now called %1.</source>
+        <translation>Το κέντρο ονομάζεται τώρα %1.</translation>
+    </message>
+    <message>
+        <source>The site&apos;s name was not changed.
+%1</source>
+        <translation>Το όνομα του κέντρου δεν άλλαξε.
+%1</translation>
     </message>
 </context>
 <context>
@@ -15537,6 +15641,18 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
     <message>
         <source>%1 Nothing counts yet.</source>
         <translation>%1 Τίποτα δεν μετράει ακόμη.</translation>
+    </message>
+    <message>
+        <source>The mouse moves the instrument. Space pauses and frees it.</source>
+        <translation>Το ποντίκι κινεί το εργαλείο. Το Διάστημα κάνει παύση και το ελευθερώνει.</translation>
+    </message>
+    <message>
+        <source>Space frees the mouse</source>
+        <translation>Το Διάστημα ελευθερώνει το ποντίκι</translation>
+    </message>
+    <message>
+        <source>Click in the scene to work on</source>
+        <translation>Κάντε κλικ στη σκηνή για να συνεχίσετε</translation>
     </message>
 </context>
 <context>

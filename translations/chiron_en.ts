@@ -578,13 +578,6 @@
             <numerusform>%n samples could not be recorded: this session will be incomplete.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Recording complete; %n ticks late</source>
-        <translation>
-            <numerusform>Recording complete; %n tick late</numerusform>
-            <numerusform>Recording complete; %n ticks late</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>chiron::desktop::LevelChooser</name>

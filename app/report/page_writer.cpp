@@ -31,8 +31,14 @@ void paintHeader(QCPPainter& p, const PageFrame& frame, const PlotTheme& theme) 
     p.setPen(theme.accent);
     p.setFont(theme.font(16, true));
     p.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("Chiron"));
+    const double besideName = QFontMetricsF(theme.font(16, true)).horizontalAdvance(QStringLiteral("Chiron")) + 14;
     p.setPen(theme.muted);
     p.setFont(theme.font(12));
+    if (!frame.site.isEmpty()) {
+        const QFontMetricsF metrics(theme.font(12));
+        const double room = kPageBodyWidth - besideName - metrics.horizontalAdvance(frame.heading) - 14;
+        p.drawText(box.adjusted(besideName, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(frame.site, Qt::ElideRight, room));
+    }
     p.drawText(box, Qt::AlignRight | Qt::AlignVCenter, frame.heading);
     p.setPen(QPen(theme.accent, 1.6));
     p.drawLine(QPointF(kPageSide, 63), QPointF(kPageWidth - kPageSide, 63));

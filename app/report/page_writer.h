@@ -19,6 +19,7 @@ struct PageFrame {
     QString proof;   ///< second line of the footer: digests
     QString title;   ///< of the PDF, with digests
     QString creator;
+    QString site{};  ///< top left, beside the program's name; may be empty
 };
 
 /// Of an A4 page in logical pixels of 1/96 inch.

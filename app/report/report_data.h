@@ -110,6 +110,7 @@ inline constexpr double kBeyondCheckedSaid = 0.01;
 
 /// Everything a session report shows. Values only: whoever fills it reads the database, never this module.
 struct ReportData {
+    QString site;               ///< what the site is called; empty: it has no name
     QString person;             ///< display name, or the operator's ("expert, seed 7")
     bool simulated = false;     ///< a scripted hand, not a person
     bool demonstration = false; ///< the permanent banner of a demonstration database

@@ -27,6 +27,7 @@ PageFrame frameOf(const ReportData& data, const PlotTheme& theme) {
     const IntegrityFacts& facts = data.integrity;
     PageFrame frame;
     frame.heading = Words::tr("Session report");
+    frame.site = data.site;
     frame.who = joined({facts.sessionId, formatMoment(data.startedUtc, data.offsetMinutes, theme.locale)});
     frame.proof = joined({data.demonstration ? Words::tr("Demonstration") : QString(), facts.buildId,
                           facts.recordingDigest.isEmpty() ? Words::tr("no recording digest") : facts.recordingDigest});

@@ -42,6 +42,7 @@ LevelLimits levelLimits(const catalogue::ExerciseLevel& level) {
     limits.squeeze_N = limitOf(level, "squeeze_max");
     limits.lateral_N = limitOf(level, "lateral_max");
     limits.retraction_N = limitOf(level, "retraction_max");
+    limits.placement_mm = largestPassed(level, "placement_error");
     return limits;
 }
 

@@ -7,13 +7,14 @@
 
 namespace chiron::session {
 
-/// What must not be exceeded at a level, N. One number for each, wherever a person meets it: the level's own limit, or the pass mark on the
+/// What must not be exceeded at a level. One number for each, wherever a person meets it: the level's own limit, or the pass mark on the
 /// largest value where that is stricter.
 struct LevelLimits {
     double force_N = 4.0;               ///< on the tissue
     std::optional<double> squeeze_N;    ///< between the jaws of a grasper
     std::optional<double> lateral_N;    ///< across a canal
     std::optional<double> retraction_N; ///< pull on a fold
+    std::optional<double> placement_mm; ///< from the middle of the target, in the mean over the trials
 };
 
 /// Pure.

@@ -3,6 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "database/repositories/score_repository.h"
+#include "database/repositories/site_repository.h"
 #include "recording/digest.h"
 #include "scoring/force_facts.h"
 #include "session/level_limits.h"
@@ -136,9 +137,11 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
                                       const std::string& language) {
     ReportData data;
     addFacts(data, record, setup, language);
+    const auto site = database::SiteRepository(connection, actor).siteName();
     auto trials = database::SessionReader(connection, actor).trials(record.summary.id);
-    if (!trials)
-        return tl::unexpected(trials.error());
+    if (!site || !trials)
+        return tl::unexpected(!site ? site.error() : trials.error());
+    data.site = QString::fromStdString(*site);
     data.trialsDone = trialsDoneOf(*trials);
     database::ScoreRepository repository(connection, actor);
     auto card = repository.scores(record.summary.id);

@@ -37,7 +37,7 @@ QString heading() {
     return Words::tr("Study report");
 }
 
-report::PageFrame frameOf(const StudyReportData& data) {
+report::PageFrame frameOf(const StudyReportData& data, const QString& site) {
     const database::StudySummary& summary = data.analysis.record.summary;
     const QString key = QString::fromStdString(summary.key);
     const QString sha256 = QString::fromStdString(summary.sha256);
@@ -47,27 +47,28 @@ report::PageFrame frameOf(const StudyReportData& data) {
     frame.proof = sha256;
     frame.title = QStringLiteral("Chiron study report: %1, design %2").arg(key, sha256);
     frame.creator = QStringLiteral("Chiron");
+    frame.site = site;
     return frame;
 }
 
 } // namespace
 
 core::Result<void> writeStudyReport(const QString& path, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices) {
+                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
     if (!data)
         return tl::unexpected(data.error());
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
-    return report::writePages(path, frameOf(*data), content.blocks(), theme);
+    return report::writePages(path, frameOf(*data, site), content.blocks(), theme);
 }
 
 core::Result<void> paintStudyReport(QPagedPaintDevice& device, database::StudyReader& reader, database::StudyNumber study,
-                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices) {
+                                    const report::PlotTheme& theme, const std::string& language, const session::AnalysisChoices& choices, const QString& site) {
     const auto data = dataOf(reader, study, language, choices);
     if (!data)
         return tl::unexpected(data.error());
     const StudyReportBlocks content(*data, theme, report::kPageBodyWidth);
-    if (!report::paintPages(device, frameOf(*data), content.blocks(), theme))
+    if (!report::paintPages(device, frameOf(*data, site), content.blocks(), theme))
         return core::fail(core::ErrorCode::storage, "study " + std::to_string(study) + ": the pages could not be drawn");
     return {};
 }

@@ -188,8 +188,10 @@ core::Result<Exercise> ContentReader::exercise(const QString& folder) {
             const std::string metric = entry.text("metric");
             if (!scoring::findMetric(metric))
                 problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("a metric of the catalogue")});
-            else if (!out.advice.emplace(metric, entry.translated("text")).second)
+            else if (std::any_of(out.advice.begin(), out.advice.end(), [&](const Advice& other) { return other.metric == metric; }))
                 problems.push_back({QStringLiteral("$.advice"), quoted(QString::fromStdString(metric)), QStringLiteral("each metric once")});
+            else
+                out.advice.push_back({metric, entry.translated("text")});
         });
     if (reader.has("legend"))
         reader.eachObject("legend", [&](const ObjectReader& entry) { out.legend.push_back({entry.text("mark"), entry.translated("text")}); });

@@ -63,12 +63,20 @@ struct LegendLine {
     Translated text;
 };
 
+/// What to do otherwise when a metric's gate did not hold.
+struct Advice {
+    std::string metric;
+    Translated text;
+
+    bool operator==(const Advice&) const = default;
+};
+
 struct Exercise {
     std::string id;
     int version = 1;
     Translated title;
     Translated objective;
-    std::map<std::string, Translated> advice; ///< by metric: what to do otherwise when its gate did not hold; may lack some
+    std::vector<Advice> advice; ///< as written: what causes other misses comes before them; each metric once, may lack some
     std::vector<LegendLine> legend; ///< in the order told
     std::vector<ExerciseLevel> levels; ///< by number, 1..n without a gap
     std::map<std::string, std::string> textsSha256; ///< by language: SHA-256 of its texts and those of its levels and presets, lower-case hex

@@ -97,6 +97,8 @@ constexpr AccessRow kRows[] = {
     {A::participantKeys,      No,       No,       No,         No,     No,     Own,       All},
     {A::eraseParticipant,     No,       No,       No,         No,     No,     No,        All},
     {A::recordStationCheck,       No,       No,       No,         No,     No,     All,       All},
+    {A::siteName,                 All,      All,      All,        All,    All,    All,       All},
+    {A::setSiteName,              No,       No,       No,         No,     No,     No,        All},
     {A::backup,                   No,       No,       No,         No,     No,     No,        All},
     {A::backupStanding,           No,       No,       All,        No,     No,     No,        All},
     {A::setBackupPlan,            No,       No,       No,         No,     No,     No,        All},

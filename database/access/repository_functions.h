@@ -84,6 +84,8 @@
     X(StudyReader, participantKeys)                                                                          \
     X(PrivacyRepository, eraseParticipant)                                                                   \
     X(StationRepository, recordStationCheck)                                                                 \
+    X(SiteRepository, siteName)                                                                              \
+    X(SiteRepository, setSiteName)                                                                           \
     X(Upkeep, backup)                                                                                        \
     X(Upkeep, backupStanding)                                                                                \
     X(Upkeep, setBackupPlan)                                                                                 \

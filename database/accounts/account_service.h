@@ -74,13 +74,13 @@ public:
     /// All or nothing; everything wrong is named (line, column, value, expectation). Passwords that the list does
     /// not give are made; whoever is new must change theirs at the first login.
     /// `step` hears how many passwords are hashed, of how many (that is what takes long); false from it ends
-    /// the import with cancelled, and nothing was changed.
+    /// the import with cancelled, and nothing was changed. `roles`: what words of the list stand for that are no role.
     core::Result<RosterOutcome> importCsv(const Actor& actor, const std::string& csv,
                                           RosterExisting existing = RosterExisting::skip,
-                                          const std::function<bool(int done, int of)>& step = {});
+                                          const std::function<bool(int done, int of)>& step = {}, const RoleWords& roles = {});
     /// What importCsv would do, without doing it, and without passwords. Failure: notAllowed, storage.
     core::Result<RosterPlan> previewCsv(const Actor& actor, const std::string& csv,
-                                        RosterExisting existing = RosterExisting::skip);
+                                        RosterExisting existing = RosterExisting::skip, const RoleWords& roles = {});
     /// Failure: badInput when the login name is taken or not allowed.
     core::Result<void> changeNames(const Actor& actor, PersonId person, const std::string& name,
                                    const std::string& displayName);

@@ -186,12 +186,12 @@ std::vector<RosterStep> planRoster(const Roster& roster, const KnownPeople& know
     return steps;
 }
 
-core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv, RosterExisting existing) {
+core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const std::string& csv, RosterExisting existing, const RoleWords& roles) {
     const auto people = peopleFor(m_database, actor);
     if (!people) {
         return tl::unexpected(people.error());
     }
-    RosterPlan plan{readRoster(csv), {}};
+    RosterPlan plan{readRoster(csv, roles), {}};
     plan.steps = planRoster(plan.roster, *people, existing);
     for (UserCsvRow& row : plan.roster.rows) {
         row.password.clear(); // whoever looks at the preview has no need of it
@@ -200,8 +200,8 @@ core::Result<RosterPlan> AccountService::previewCsv(const Actor& actor, const st
 }
 
 core::Result<RosterOutcome> AccountService::importCsv(const Actor& actor, const std::string& csv, RosterExisting existing,
-                                                      const std::function<bool(int done, int of)>& step) {
-    const Roster roster = readRoster(csv);
+                                                      const std::function<bool(int done, int of)>& step, const RoleWords& roles) {
+    const Roster roster = readRoster(csv, roles);
     if (!roster.problems.empty()) {
         return tl::unexpected(rosterError(roster.problems));
     }

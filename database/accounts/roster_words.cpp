@@ -4,6 +4,7 @@
 #include <QHash>
 #include <QRegularExpression>
 #include <QString>
+#include <QStringList>
 #include <algorithm>
 
 namespace chiron::database {
@@ -219,6 +220,28 @@ RosterColumn columnOf(const std::string& heading) {
     return words.isEmpty() ? RosterColumn::empty : known.value(words, RosterColumn::unknown);
 }
 
+const QHash<QString, Role>& roleWords() {
+    static const QHash<QString, Role> known = [] {
+        QHash<QString, Role> words;
+        for (const RoleWord& word : kRoles) {
+            words.insert(plain(QString::fromUtf8(word.text)), word.role);
+        }
+        return words;
+    }();
+    return known;
+}
+
+QStringList wordsOf(const std::string& cell) {
+    static const QRegularExpression separators(QStringLiteral("[;,|\\n]"));
+    QStringList words;
+    for (const QString& part : QString::fromStdString(cell).split(separators)) {
+        if (!part.trimmed().isEmpty()) {
+            words << part;
+        }
+    }
+    return words;
+}
+
 /// "Name" beside "Vorname" is the family's, "Όνομα" beside "Επώνυμο" the given one, "Name" beside "Login" the whole; by itself it
 /// is what somebody logs in with.
 RosterColumn meaningOfName(const std::vector<RosterColumn>& columns) {
@@ -248,27 +271,37 @@ int knownHeadings(const std::vector<std::string>& headings) {
     }));
 }
 
-std::optional<RoleSet> rolesOfCell(const std::string& cell) {
-    static const QHash<QString, Role> known = [] {
-        QHash<QString, Role> words;
-        for (const RoleWord& word : kRoles) {
-            words.insert(plain(QString::fromUtf8(word.text)), word.role);
-        }
-        return words;
-    }();
-    static const QRegularExpression separators(QStringLiteral("[;,|\\n]"));
+std::optional<RoleSet> rolesOfCell(const std::string& cell, const RoleWords& own) {
+    QHash<QString, Role> more;
+    for (const auto& [word, role] : own) {
+        more.insert(plain(QString::fromStdString(word)), role);
+    }
     RoleSet roles;
-    for (const QString& part : QString::fromStdString(cell).split(separators)) {
-        const QString word = plain(part);
-        if (word.isEmpty() && part.trimmed().isEmpty()) {
-            continue;
-        }
-        if (!known.contains(word)) {
+    for (const QString& written : wordsOf(cell)) {
+        const QString word = plain(written);
+        if (!roleWords().contains(word) && !more.contains(word)) {
             return std::nullopt;
         }
-        roles.insert(known.value(word));
+        roles.insert(roleWords().contains(word) ? roleWords().value(word) : more.value(word));
+    }
+    if (roles.empty() && more.contains(QString())) {
+        roles.insert(more.value(QString()));
     }
     return roles.empty() ? std::nullopt : std::optional(roles);
+}
+
+std::vector<std::string> unknownRoleWords(const std::string& cell) {
+    std::vector<std::string> unknown;
+    const QStringList written = wordsOf(cell);
+    for (const QString& word : written) {
+        if (!roleWords().contains(plain(word))) {
+            unknown.push_back(word.simplified().toStdString());
+        }
+    }
+    if (written.isEmpty()) {
+        unknown.emplace_back();
+    }
+    return unknown;
 }
 
 } // namespace chiron::database

@@ -4,6 +4,7 @@
 #include "database/role.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,14 @@ std::vector<RosterColumn> rosterColumns(const std::vector<std::string>& headings
 /// How many of these headings are known: the line is read with the delimiter that makes most of it known.
 int knownHeadings(const std::vector<std::string>& headings);
 
-/// Roles as people write them in one of the three languages, separated by ; , | or line ends. Nothing where a word is no role.
-std::optional<RoleSet> rolesOfCell(const std::string& cell);
+/// What words of a list stand for that name no role by themselves, in any case and accentuation; "": cells without a word.
+using RoleWords = std::map<std::string, Role>;
+
+/// Roles as people write them in one of the three languages, separated by ; , | or line ends. Nothing where a word is no role and `own`
+/// does not tell what it stands for.
+std::optional<RoleSet> rolesOfCell(const std::string& cell, const RoleWords& own = {});
+
+/// The words of a cell that name no role by themselves, as written; "" where it has no word.
+std::vector<std::string> unknownRoleWords(const std::string& cell);
 
 } // namespace chiron::database

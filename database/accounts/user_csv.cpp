@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace chiron::database {
 namespace {
@@ -120,7 +121,7 @@ std::optional<Columns> columnsOf(const CsvRecord& header, Roster& roster) {
 
 class RowReader {
 public:
-    RowReader(const Columns& columns, Roster& roster) : m_columns(columns), m_roster(roster) {}
+    RowReader(const Columns& columns, Roster& roster, const RoleWords& own) : m_columns(columns), m_roster(roster), m_own(own) {}
 
     void read(const CsvRecord& record) {
         m_record = &record;
@@ -168,12 +169,20 @@ private:
     }
     RoleSet roles() {
         const std::string words = cell(RosterColumn::roles);
-        const auto set = rolesOfCell(words);
+        noteUnknown(words);
+        const auto set = rolesOfCell(words, m_own);
         if (!set) {
             add(m_roster, {m_record->line, RosterFault::roles, simplified(words), 0, "", m_columns.heading(RosterColumn::roles)},
                 "expected trainee, trainer, researcher or admin, separated by ;");
         }
         return set.value_or(RoleSet{});
+    }
+    void noteUnknown(const std::string& words) {
+        for (const std::string& word : unknownRoleWords(words)) {
+            if (m_unknown.insert(QString::fromStdString(word).toCaseFolded()).second) {
+                m_roster.unknownRoles.push_back(word);
+            }
+        }
     }
     void check(const UserCsvRow& row) {
         if (const auto good = checkName(row.name); !good) {
@@ -195,6 +204,8 @@ private:
 
     const Columns& m_columns;
     Roster& m_roster;
+    const RoleWords& m_own;
+    std::set<QString> m_unknown; ///< noted
     const CsvRecord* m_record = nullptr;
     std::map<std::string, int> m_lineOfName;
 };
@@ -217,7 +228,7 @@ std::vector<CsvRecord> recordsOf(std::string text, Roster& roster) {
 
 } // namespace
 
-Roster readRoster(const std::string& bytes) {
+Roster readRoster(const std::string& bytes, const RoleWords& own) {
     Roster roster;
     auto text = readTableText(bytes);
     if (!text) {
@@ -230,7 +241,7 @@ Roster readRoster(const std::string& bytes) {
     if (!columns) {
         return roster;
     }
-    RowReader rows(*columns, roster);
+    RowReader rows(*columns, roster, own);
     for (std::size_t i = 1; i < records.size(); ++i) {
         rows.read(records[i]);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/result.h"
+#include "database/accounts/roster_words.h"
 #include "database/role.h"
 
 #include <cstdint>
@@ -58,13 +59,14 @@ struct Roster {
     std::string encoding; ///< that the file was read with: "UTF-8", "UTF-16", "Windows-1252", "Windows-1253"
     char delimiter = ',';
     std::vector<std::string> ignoredColumns; ///< headings of columns that are not imported
+    std::vector<std::string> unknownRoles; ///< words that name no role by themselves, each once as first written; "": a cell without any
 };
 
 /// Reads the bytes of a list as a spreadsheet saves it (UTF-8, UTF-16, Windows-1252 or -1253; semicolon, comma or tab; "sep=;") and
 /// finds everything that is wrong in it; never fails as a whole. Headings may be English, German or Greek, in any order: login name,
 /// full name (or given and family name), roles, password; the login name and the
-/// roles are needed.
-Roster readRoster(const std::string& bytes);
+/// roles are needed. `own`: what words stand for that name no role by themselves.
+Roster readRoster(const std::string& bytes, const RoleWords& own = {});
 
 /// badInput that names everything wrong (at most 20 things): line, column, value and what was expected.
 core::Error rosterError(const std::vector<RosterProblem>& problems);

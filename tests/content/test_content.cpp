@@ -11,6 +11,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -223,10 +224,10 @@ void TestContent::everyPassMarkHasAdvice() {
             for (const scoring::Gate& gate : level.gates)
                 gated.insert(gate.metric);
         for (const std::string& metric : gated) {
-            const auto advice = exercise.advice.find(metric);
+            const auto advice = std::find_if(exercise.advice.begin(), exercise.advice.end(), [&](const Advice& one) { return one.metric == metric; });
             QVERIFY2(advice != exercise.advice.end(), (exercise.id + ": " + metric).c_str());
             for (const std::string& language : core::languageIds())
-                QVERIFY2(!advice->second.at(language).empty(), (exercise.id + ": " + metric).c_str());
+                QVERIFY2(!advice->text.at(language).empty(), (exercise.id + ": " + metric).c_str());
         }
         QCOMPARE(exercise.advice.size(), gated.size());
         // Words about a result are no part of what was done: they are not stored with a session.

@@ -137,8 +137,8 @@ void TestContentTexts::aLanguageIsALineAndFiles() {
     QVERIFY(catalogue->missingTexts().empty());
     for (const Exercise& exercise : catalogue->exercises()) {
         QCOMPARE(exercise.title.at("xx"), exercise.title.at("de"));
-        for (const auto& [metric, advice] : exercise.advice)
-            QCOMPARE(advice.at("xx"), advice.at("de"));
+        for (const Advice& advice : exercise.advice)
+            QCOMPARE(advice.text.at("xx"), advice.text.at("de"));
         for (const LegendLine& line : exercise.legend)
             QCOMPARE(line.text.at("xx"), line.text.at("de"));
         for (const ExerciseLevel& level : exercise.levels) {

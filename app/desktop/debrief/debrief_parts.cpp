@@ -118,11 +118,11 @@ QWidget* DebriefScreen::decisionsBox() {
     return box.frame;
 }
 
-std::map<std::string, QString> DebriefScreen::adviceNow() const {
-    std::map<std::string, QString> advice;
+std::vector<MetricAdvice> DebriefScreen::adviceNow() const {
+    std::vector<MetricAdvice> advice;
     if (const catalogue::Exercise* exercise = context().site().catalogue().find(m_head->record.summary.exercise))
         for (const auto& [metric, text] : exercise->advice)
-            advice.emplace(metric, QString::fromStdString(catalogue::textIn(text, context().language().toStdString())));
+            advice.push_back({metric, QString::fromStdString(catalogue::textIn(text, context().language().toStdString()))});
     return advice;
 }
 

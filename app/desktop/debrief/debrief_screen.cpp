@@ -4,6 +4,7 @@
 #include "desktop/debrief/metrics_table.h"
 #include "desktop/debrief/report_words.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/session_words.h"
 #include "desktop/results/results_place.h"
@@ -253,10 +254,12 @@ void DebriefScreen::askReport() {
     if (!m_head || m_head->record.summary.recordingErased)
         return;
     const QString name = tr("Chiron session %1.pdf").arg(sessionId());
-    auto* dialog = new QFileDialog(this, tr("Write the report"), name, tr("PDF documents (*.pdf)"));
+    auto* dialog = new QFileDialog(this, tr("Write the report"), QString(), tr("PDF documents (*.pdf)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("reports"));
+    dialog->selectFile(name);
     connect(dialog, &QFileDialog::fileSelected, this, &DebriefScreen::writeReport);
     dialog->open();
 }

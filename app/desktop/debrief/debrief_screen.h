@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/debrief/debrief_data.h"
+#include "desktop/debrief/verdict.h"
 #include "desktop/frame/screen.h"
 #include "desktop/training/training_plan.h"
 
@@ -57,7 +58,7 @@ private:
     void openComment(double at_s, const QString& words);
     void openSetup(int level);
     void openResults();
-    std::map<std::string, QString> adviceNow() const; ///< of the exercise, in the person's language
+    std::vector<MetricAdvice> adviceNow() const; ///< of the exercise, in the person's language
     bool isMine() const;
     bool mayTryNow() const;       ///< a script has shown this person how it is done
     std::optional<TrainingPlan> demonstration() const; ///< of this level

@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace chiron::desktop {
 
 using database::SessionState;
@@ -22,7 +24,29 @@ bool isDemonstration(const DebriefHead& head) {
     return !head.record.summary.operatorName.empty() && head.record.summary.person == database::Actor::kSimulatedPerson;
 }
 
-Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {
+std::vector<const report::MetricRow*> missedRows(const DebriefHead& head) {
+    std::vector<const report::MetricRow*> missed;
+    for (const report::MetricRow& row : head.report.metrics)
+        if (row.passed == std::optional<bool>(false))
+            missed.push_back(&row);
+    return missed;
+}
+
+/// The missed pass marks and what is advised of each, causes first.
+void tellMissed(Verdict& verdict, const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice) {
+    std::vector<const report::MetricRow*> missed = missedRows(head);
+    const auto place = [&](const report::MetricRow* row) {
+        return std::find_if(advice.begin(), advice.end(), [&](const MetricAdvice& one) { return one.metric == row->id.toStdString(); });
+    };
+    std::stable_sort(missed.begin(), missed.end(), [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    for (const report::MetricRow* row : missed) {
+        const auto found = place(row);
+        verdict.reasons << missedGateText(*row, locale);
+        verdict.advice << (found == advice.end() ? QString() : found->text);
+    }
+}
+
+Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice) {
     if (!head.report.passed)
         return {"info", QStringLiteral("dialog-ok-apply"), Words::tr("Completed"),
                 Words::tr("This level has no pass mark. Everything below is for you to compare."), {}};
@@ -30,14 +54,7 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::m
         return {"good", QStringLiteral("dialog-ok-apply"), isDemonstration(head) ? Words::tr("The demonstration passed") : Words::tr("Passed"),
                 Words::tr("Every pass mark of this level was met."), {}};
     Verdict verdict{"warning", QStringLiteral("dialog-warning"), Words::tr("Not passed yet"), {}, {}};
-    for (const report::MetricRow& row : head.report.metrics)
-        if (row.passed == std::optional<bool>(false))
-            verdict.reasons << missedGateText(row, locale);
-    for (const report::MetricRow& row : head.report.metrics)
-        if (row.passed == std::optional<bool>(false)) {
-            const auto found = advice.find(row.id.toStdString());
-            verdict.advice << (found == advice.end() ? QString() : found->second);
-        }
+    tellMissed(verdict, head, locale, advice);
     verdict.text = Words::tr("%n pass mark(s) of this level were not met:", nullptr, static_cast<int>(verdict.reasons.size()));
     return verdict;
 }
@@ -139,7 +156,7 @@ QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
     return (own ? Words::tr("Since your last attempt: %1") : Words::tr("Since the attempt before: %1")).arg(changes.join(QStringLiteral(" · ")));
 }
 
-Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice) {
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice) {
     const SessionState state = head.record.summary.state;
     Verdict verdict = state == SessionState::completed ? ofCompleted(head, locale, advice)
                       : state == SessionState::voided  ? ofVoided(head)

@@ -19,8 +19,15 @@ struct Verdict {
     QStringList advice{};      ///< of each reason: what to do differently, as the exercise's content says; may be empty
 };
 
-/// GUI thread (words). Reads what was stored; decides nothing. `advice`: of the exercise, by metric, in the person's language.
-Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::map<std::string, QString>& advice = {});
+/// What to do differently where a metric's pass mark was missed.
+struct MetricAdvice {
+    std::string metric;
+    QString text;
+};
+
+/// GUI thread (words). Reads what was stored; decides nothing. `advice`: of the exercise, in the person's language; the missed pass
+/// marks are told in its order, which puts a cause before what it leads to, and after them those without advice.
+Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice = {});
 
 /// "Since your last attempt: mean apex error 14.2 % → 9.10 % · ...": of the metrics with a pass mark, at most three, those that failed
 /// first. `own`: the reader's attempt. Empty where there was no attempt before, or nothing of it can be compared.

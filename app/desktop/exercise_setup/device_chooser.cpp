@@ -3,6 +3,7 @@
 
 #include "desktop/exercise_setup/choice_tile.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -221,6 +222,7 @@ void DeviceChooser::askTrace() {
     dialog->setObjectName(QStringLiteral("setup.trace.dialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
+    beginInLastFolder(m_context.settings(), *dialog, QStringLiteral("traces"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
         m_traceFile = file;
         checkTrace();

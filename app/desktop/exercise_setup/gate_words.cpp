@@ -61,6 +61,8 @@ QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& 
         words << Words::tr("Force across the canal: %1 N at most").arg(newtons(*limits.lateral_N));
     if (limits.retraction_N)
         words << Words::tr("Pull on the fold: %1 N at most").arg(newtons(*limits.retraction_N));
+    if (limits.placement_mm)
+        words << Words::tr("At the end: %1 mm from the middle of the ring at most, on average").arg(locale.toString(*limits.placement_mm, 'g', 3));
     return words;
 }
 

@@ -2,6 +2,7 @@
 #include "desktop/first_start/administrator_page.h"
 
 #include "database/accounts/account_rules.h"
+#include "database/repositories/site_repository.h"
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/accounts/password_fields.h"
@@ -22,6 +23,9 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     m_nameRule = kit::label(theme, tr("A short name without commas, such as \"ada\"."), TextStyle::small, "muted");
     column->addWidget(m_nameRule);
     m_displayName = form::textField(theme, column, tr("Full name (may be left empty)"), QStringLiteral("first_start.display_name"));
+    m_siteName = form::textField(theme, column, tr("Name of the site, such as the clinic's (may be left empty)"), QStringLiteral("first_start.site_name"));
+    m_siteName->setMaxLength(database::kMaximumSiteNameCharacters);
+    m_siteName->setToolTip(tr("Shown at the login, on password slips and on reports. Administrators can change it in the settings."));
     m_passwords = new PasswordFields(theme, QStringLiteral("first_start"));
     column->addWidget(m_passwords);
     m_notice = new NoticeArea(theme);
@@ -37,7 +41,8 @@ AdministratorPage::AdministratorPage(const Theme& theme, QWidget* parent) : QWid
     column->addLayout(row);
     connect(m_name, &QLineEdit::textChanged, this, &AdministratorPage::renew);
     connect(m_name, &QLineEdit::returnPressed, m_displayName, qOverload<>(&QWidget::setFocus));
-    connect(m_displayName, &QLineEdit::returnPressed, m_passwords, &PasswordFields::focusFirst);
+    connect(m_displayName, &QLineEdit::returnPressed, m_siteName, qOverload<>(&QWidget::setFocus));
+    connect(m_siteName, &QLineEdit::returnPressed, m_passwords, &PasswordFields::focusFirst);
     connect(m_passwords, &PasswordFields::changed, this, &AdministratorPage::renew);
     connect(m_passwords, &PasswordFields::submitted, this, &AdministratorPage::submit);
     connect(m_create, &QPushButton::clicked, this, &AdministratorPage::submit);
@@ -69,12 +74,12 @@ void AdministratorPage::renew() {
 void AdministratorPage::submit() {
     if (!m_create->isEnabled())
         return;
-    emit submitted({m_name->text().toStdString(), m_displayName->text().trimmed().toStdString(), m_passwords->password()});
+    emit submitted({m_name->text().toStdString(), m_displayName->text().trimmed().toStdString(), m_passwords->password(), m_siteName->text().trimmed().toStdString()});
 }
 
 void AdministratorPage::setWorking(bool working) {
     m_working = working;
-    for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_displayName), static_cast<QWidget*>(m_passwords),
+    for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_displayName), static_cast<QWidget*>(m_siteName), static_cast<QWidget*>(m_passwords),
                           static_cast<QWidget*>(m_back)})
         part->setEnabled(!working);
     m_notice->say("info", working ? tr("Creating the site …") : QString());

@@ -35,6 +35,7 @@ private:
     QLineEdit* m_name;
     QLabel* m_nameRule;
     QLineEdit* m_displayName;
+    QLineEdit* m_siteName;
     PasswordFields* m_passwords;
     NoticeArea* m_notice;
     QPushButton* m_back;

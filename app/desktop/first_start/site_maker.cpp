@@ -2,6 +2,8 @@
 #include "desktop/first_start/site_maker.h"
 
 #include "database/accounts/account_service.h"
+#include "database/repositories/site_repository.h"
+#include "database/write_context.h"
 #include "session/demo_site.h"
 
 #include <QCoreApplication>
@@ -56,6 +58,13 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
     const auto actor = accounts.login(request.name, request.password);
     if (!actor)
         return tl::unexpected(actor.error());
+    if (!request.siteName.empty()) {
+        const auto named = open->write([&](database::WriteContext& writing) {
+            return database::SiteRepository(writing.connection(), *actor).setSiteName(request.siteName);
+        });
+        if (!named)
+            return tl::unexpected(named.error());
+    }
     made.actor = *actor;
     made.recoveryCode = first->recoveryCode;
     return made;

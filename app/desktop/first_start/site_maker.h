@@ -18,6 +18,7 @@ struct AdministratorRequest {
     std::string name;
     std::string displayName;
     std::string password;
+    std::string siteName{}; ///< may be empty
 };
 
 /// A site that was just made, or opened for the first time.

@@ -98,6 +98,14 @@ void Settings::setBackupFolder(const QString& folder) {
     m_file.setValue(QStringLiteral("backup_folder"), folder);
 }
 
+QString Settings::lastFolder(const QString& purpose) const {
+    return m_file.value(QStringLiteral("last_folders/") + purpose).toString();
+}
+
+void Settings::setLastFolder(const QString& purpose, const QString& folder) {
+    m_file.setValue(QStringLiteral("last_folders/") + purpose, folder);
+}
+
 QVariant Settings::ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const {
     return m_file.value(personKey(person, key), otherwise);
 }

@@ -30,6 +30,8 @@ public:
     void setSoundCue(const QString& cue, bool on);
     QString backupFolder() const; ///< empty: beside the database
     void setBackupFolder(const QString& folder);
+    QString lastFolder(const QString& purpose) const; ///< of a file dialog (frame/file_folder.h); empty: none was chosen yet
+    void setLastFolder(const QString& purpose, const QString& folder);
 
     /// Small things that belong to one person here (handedness, last device): key as "handedness".
     QVariant ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const;

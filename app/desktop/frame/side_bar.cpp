@@ -115,7 +115,8 @@ QWidget* SideBar::personArea() {
     connect(help, &QPushButton::clicked, this, &SideBar::helpAsked);
     auto* lock = entry(QStringLiteral("system-lock-screen"), tr("Lock"), QStringLiteral("nav.lock"));
     connect(lock, &QPushButton::clicked, &m_context, &AppContext::lockAsked);
-    auto* leave = entry(QStringLiteral("system-switch-user"), tr("Switch user"), QStringLiteral("nav.switch_user"));
+    auto* leave = entry(QStringLiteral("system-switch-user"), tr("Log out"), QStringLiteral("nav.log_out"));
+    leave->setToolTip(tr("Back to the login screen, where somebody else can log in"));
     connect(leave, &QPushButton::clicked, this, [this] { m_context.logOut(); });
     column->addLayout(inOnePlace({account, search, help, lock, leave}));
     return area;

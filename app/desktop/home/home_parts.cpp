@@ -197,16 +197,16 @@ QWidget* HomeScreen::peopleCard(const HomeData& home) {
 }
 
 void HomeScreen::addResearcher(QVBoxLayout& column) {
-    column.addWidget(stateCard(QStringLiteral("studies"), tr("Studies"),
+    column.addWidget(stateCard({QStringLiteral("studies"), tr("Studies"),
                                tr("Design a study or begin with a template, try it with simulated observers, freeze it, enrol participants."), "info", {},
-                               tr("Open the studies")));
-    column.addWidget(stateCard(QStringLiteral("study_run"), tr("Run"),
+                               tr("Open the studies")}));
+    column.addWidget(stateCard({QStringLiteral("study_run"), tr("Run"),
                                tr("Guide a participant through a study, by code and in their own order. Interrupted runs continue where "
                                   "they stopped."), "info", {},
-                               tr("Run a study")));
-    column.addWidget(stateCard(QStringLiteral("study_data"), tr("Data"),
+                               tr("Run a study")}));
+    column.addWidget(stateCard({QStringLiteral("study_data"), tr("Data"),
                                tr("Curves, thresholds and intervals of each person and the group, every trial with its fidelity, exports."), "info", {},
-                               tr("Open the data")));
+                               tr("Open the data")}));
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
     box.layout->addWidget(kit::label(theme, tr("Training sessions"), TextStyle::title));
@@ -218,43 +218,46 @@ void HomeScreen::addResearcher(QVBoxLayout& column) {
     column.addWidget(box.frame);
 }
 
-QWidget* HomeScreen::stateCard(const QString& screen, const QString& title, const QString& text, const char* noticeKind,
-                               const QString& notice, const QString& action) {
+QWidget* HomeScreen::stateCard(const StateCard& card) {
     const Theme& theme = context().theme();
     const kit::Box box = kit::box(theme);
-    box.layout->addWidget(kit::label(theme, title, TextStyle::title));
-    box.layout->addWidget(kit::label(theme, text));
-    if (!notice.isEmpty())
-        box.layout->addWidget(kit::notice(theme, noticeKind, notice));
+    box.layout->addWidget(kit::label(theme, card.title, TextStyle::title));
+    box.layout->addWidget(kit::label(theme, card.text));
+    if (!card.notice.isEmpty())
+        box.layout->addWidget(kit::notice(theme, card.noticeKind, card.notice));
     box.layout->addStretch();
-    auto* open = opener(action, screen);
-    open->setObjectName(QStringLiteral("home.") + screen);
+    auto* open = opener(card.action, card.screen);
+    open->setObjectName(QStringLiteral("home.") + card.screen);
     box.layout->addWidget(open, 0, Qt::AlignLeft);
     return box.frame;
 }
 
-void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home) {
+std::vector<HomeScreen::StateCard> HomeScreen::adminCards(const HomeData& home) const {
     const QLocale locale = context().locale();
-    column.addWidget(stateCard(QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "warning",
-                               home.toErase > 0 ? tr("%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose "
-                                                     "\"Erase a participant\".", nullptr, home.toErase)
-                                                : QString(),
-                               tr("Open people")));
+    const QString toErase = home.toErase > 0 ? tr("%n participant(s) withdrew from a study and asked for their recordings to be erased. Under People, choose "
+                                                  "\"Erase a participant\".", nullptr, home.toErase)
+                                             : QString();
     const session::StorageRoom room = home.room.value_or(session::StorageRoom{});
     const StorageNotice disk = StorageWords::room(room, locale);
     const StorageNotice backup = StorageWords::backup(home.latestBackupUtc, QDateTime::currentDateTimeUtc(), locale);
     const StorageNotice automatic = StorageWords::automatic(home.backups, QDateTime::currentDateTimeUtc(), locale);
     const StorageNotice& worst = !disk.isGood() ? disk : !home.backups.problem.empty() ? automatic : backup;
-    column.addWidget(stateCard(QStringLiteral("storage"), tr("Storage"),
-                               tr("The database uses %1; %2 is free.")
-                                   .arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
-                               worst.kind, worst.text, tr("Open storage")));
-    const char* kind = home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good";
     const QString loop = !home.lastLoopTimed       ? QString()
                          : home.lastLoopPriority ? tr("The last session ran with real-time priority.")
                                                  : tr("The last session ran without real-time priority: forces may feel less smooth.");
-    column.addWidget(stateCard(QStringLiteral("station"), tr("Station"), tr("Devices, timing of the force loop, free space for recordings."), kind,
-                               loop, tr("Open the station check")));
+    return {{QStringLiteral("people"), tr("People"), tr("%n account(s) can log in.", nullptr, home.accounts), "warning", toErase, tr("Open people"),
+             home.toErase > 0},
+            {QStringLiteral("storage"), tr("Storage"),
+             tr("The database uses %1; %2 is free.").arg(SessionWords::bytes(room.database_bytes, locale), SessionWords::bytes(room.diskFree_bytes, locale)),
+             worst.kind, worst.text, tr("Open storage"), !worst.isGood()},
+            {QStringLiteral("station"), tr("Station"), tr("Devices, timing of the force loop, free space for recordings."),
+             home.lastLoopTimed && !home.lastLoopPriority ? "warning" : "good", loop, tr("Open the station check")}};
+}
+
+void HomeScreen::addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk) {
+    for (const StateCard& card : adminCards(home))
+        if (card.asks == thatAsk)
+            column.addWidget(stateCard(card));
 }
 
 } // namespace chiron::desktop

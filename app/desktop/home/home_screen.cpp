@@ -68,20 +68,23 @@ void HomeScreen::show(const HomeData& home) {
     addRecoveryCode(column, home);
     const bool trainee = context().has(database::Role::trainee);
     const bool nothingElse = home.accounts == 1 && home.own.empty(); // a site of one who has only just made it
+    const bool admin = context().has(database::Role::admin);
+    if (nothingElse && !trainee)
+        addOwnTraining(column, home);
+    if (admin)
+        addAdmin(column, home, true);
     if (trainee)
         addTrainee(column, home);
-    else if (nothingElse)
-        addOwnTraining(column, home);
     if (context().has(database::Role::trainer))
         addTrainer(column, home);
     if (context().has(database::Role::trainee) || context().has(database::Role::trainer))
         addComments(column);
     if (context().has(database::Role::researcher))
         addResearcher(column);
-    if (context().has(database::Role::admin))
-        addAdmin(column, home);
     if (!trainee && !nothingElse)
         addOwnTraining(column, home);
+    if (admin)
+        addAdmin(column, home, false);
     column.addStretch();
     delete m_panel->content();
     m_panel->setContent(page);

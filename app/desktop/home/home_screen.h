@@ -11,9 +11,9 @@ namespace chiron::desktop {
 
 class StatePanel;
 
-/// Where everybody starts: what their roles want first (experience.md). Who holds several roles sees each one's part, the
-/// own training first; who is no trainee may train as well, and finds that after their own part, or before it while the site has nobody
-/// else. From here a running exercise is two actions away.
+/// Where everybody starts, ordered by what is to be done (experience.md): what an administrator has to see to, the own next step, the
+/// parts of the other roles, and last what is in order. Who is no trainee may train as well, and finds that after the part of their role;
+/// while the site has nobody else it comes first. From here a running exercise is two actions away.
 class HomeScreen final : public Screen {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ private:
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);
-    void addAdmin(QVBoxLayout& column, const HomeData& home);
+    void addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk); ///< the cards that ask for something, or those in order
     QWidget* continueCard(const HomeData& home);
     /// For who has not trained yet: straight to a few trials that do not count. Null where there is no exercise.
     QWidget* tryCard(const HomeData& home);
@@ -45,8 +45,15 @@ private:
     QWidget* progressCard(const HomeData& home);
     QWidget* peopleCard(const HomeData& home);
     /// A card that says how something is and opens its screen.
-    QWidget* stateCard(const QString& screen, const QString& title, const QString& text, const char* noticeKind, const QString& notice,
-                       const QString& action);
+    struct StateCard {
+        QString screen, title, text;
+        const char* noticeKind;
+        QString notice;
+        QString action;
+        bool asks = false; ///< somebody has to do something about it
+    };
+    QWidget* stateCard(const StateCard& card);
+    std::vector<StateCard> adminCards(const HomeData& home) const;
     QPushButton* opener(const QString& text, const QString& screen, const QVariantMap& parameters = {}, const char* kind = "");
 
     StatePanel* m_panel;

@@ -10,6 +10,7 @@
 #include "desktop/login/new_password_page.h"
 #include "desktop/login/recovery_page.h"
 #include "desktop/restore/restore_screen.h"
+#include "desktop/site/site_name.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/logo.h"
 #include "desktop/widgets/scroll_page.h"
@@ -62,6 +63,11 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_room->addWidget(m_site);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addLayout(heading);
+    m_siteName = kit::label(theme, {}, TextStyle::title, "muted");
+    m_siteName->setObjectName(QStringLiteral("login.site_name"));
+    m_siteName->setAlignment(Qt::AlignCenter);
+    m_siteName->hide();
+    m_scroll->column()->addWidget(m_siteName);
     m_scroll->column()->addWidget(box.frame);
     m_scroll->column()->addStretch(1);
     m_scroll->column()->addWidget(form::languageChoice(context), 0, Qt::AlignHCenter);
@@ -135,6 +141,16 @@ void LoginScreen::loadNames() {
         [this](core::Result<std::vector<database::LoginName>> names) { namesLoaded(std::move(names)); });
 }
 
+/// A site without a name, or one whose name cannot be read, shows none: the list of names tells what is wrong.
+void LoginScreen::loadSiteName() {
+    context().background().run(
+        this, [&database = context().site().database()](WorkToken&) { return readSiteName(database, database::Actor::anonymous()); },
+        [this](const core::Result<QString>& name) {
+            m_siteName->setText(name.value_or(QString()));
+            m_siteName->setVisible(!m_siteName->text().isEmpty());
+        });
+}
+
 void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> names) {
     if (!names) {
         examine(tr("The list of names could not be read."), names.error(), [this] {
@@ -148,6 +164,7 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
         return;
     }
     makeForm();
+    loadSiteName();
     m_form->setNames(*names);
     if (context().site().database().isDemonstration())
         m_form->showDemonstrationHint(tr("This is a demonstration: choose anyone. The password for everyone is %1")

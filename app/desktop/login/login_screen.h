@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace chiron::desktop {
@@ -39,6 +40,7 @@ private:
     void setPage(QWidget* page);
     void loadNames();
     void namesLoaded(core::Result<std::vector<database::LoginName>> names);
+    void loadSiteName();
     void siteFailed(const core::Error& error);
     void examine(const QString& what, const core::Error& error, std::function<void()> again);
     void openAgain();
@@ -47,6 +49,7 @@ private:
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
     ScrollPage* m_scroll;
+    QLabel* m_siteName; ///< below the program's
     StatePanel* m_site; ///< opening, failed, or there
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;

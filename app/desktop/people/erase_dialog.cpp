@@ -13,6 +13,11 @@ namespace chiron::desktop {
 EraseDialog::EraseDialog(AppContext& context, database::Person person, QWidget* parent)
     : ErasureDialog(context, QStringLiteral("erase"), tr("Erase %1").arg(QString::fromStdString(person.name)), parent), m_person(std::move(person)) {
     column()->addWidget(kit::notice(theme(), "bad", tr("This cannot be undone. Disabling the account keeps everything and can be undone.")));
+    auto* which = kit::label(theme(), tr("This erases an account, and who the person was in studies whose key names the account. A participant who is known by a code alone is "
+                                         "erased with \"Erase a participant\"."),
+                             TextStyle::body, "muted");
+    which->setObjectName(QStringLiteral("erase.which"));
+    column()->addWidget(which);
     column()->addWidget(kit::label(theme(), tr("Overwritten: name, code, password, comments and reasons in free text."), TextStyle::body));
     column()->addWidget(kit::label(theme(), tr("Kept without a name: sessions, scores, and a note of when and why the person was erased. "
                                                "Earlier backups still contain the person until they are deleted; restoring one erases the "

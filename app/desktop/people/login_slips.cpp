@@ -85,7 +85,7 @@ std::vector<report::Block> blocksOf(const LoginSlips& slips, const report::PlotT
 
 report::PageFrame frameOf(const LoginSlips& slips) {
     const QString title = words(QT_TRANSLATE_NOOP("LoginSlips", "Login slips"));
-    return {title, slips.site, words(QT_TRANSLATE_NOOP("LoginSlips", "Cut along the dashed lines and hand each slip to its person.")), title, QStringLiteral("Chiron")};
+    return {title, slips.site, words(QT_TRANSLATE_NOOP("LoginSlips", "Cut along the dashed lines and hand each slip to its person.")), title, QStringLiteral("Chiron"), slips.site};
 }
 
 } // namespace

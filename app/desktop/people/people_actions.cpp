@@ -3,6 +3,7 @@
 #include "catalogue/whole_file.h"
 #include "database/repositories/privacy_repository.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/people/add_person_dialog.h"
 #include "desktop/people/edit_person_dialog.h"
 #include "desktop/people/erase_dialog.h"
@@ -46,12 +47,12 @@ core::Result<void> writeExport(database::Database& database, const database::Act
 
 /// A dialog for one file that does not stop the program; `chosen` hears the file.
 template <class Chosen>
-void askFile(QWidget* owner, const QString& title, QFileDialog::AcceptMode mode, const QString& suggestion, const QString& filter, Chosen chosen) {
+void askFile(QWidget* owner, Settings& settings, const QString& purpose, const QString& title, QFileDialog::AcceptMode mode, const QString& suggestion, const QString& filter, Chosen chosen) {
     auto* dialog = new QFileDialog(owner, title);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(mode);
     dialog->setFileMode(mode == QFileDialog::AcceptSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setDirectory(QDir::homePath());
+    beginInLastFolder(settings, *dialog, purpose);
     dialog->setNameFilter(filter);
     if (mode == QFileDialog::AcceptSave)
         dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
@@ -150,7 +151,7 @@ void PeopleScreen::setEnabledOf(const database::Person& person, bool enabled) {
 
 void PeopleScreen::askExport() {
     const QString name = QString::fromStdString(chosen()->name);
-    askFile(this, tr("Export all data about %1").arg(name), QFileDialog::AcceptSave, name + QStringLiteral(".json"), tr("JSON (*.json)"),
+    askFile(this, context().settings(), QStringLiteral("person_data"), tr("Export all data about %1").arg(name), QFileDialog::AcceptSave, name + QStringLiteral(".json"), tr("JSON (*.json)"),
             [this](const QString& file) { exportTo(file); });
 }
 
@@ -171,12 +172,12 @@ void PeopleScreen::exportTo(const QString& file) {
 }
 
 void PeopleScreen::askRoster() {
-    askFile(this, tr("Import people from a CSV file"), QFileDialog::AcceptOpen, {}, tr("CSV (*.csv);;All files (*)"),
+    askFile(this, context().settings(), QStringLiteral("rosters"), tr("Import people from a CSV file"), QFileDialog::AcceptOpen, {}, tr("CSV (*.csv);;All files (*)"),
             [this](const QString& file) { importRoster(file); });
 }
 
 void PeopleScreen::askTemplate() {
-    askFile(this, tr("Save a template for a roster"), QFileDialog::AcceptSave, tr("roster") + QStringLiteral(".csv"), tr("CSV (*.csv)"),
+    askFile(this, context().settings(), QStringLiteral("rosters"), tr("Save a template for a roster"), QFileDialog::AcceptSave, tr("roster") + QStringLiteral(".csv"), tr("CSV (*.csv)"),
             [this](const QString& file) { saveTemplate(file); });
 }
 

@@ -32,7 +32,7 @@ void RolesDialog::submit() {
             if (done) {
                 emit changed();
                 if (m_person.id == context().actor().personId()) // the side bar shows what the login found
-                    context().messages().tell({MessageKind::done, tr("Your roles are changed. Log in again to see the screens that go with them."), tr("Switch user"),
+                    context().messages().tell({MessageKind::done, tr("Your roles are changed. Log in again to see the screens that go with them."), tr("Log out"),
                                                [&app = context()] { app.logOut(); }});
                 else
                     context().messages().done(tr("The roles of %1 are changed.").arg(name));

@@ -3,12 +3,15 @@
 
 #include "database/accounts/account_service.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/people/people_model.h"
 #include "desktop/people/roster_preview.h"
 #include "desktop/people/slips_panel.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/state_panel.h"
 
+#include <QComboBox>
 #include <QRadioButton>
+#include <array>
 
 namespace chiron::desktop {
 
@@ -17,6 +20,7 @@ namespace {
 using Kind = database::RosterStep::Kind;
 
 constexpr std::size_t kMostProblems_shown = 50;
+constexpr std::size_t kMostWords = 8; // more unknown roles are a wrong column
 constexpr double kPanelHeight = 260;
 
 } // namespace
@@ -65,13 +69,15 @@ void RosterDialog::load() {
     setAcceptable(false);
     m_panel->showLoading(tr("Reading the list …"));
     database::Database* database = &context().site().database();
-    const database::RosterExisting chosen = existing();
+    const int asked = ++m_asked;
     context().background().run(
         this,
-        [database, actor = context().actor(), bytes = m_bytes, chosen](WorkToken&) { return database::AccountService(*database).previewCsv(actor, bytes, chosen); },
-        [this, chosen](core::Result<database::RosterPlan> plan) {
-            if (chosen != existing())
-                return; // the choice has changed meanwhile: another answer follows
+        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(), roles = m_roleWords](WorkToken&) {
+            return database::AccountService(*database).previewCsv(actor, bytes, chosen, roles);
+        },
+        [this, asked](core::Result<database::RosterPlan> plan) {
+            if (asked != m_asked)
+                return; // a choice has changed meanwhile: another answer follows
             if (plan)
                 showPlan(*plan);
             else
@@ -79,8 +85,48 @@ void RosterDialog::load() {
         });
 }
 
+/// Words of the list that are no role: each with a choice of what it stands for, as long as the dialog is open.
+void RosterDialog::askRoles(const database::Roster& roster) {
+    if (m_roles || roster.unknownRoles.empty() || roster.unknownRoles.size() > kMostWords)
+        return;
+    m_roles = new QWidget;
+    m_roles->setObjectName(QStringLiteral("roster.roles"));
+    auto* rows = new QVBoxLayout(m_roles);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(theme().px(4));
+    rows->addWidget(kit::label(theme(), tr("The list has words that are not roles here. Choose what each of them stands for, or correct the file."), TextStyle::label));
+    for (const std::string& word : roster.unknownRoles)
+        rows->addWidget(roleChoice(word));
+    column()->insertWidget(column()->indexOf(m_panel), m_roles);
+}
+
+QWidget* RosterDialog::roleChoice(const std::string& word) {
+    auto* line = new QWidget;
+    auto* row = new QHBoxLayout(line);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(theme().px(8));
+    const QString shown = word.empty() ? tr("No role is given") : tr("“%1”").arg(QString::fromStdString(word));
+    row->addWidget(kit::label(theme(), shown), 1);
+    auto* choice = new QComboBox;
+    choice->setObjectName(QStringLiteral("roster.role.%1").arg(QString::fromStdString(word)));
+    choice->setAccessibleName(tr("Role that %1 stands for").arg(shown));
+    choice->addItem(tr("Choose a role …"));
+    constexpr std::array kRoles{database::Role::trainee, database::Role::trainer, database::Role::researcher, database::Role::admin};
+    for (const database::Role role : kRoles)
+        choice->addItem(rolesInWords({role}).join(QString()));
+    row->addWidget(choice, 2);
+    connect(choice, &QComboBox::currentIndexChanged, this, [this, word, kRoles](int index) {
+        m_roleWords.erase(word);
+        if (index > 0)
+            m_roleWords.emplace(word, kRoles.at(static_cast<std::size_t>(index - 1)));
+        load();
+    });
+    return line;
+}
+
 void RosterDialog::showPlan(const database::RosterPlan& plan) {
     const database::Roster& roster = plan.roster;
+    askRoles(roster);
     m_changes = plan.count(Kind::add) + plan.count(Kind::update);
     m_read->setText(rosterReadWords(roster));
     m_read->setVisible(!m_read->text().isEmpty());
@@ -113,7 +159,8 @@ QWidget* RosterDialog::problemList(const database::Roster& roster) const {
         lines << rosterProblemWords(roster.problems[i]);
     if (roster.problems.size() > kMostProblems_shown)
         lines << tr("and %n more", nullptr, static_cast<int>(roster.problems.size() - kMostProblems_shown));
-    lines.prepend(roster.encoding.empty() ? tr("Nothing can be imported from this file.") : tr("Nothing can be imported yet: correct these lines in the file, then choose it again."));
+    lines.prepend(roster.encoding.empty() ? tr("Nothing can be imported from this file.") : m_roles ? tr("Nothing can be imported yet: choose above what the words stand for, or correct these lines in the file and choose it again.")
+                                           : tr("Nothing can be imported yet: correct these lines in the file, then choose it again."));
     QFrame* notice = kit::notice(theme(), "bad", lines.join(QLatin1Char('\n')));
     notice->setObjectName(QStringLiteral("roster.problems"));
     return notice;
@@ -122,18 +169,22 @@ QWidget* RosterDialog::problemList(const database::Roster& roster) const {
 void RosterDialog::submit() {
     setWorking(true, true);
     m_existing->setEnabled(false);
+    if (m_roles)
+        m_roles->setEnabled(false);
     database::Database* database = &context().site().database();
     auto token = context().background().run(
         this,
-        [database, actor = context().actor(), bytes = m_bytes, chosen = existing()](WorkToken& work) {
+        [database, actor = context().actor(), bytes = m_bytes, chosen = existing(), roles = m_roleWords](WorkToken& work) {
             return database::AccountService(*database).importCsv(actor, bytes, chosen, [&work](int done, int of) {
                 work.setProgress(done, of);
                 return !work.cancelled();
-            });
+            }, roles);
         },
         [this](core::Result<database::RosterOutcome> outcome) {
             setWorking(false);
             m_existing->setEnabled(true);
+            if (m_roles)
+                m_roles->setEnabled(true);
             if (outcome) {
                 showDone(*std::move(outcome));
                 return;

@@ -30,6 +30,8 @@ protected:
 
 private:
     QWidget* existingChoice();
+    QWidget* roleChoice(const std::string& word); ///< what a word of the list stands for
+    void askRoles(const database::Roster& roster);
     database::RosterExisting existing() const;
     void load();
     void showPlan(const database::RosterPlan& plan);
@@ -38,6 +40,9 @@ private:
 
     std::string m_bytes;
     int m_changes = 0;
+    int m_asked = 0; ///< how often the list was read: an answer to an earlier question is not shown
+    database::RoleWords m_roleWords; ///< as chosen here
+    QWidget* m_roles = nullptr;      ///< the choices; null while every word is a role
     QLabel* m_read;
     QWidget* m_existing;
     QRadioButton* m_update = nullptr;

@@ -2,6 +2,7 @@
 #include "desktop/people/roster_preview.h"
 
 #include "desktop/people/people_model.h"
+#include "desktop/people/roster_dialog.h"
 
 #include <QCoreApplication>
 #include <QHeaderView>
@@ -46,11 +47,11 @@ QString delimiterWords(char delimiter) {
 QString kindWords(Kind kind) {
     switch (kind) {
     case Kind::add:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Added"));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Would be added"));
     case Kind::skip:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Left as it is"));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Would be left as it is"));
     case Kind::update:
-        return words(QT_TRANSLATE_NOOP("RosterWords", "Updated"));
+        return words(QT_TRANSLATE_NOOP("RosterWords", "Would be updated"));
     case Kind::same:
         return words(QT_TRANSLATE_NOOP("RosterWords", "Nothing to change"));
     }
@@ -174,6 +175,15 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
     return lines;
 }
 
+/// What is wrong in a line; empty for a faultless one.
+QStringList problemsOf(const database::Roster& roster, int line) {
+    QStringList told;
+    for (const database::RosterProblem& problem : roster.problems)
+        if (problem.line == line)
+            told << rosterProblemWords(problem);
+    return told;
+}
+
 QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
     auto* table = new QTableWidget(static_cast<int>(plan.steps.size()), 5);
     table->setObjectName(QStringLiteral("roster.people"));
@@ -188,14 +198,17 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
     table->setMinimumHeight(theme.px(kTableHeight));
     int row = 0;
     for (const database::RosterStep& step : plan.steps) {
-        const bool updates = step.kind == Kind::update;
-        const QString cells[] = {QLocale().toString(step.line), kindWords(step.kind), loginNameWords(step),
+        const QStringList problems = problemsOf(plan.roster, step.line);
+        const bool updates = step.kind == Kind::update && problems.isEmpty();
+        const QString happens = problems.isEmpty() ? kindWords(step.kind) : words(QT_TRANSLATE_NOOP("RosterWords", "Cannot be imported yet"));
+        const QString cells[] = {QLocale().toString(step.line), happens, loginNameWords(step),
                                  change(updates, QString::fromStdString(step.displayNameBefore), QString::fromStdString(step.displayName)),
                                  change(updates, rolesWords(step.rolesBefore), rolesWords(step.roles))};
         for (int column = 0; column < static_cast<int>(std::size(cells)); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             const QString doubt = whoIsMeant(step);
-            item->setToolTip(column == kLoginNameColumn && !doubt.isEmpty()                        ? doubt
+            item->setToolTip(!problems.isEmpty()                                              ? problems.join(QLatin1Char('\n'))
+                             : column == kLoginNameColumn && !doubt.isEmpty()                        ? doubt
                              : column == kFullNameColumn && !step.earlierDisplayName.empty() ? keepsFullNameWords(step)
                                                                                              : cells[column]); // where the window is small
             table->setItem(row, column, item);

@@ -4,6 +4,8 @@
 #include "desktop/accounts/form.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
+#include "desktop/site/site_name.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
 
@@ -19,7 +21,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kTableHeight = 220;
-const QString kSite = QStringLiteral("site_name"); // as this person wrote it last
+const QString kSite = QStringLiteral("site_name"); // as this person wrote it last, where the site has no name of its own
 } // namespace
 
 SlipsPanel::SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people, QWidget* parent)
@@ -34,6 +36,12 @@ SlipsPanel::SlipsPanel(AppContext& context, const QString& headline, std::vector
     column->addWidget(peopleTable());
     m_site = form::textField(theme, column, tr("Name of the site on the slips (may be left empty)"), QStringLiteral("slips.site"));
     m_site->setText(context.settings().ofPerson(context.actor().personId(), kSite, QString()).toString());
+    context.background().run(
+        this, [&database = context.site().database(), actor = context.actor()](WorkToken&) { return readSiteName(database, actor); },
+        [this](const core::Result<QString>& name) {
+            if (name && !name->isEmpty() && !m_site->isModified())
+                m_site->setText(*name);
+        });
     auto* buttons = new QWidget;
     auto* row = new FlowLayout(theme.px(8), buttons);
     auto* paper = kit::button(theme, tr("Print the slips …"), "primary", QStringLiteral("document-print"));
@@ -106,10 +114,11 @@ void SlipsPanel::print() {
 }
 
 void SlipsPanel::askFile() {
-    auto* dialog = new QFileDialog(this, tr("Save the slips as PDF"), QDir::homePath(), tr("PDF (*.pdf)"));
+    auto* dialog = new QFileDialog(this, tr("Save the slips as PDF"), QString(), tr("PDF (*.pdf)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    beginInLastFolder(m_context.settings(), *dialog, QStringLiteral("slips"));
     dialog->selectFile(tr("login-slips") + QStringLiteral(".pdf"));
     connect(dialog, &QFileDialog::fileSelected, this, &SlipsPanel::saveTo);
     dialog->open();

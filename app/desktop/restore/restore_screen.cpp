@@ -3,6 +3,7 @@
 
 #include "desktop/accounts/form.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/storage/backup_place.h"
 #include "desktop/storage/restore_dialog.h"
@@ -289,10 +290,11 @@ void RestoreScreen::showButtons() {
 }
 
 void RestoreScreen::chooseFile() {
-    auto* dialog = new QFileDialog(this, tr("A file of the backup"), backupPlace(context()));
+    auto* dialog = new QFileDialog(this, tr("A file of the backup"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(tr("Backups (manifest.json chiron.db)"));
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("restores"), context().settings().backupFolder());
     connect(dialog, &QFileDialog::fileSelected, this, &RestoreScreen::takeFile);
     dialog->open();
 }

@@ -3,6 +3,7 @@
 
 #include "desktop/exercise_face.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/plots/metric_words.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "desktop/plots/responsive_row.h"
@@ -332,6 +333,7 @@ void ResultsScreen::askExport() {
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("own_data"));
     connect(dialog, &QFileDialog::fileSelected, this, &ResultsScreen::exportTo);
     dialog->open();
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/repositories/session_repository.h"
+
+#include "desktop/frame/file_folder.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/results/results_place.h"
 #include "desktop/sessions/session_filter_bar.h"
@@ -194,6 +196,7 @@ void SessionsScreen::exportList() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("session_lists"));
     dialog->selectFile(QStringLiteral("sessions.csv"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
         std::vector<SessionRow> rows;

@@ -3,6 +3,7 @@
 
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/languages.h"
+#include "desktop/settings/site_box.h"
 #include "desktop/widgets/kit.h"
 #include "desktop/widgets/scroll_page.h"
 
@@ -49,6 +50,8 @@ SettingsScreen::SettingsScreen(AppContext& context, const Place& place) : Screen
     page->column()->addWidget(themeBox());
     page->column()->addWidget(scaleBox());
     page->column()->addWidget(soundBox());
+    if (context.has(database::Role::admin))
+        page->column()->addWidget(new SiteBox(context));
     page->column()->addStretch();
 }
 
@@ -58,7 +61,7 @@ QString SettingsScreen::title() const {
 
 QString SettingsScreen::help() const {
     return tr("How the program looks and sounds on this station.\n\nEvery choice takes effect at once and is remembered on this "
-              "computer. Nothing here changes what is recorded or how it is scored.");
+              "computer. Nothing here changes what is recorded or how it is scored.\n\nAdministrators also give the site its name here.");
 }
 
 QWidget* SettingsScreen::languageBox() {

@@ -3,6 +3,8 @@
 #include "core/fp_environment.h"
 #include "database/access/access_table.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
+#include "desktop/site/site_name.h"
 #include "desktop/station/platform_card.h"
 #include "desktop/station/station_screen.h"
 #include "desktop/storage/task_strip.h"
@@ -56,13 +58,16 @@ bool StationScreen::mayCheck() const {
 
 /// Kept in the audit trail as soon as it is known, so that a failed check is not forgotten either.
 void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
-    *at = {QDateTime::currentDateTime(), 0};
+    *at = {QDateTime::currentDateTime(), 0, {}};
     context().background().run(
         this,
         [&database = context().site().database(), actor = context().actor(), check](WorkToken&) {
-            return database.write([&](database::WriteContext& writing) { return database::StationRepository(writing.connection(), actor).recordStationCheck(check); });
+            auto entry = database.write([&](database::WriteContext& writing) { return database::StationRepository(writing.connection(), actor).recordStationCheck(check); });
+            return std::pair(std::move(entry), readSiteName(database, actor).value_or(QString()));
         },
-        [this, at](const core::Result<std::int64_t>& entry) {
+        [this, at](const std::pair<core::Result<std::int64_t>, QString>& noted) {
+            const auto& [entry, site] = noted;
+            at->site = site;
             if (entry)
                 at->entry = *entry;
             else
@@ -72,7 +77,7 @@ void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
 }
 
 CheckCircumstances StationScreen::circumstances(const CheckedAt& at, const QString& device, const std::optional<QString>& serial) const {
-    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, serial, QString::fromStdString(core::buildId()), at.entry};
+    return {QString::fromStdString(context().loginName()), at.when, QSysInfo::machineHostName(), device, serial, QString::fromStdString(core::buildId()), at.entry, at.site};
 }
 
 core::Result<void> StationScreen::writePlatformRecord(const QString& path) const {
@@ -91,10 +96,12 @@ void StationScreen::askRecord() {
 }
 
 void StationScreen::saveRecord(const QString& name, std::function<core::Result<void>(const QString&)> write) {
-    auto* dialog = new QFileDialog(this, tr("Save the record"), name, tr("PDF documents (*.pdf)"));
+    auto* dialog = new QFileDialog(this, tr("Save the record"), QString(), tr("PDF documents (*.pdf)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("station_records"));
+    dialog->selectFile(name);
     connect(dialog, &QFileDialog::fileSelected, this, [this, write = std::move(write)](const QString& path) {
         if (const auto written = write(path))
             context().messages().done(tr("The record was saved in %1.").arg(path));

@@ -32,13 +32,17 @@ QString serialWords(const std::optional<QString>& serial) {
 }
 
 std::vector<std::pair<QString, QString>> checkHead(const CheckCircumstances& of, const QLocale& locale) {
-    return {{Words::tr("Checked by"), of.who},
-            {Words::tr("Date and time"), locale.toString(of.when, QLocale::LongFormat)},
-            {Words::tr("Station"), of.station},
-            {Words::tr("Device"), of.device},
-            {Words::tr("Serial number"), serialWords(of.serial)},
-            {Words::tr("Program build"), of.build},
-            {Words::tr("Entry in the audit trail"), of.entry > 0 ? locale.toString(static_cast<qlonglong>(of.entry)) : Words::tr("not written")}};
+    std::vector<std::pair<QString, QString>> head{
+        {Words::tr("Checked by"), of.who},
+        {Words::tr("Date and time"), locale.toString(of.when, QLocale::LongFormat)},
+        {Words::tr("Station"), of.station},
+        {Words::tr("Device"), of.device},
+        {Words::tr("Serial number"), serialWords(of.serial)},
+        {Words::tr("Program build"), of.build},
+        {Words::tr("Entry in the audit trail"), of.entry > 0 ? locale.toString(static_cast<qlonglong>(of.entry)) : Words::tr("not written")}};
+    if (!of.site.isEmpty())
+        head.insert(head.begin(), {Words::tr("Site"), of.site});
+    return head;
 }
 
 QString checkFoot(const CheckCircumstances& of, const QLocale& locale) {

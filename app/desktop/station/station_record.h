@@ -20,6 +20,7 @@ struct CheckCircumstances {
     std::optional<QString> serial; ///< of the device; empty: it does not tell one; nothing: there is no device
     QString build;
     std::int64_t entry = 0;   ///< in the audit trail; 0: it could not be written there
+    QString site{};           ///< what the site is called; may be empty
 };
 
 /// "none" without a device.

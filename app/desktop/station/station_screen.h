@@ -63,6 +63,7 @@ private:
     struct CheckedAt {
         QDateTime when;
         std::int64_t entry = 0;
+        QString site{};
     };
     bool mayCheck() const;
     void note(const database::StationCheck& check, CheckedAt* at);

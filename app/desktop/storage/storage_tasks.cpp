@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/upkeep/upkeep.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/storage/backup_place.h"
 #include "desktop/storage/restore_dialog.h"
@@ -101,20 +102,22 @@ void StorageScreen::backUp() {
 }
 
 void StorageScreen::exportSite() {
-    auto* dialog = new QFileDialog(this, tr("Folder for the export"), folder());
+    auto* dialog = new QFileDialog(this, tr("Folder for the export"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("site_exports"));
     connect(dialog, &QFileDialog::fileSelected, this,
             [this](const QString& place) { runSnapshot(Task::exportSite, newFolder(place, QStringLiteral("export"))); });
     dialog->open();
 }
 
 void StorageScreen::chooseFolder() {
-    auto* dialog = new QFileDialog(this, tr("Folder for backups"), folder());
+    auto* dialog = new QFileDialog(this, tr("Folder for backups"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("backups"), context().settings().backupFolder());
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& place) {
         setBackupPlace(context(), place); // the station knows it, too: where the site cannot be opened, nothing else does
         database::BackupPlan plan = m_facts.standing.plan;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done with the list of studies.
 #include "catalogue/study_reader.h"
+
+#include "desktop/frame/file_folder.h"
 #include "catalogue/whole_file.h"
 #include "desktop/studies/new_study_dialog.h"
 #include "desktop/studies/studies_screen.h"
@@ -52,6 +54,7 @@ void StudiesScreen::askFile() {
     auto* dialog = new QFileDialog(this, tr("Import a study"), QString(), tr("Studies (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("studies"));
     connect(dialog, &QFileDialog::fileSelected, this, &StudiesScreen::importFile);
     dialog->open();
 }

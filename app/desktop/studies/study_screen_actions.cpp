@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A design checked, kept, frozen, brought in and out.
 #include "catalogue/study_reader.h"
+
+#include "desktop/frame/file_folder.h"
 #include "catalogue/whole_file.h"
 #include "desktop/accounts/notice_area.h"
 #include "desktop/studies/freeze_dialog.h"
@@ -172,6 +174,7 @@ void StudyScreen::askImport() {
     auto* dialog = new QFileDialog(this, tr("Import a design from a file"), QString(), tr("Studies (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("studies"));
     connect(dialog, &QFileDialog::fileSelected, this, &StudyScreen::importFile);
     dialog->open();
 }
@@ -196,6 +199,7 @@ void StudyScreen::askExport() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("studies"));
     dialog->selectFile(QString::fromStdString(m_open.summary.key) + QStringLiteral(".json"));
     connect(dialog, &QFileDialog::fileSelected, this, &StudyScreen::exportFile);
     dialog->open();

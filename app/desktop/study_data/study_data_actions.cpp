@@ -3,6 +3,8 @@
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/study_data/unblind_dialog.h"
 
+#include "database/repositories/site_repository.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
@@ -109,6 +111,7 @@ void StudyDataScreen::askFolder(void (StudyDataScreen::*then)(const QString&)) {
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     dialog->setObjectName(QStringLiteral("data.folder"));
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("study_tables"));
     connect(dialog, &QFileDialog::fileSelected, this, then);
     tellIfCancelled(dialog);
     dialog->open();
@@ -201,6 +204,7 @@ void StudyDataScreen::askPdf() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    beginInLastFolder(context().settings(), *dialog, QStringLiteral("study_reports"));
     dialog->selectFile(QString::fromStdString(m_facts.study.summary.key) + QStringLiteral(".pdf"));
     connect(dialog, &QFileDialog::fileSelected, this, &StudyDataScreen::exportPdfTo);
     tellIfCancelled(dialog);
@@ -213,7 +217,9 @@ void StudyDataScreen::exportPdfTo(const QString& file) {
     core::Result<void> done;
     if (connection) {
         database::StudyReader reader(**connection, context().actor());
-        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString(), {.withShown = m_withShown});
+        const auto site = database::SiteRepository(**connection, context().actor()).siteName();
+        done = session_report::writeStudyReport(file, reader, m_study, report::lightTheme(context().locale()), context().language().toStdString(),
+                                                {.withShown = m_withShown}, QString::fromStdString(site.value_or("")));
     } else {
         done = tl::unexpected(connection.error());
     }

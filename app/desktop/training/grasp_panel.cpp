@@ -60,7 +60,7 @@ void GraspPanel::addHead() {
     head->addWidget(m_held, 1);
     head->addWidget(m_elapsed, 0, Qt::AlignTop);
     m_column->addLayout(head);
-    m_step = kit::label(m_theme, m_grasping.step({}), TextStyle::strong);
+    m_step = kit::label(m_theme, m_grasping.step({}, m_locale), TextStyle::strong);
     m_step->setObjectName(QStringLiteral("training.step"));
     m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing()); // nothing below it jumps
     m_column->addWidget(m_step);
@@ -182,7 +182,7 @@ void GraspPanel::showBars(const haptics::DisplayState& state) {
 
 void GraspPanel::showWords(const haptics::DisplayState& state) {
     const auto& cues = state.exercise.of<core::LaparoscopyCues>();
-    m_step->setText(m_grasping.step(cues));
+    m_step->setText(m_grasping.step(cues, m_locale));
     m_held->setText(m_grasping.held(cues, m_locale));
     if (m_dwell)
         m_dwell->setValue(qRound(100.0 * std::clamp(cues.dwell, 0.0, 1.0)));

@@ -28,7 +28,7 @@ struct Grasping {
     double holdsBelow_rad = 0.0;
     double opensAbove_rad = 0.0;
 
-    std::function<QString(const core::LaparoscopyCues&)> step; ///< what to do now, as a sentence
+    std::function<QString(const core::LaparoscopyCues&, const QLocale&)> step; ///< what to do now, as a sentence
     std::function<QString(const core::LaparoscopyCues&, const QLocale&)> held; ///< "Holding: object 2 of 3"
     std::function<QString(const haptics::DisplayState&, const QLocale&)> load; ///< what is held, in a number: "Stretched by 12.3 mm"
 };

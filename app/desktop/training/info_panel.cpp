@@ -6,6 +6,7 @@
 #include "desktop/widgets/kit.h"
 
 #include <QGridLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace chiron::desktop {
@@ -18,6 +19,13 @@ constexpr double kSpeedAxis_mm_per_s = 60.0;
 template <class A>
 double norm3(const A& v, std::size_t at = 0) {
     return std::hypot(v[at], v[at + 1], v[at + 2]);
+}
+
+/// A share says what a number of thousandths of a second would not: whether anybody can have felt it.
+QString lateShare_percent(const haptics::DisplayState& state) {
+    constexpr double kSmallest_percent = 0.01;
+    const double ticks = static_cast<double>(std::max(state.tick, state.lateTicks));
+    return QLocale().toString(std::max(kSmallest_percent, 100.0 * static_cast<double>(state.lateTicks) / ticks), 'f', 2);
 }
 
 } // namespace
@@ -141,8 +149,8 @@ QString InfoPanel::loopText(const haptics::DisplayState& state) {
     if (state.droppedFrames > 0)
         return tr("%n samples could not be recorded: this session will be incomplete.", nullptr, count(state.droppedFrames));
     if (state.lateTicks > 0)
-        return tr("Recording complete; %n ticks late", nullptr, count(state.lateTicks));
-    return tr("Recording complete; every tick on time");
+        return tr("Recording complete; nothing is lost. %1 % of the force updates came late.").arg(lateShare_percent(state));
+    return tr("Recording complete; every force update on time");
 }
 
 } // namespace chiron::desktop

@@ -29,7 +29,7 @@ public:
 
     /// Words that every kind of panel shares.
     static QString elapsedText(std::int64_t second);                ///< "Elapsed: 1:05"
-    static QString loopText(const haptics::DisplayState& state);    ///< whether every tick is on time and recorded
+    static QString loopText(const haptics::DisplayState& state);    ///< whether everything is recorded, and the force on time
     static QString noCuesText();                                    ///< of a level that shows no measurements
 
 private:

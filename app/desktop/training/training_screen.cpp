@@ -16,13 +16,13 @@
 
 #include <QApplication>
 #include <QLabel>
-#include <QTimer>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr int kSceneWait_ms = 4000; // a scene that is never drawn (a covered window) does not keep a session from beginning
 constexpr int kSilentWords_ms = 10'000;
+constexpr double kPointerTold_s = 6.0; // of work: long enough to be read beside the first movements
 } // namespace
 
 TrainingScreen::~TrainingScreen() {
@@ -181,9 +181,23 @@ void TrainingScreen::onFrame() {
         m_storing = true;
         hold();
         m_controls->setRunning(false);
-        m_stage->showLoading(tr("Storing and scoring the session …"));
+        beginLastLook();
     }
 }
+
+/// What came of the last trial gets the same time in the scene; meanwhile the session is stored and scored.
+void TrainingScreen::beginLastLook() {
+    const haptics::DisplayState& state = m_feed->state();
+    const bool looks = m_plan.ownHand() && state.phase == core::TrialPhase::finished && m_answer->holdsNext(state.now_ns);
+    m_lastLook.setSingleShot(true);
+    connect(&m_lastLook, &QTimer::timeout, this, [this] { m_over ? showOutcome() : m_stage->showLoading(storingText()); });
+    if (looks)
+        m_lastLook.start(static_cast<int>(AnswerNote::kHeld_ns / 1'000'000));
+    else
+        m_stage->showLoading(storingText());
+}
+
+QString TrainingScreen::storingText() { return tr("Storing and scoring the session …"); }
 
 /// What came of the trial that has just ended, in words and in the picture. A person's own hand gets time to look: the next trial waits.
 void TrainingScreen::takeAnswer(scene3d::SceneState& drawn) {
@@ -205,7 +219,28 @@ scene3d::SceneNote TrainingScreen::noteNow() const {
         return said;
     if (const scene3d::SceneNote said = m_live ? m_live->note(state.now_ns) : scene3d::SceneNote(); said.kind != Kind::none)
         return said;
-    return practiceNote();
+    if (const scene3d::SceneNote said = practiceNote(); said.kind != Kind::none)
+        return said;
+    return pointerNote();
+}
+
+scene3d::SceneNote TrainingScreen::pointerNote() const {
+    if (m_storing || !m_pointer || !m_pointer->captured() || m_feed->worked_s() > kPointerTold_s)
+        return {};
+    if (context().settings().ofPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown), false).toBool())
+        return {};
+    return {scene3d::SceneNote::Kind::said, tr("The mouse moves the instrument. Space pauses and frees it."), {}};
+}
+
+void TrainingScreen::showPointer() {
+    if (!m_pointerText || !m_pointer)
+        return;
+    QString text;
+    if (m_pointer->captured())
+        text = tr("Space frees the mouse");
+    else if (!m_control->held() && !m_storing)
+        text = tr("Click in the scene to work on");
+    m_pointerText->setText(text);
 }
 
 void TrainingScreen::showControls() {
@@ -216,6 +251,7 @@ void TrainingScreen::showControls() {
     m_controls->setMain(latched ? ControlBar::Main::rearm : m_control->paused() ? ControlBar::Main::resume : ControlBar::Main::pause);
     m_controls->setResumeHere(felt && m_plan.ownHand() && state.force == core::ForceState::arming && state.waitsFor == haptics::ArmingWait::smallRequest);
     m_keys->setHeld(m_control->held());
+    showPointer();
 }
 
 void TrainingScreen::onFinished() {
@@ -225,6 +261,11 @@ void TrainingScreen::onFinished() {
     m_keys->setActive(false);
     m_controls->setRunning(false);
     context().setTrialRuns(false);
+    if (!m_lastLook.isActive())
+        showOutcome();
+}
+
+void TrainingScreen::showOutcome() {
     const core::Result<session::TrainingResult>& result = m_feed->training().result();
     if (!result) {
         fail(result.error());

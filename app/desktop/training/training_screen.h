@@ -19,6 +19,8 @@
 #include "session/level_cues.h"
 #include "session/level_limits.h"
 
+#include <QTimer>
+
 #include <optional>
 
 class QCheckBox;
@@ -91,6 +93,7 @@ private:
     void go();
     void practise();
     scene3d::SceneNote practiceNote() const; ///< of its last seconds
+    scene3d::SceneNote pointerNote() const;  ///< of the first seconds, to whoever has never freed the pointer
 
     // training_screen.cpp: from prepared to stored
     void prepare();
@@ -103,7 +106,11 @@ private:
     void takeAnswer(scene3d::SceneState& drawn);
     scene3d::SceneNote noteNow() const; ///< over the scene
     void showControls();
+    void showPointer(); ///< whose it is: the scene's or the buttons'
+    void beginLastLook();
+    static QString storingText();
     void onFinished();
+    void showOutcome(); ///< the debrief, or what comes instead
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
@@ -121,6 +128,8 @@ private:
     void hold();   ///< frees pointer and keys: paused or stopped
     void goOn();   ///< takes them again
     void toggleMute();
+
+    static constexpr char kPointerKnown[] = "pointer_freed"; ///< a person's setting: they have paused by themselves
 
     TrainingPlan m_plan;
     std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
@@ -146,6 +155,7 @@ private:
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
     QLabel* m_keysText = nullptr;
+    QLabel* m_pointerText = nullptr; ///< how the buttons are reached, or the scene again; null where nobody works with the pointer
     QLabel* m_activeText = nullptr; ///< which of several instruments is moved; null where there is one
     QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
     QCheckBox* m_details = nullptr; ///< all that is measured, or what somebody needs who learns
@@ -154,6 +164,7 @@ private:
     bool m_painted = false;
     bool m_over = false;    ///< stored or failed: nothing keeps anybody here
     bool m_storing = false;
+    QTimer m_lastLook;      ///< runs: the session has ended, and its last trial's truth is still looked at
     bool m_asking = false;
     bool m_again = false;   ///< a new attempt begins when this one is stored
     std::int64_t m_start_ns = 0;

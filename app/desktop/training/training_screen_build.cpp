@@ -128,6 +128,11 @@ QWidget* TrainingScreen::buildFoot() {
     m_keysText = kit::label(theme, keysText(), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
+    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown) {
+        m_pointerText = kit::label(theme, {}, TextStyle::strong);
+        m_pointerText->setObjectName(QStringLiteral("training.pointer"));
+        row->addWidget(m_pointerText, 0, Qt::AlignTop);
+    }
     if (const QString active = m_live && m_plan.ownHand() ? m_live->activeText(0) : QString(); !active.isEmpty()) {
         m_activeText = kit::label(theme, active, TextStyle::strong);
         m_activeText->setObjectName(QStringLiteral("training.active_tool"));
@@ -226,7 +231,11 @@ QWidget* TrainingScreen::buildDetailsSwitch() {
 void TrainingScreen::buildKeys() {
     m_keys = new KeyFilter(*this);
     connect(m_keys, &KeyFilter::stopAsked, this, &TrainingScreen::stopForce);
-    connect(m_keys, &KeyFilter::pauseAsked, this, &TrainingScreen::pauseOrResume);
+    connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
+        if (m_pointer)
+            context().settings().setOfPerson(context().actor().personId(), QString::fromLatin1(kPointerKnown), true);
+        pauseOrResume();
+    });
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrainingScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, &TrainingScreen::mark);
     connect(m_keys, &KeyFilter::startAgainAsked, this, &TrainingScreen::askToStartAgain);

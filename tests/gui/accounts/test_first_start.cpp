@@ -81,6 +81,8 @@ void TestFirstStart::fillForm(const QString& name) {
     press(Qt::Key_Return);
     type(QStringLiteral("Ada Lovelace"));
     press(Qt::Key_Return);
+    type(QStringLiteral("Nordklinik"));
+    press(Qt::Key_Return);
     type(QLatin1String(kPassword));
     press(Qt::Key_Return);
     type(QLatin1String(kPassword));
@@ -111,6 +113,7 @@ void TestFirstStart::setUpByKeyboardThenRecover() {
 
     // Later: the password is forgotten, the code lets in, and is used up.
     station.context.logOut();
+    QTRY_VERIFY_WITH_TIMEOUT(station.find<QLabel>("login.site_name") && station.find<QLabel>("login.site_name")->text() == QLatin1String("Nordklinik"), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(station.find<QPushButton>("login.forgotten") && station.find<QPushButton>("login.forgotten")->isVisible(), kPatience_ms);
     QTest::mouseClick(station.find<QPushButton>("login.forgotten"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(focusName() == QLatin1String("recovery.name"), kPatience_ms);

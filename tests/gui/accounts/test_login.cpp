@@ -20,6 +20,7 @@ class TestLogin : public QObject {
 private slots:
     void aListWithoutNamesMissesNobody();
     void namesAreFoundByTyping();
+    void theSitesNameIsGivenInTheSettingsAndShown();
     void wrongPasswordsMakeItWait();
     void unknownNamesAreToldTheSame();
     void oneExplanationAtATime();
@@ -85,6 +86,29 @@ void TestLogin::namesAreFoundByTyping() {
     QTRY_VERIFY_WITH_TIMEOUT(desktop.context.loggedIn(), kPatience_ms);
     QCOMPARE(desktop.context.actor().name(), std::string("tina"));
     QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("home"));
+}
+
+/// An administrator gives the name; nobody else is asked for it; everybody sees it before they log in.
+void TestLogin::theSitesNameIsGivenInTheSettingsAndShown() {
+    DesktopFixture desktop;
+    openLogin(desktop);
+    QVERIFY(!desktop.find<QLabel>(QStringLiteral("login.site_name"))->isVisible());
+    desktop.logIn("tina");
+    desktop.go(QStringLiteral("settings"));
+    QVERIFY(!desktop.find<QLineEdit>(QStringLiteral("settings.site_name")));
+    desktop.logIn("ada");
+    desktop.go(QStringLiteral("settings"));
+    auto* name = desktop.find<QLineEdit>(QStringLiteral("settings.site_name"));
+    QTRY_VERIFY_WITH_TIMEOUT(name->isEnabled(), kPatience_ms);
+    QVERIFY(!desktop.find<QPushButton>(QStringLiteral("settings.save_site_name"))->isEnabled());
+    name->setText(QStringLiteral("Nordklinik, Lehrstation 2"));
+    desktop.find<QPushButton>(QStringLiteral("settings.save_site_name"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(notice(desktop, "settings.site_notice").contains(QStringLiteral("Nordklinik, Lehrstation 2")), kPatience_ms);
+    VERIFY_READABLE(desktop.window->screen());
+    desktop.context.logOut();
+    openLogin(desktop);
+    QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLabel>(QStringLiteral("login.site_name"))->isVisible(), kPatience_ms);
+    QCOMPARE(desktop.find<QLabel>(QStringLiteral("login.site_name"))->text(), QStringLiteral("Nordklinik, Lehrstation 2"));
 }
 
 void TestLogin::wrongPasswordsMakeItWait() {

@@ -3,6 +3,8 @@
 
 #include "database/privacy/erasure.h"
 #include "database/repositories/session_reader.h"
+#include "database/repositories/site_repository.h"
+#include "database/write_context.h"
 #include "desktop/people/slips_panel.h"
 #include "support/made_study.h"
 #include "support/patience.h"
@@ -37,6 +39,7 @@ private slots:
     void renamingSaysWhatBecomesOfTheSlip();
     void renamingOneselfIsSeenAtOnce();
     void importRoster();
+    void anUnknownRoleIsToldWhatItStandsFor();
     void germanExcelIsImportedAndSlipsArePrinted();
     void whoExistsIsUpdatedWhenAsked();
     void anOldListNamesWhoWasRenamed();
@@ -286,6 +289,40 @@ void TestPeople::importRoster() {
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainer, Researcher"));
 }
 
+/// A word of the list that is no role can be given one in the dialog; each line says what would happen to it, and what keeps it from that.
+void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
+    PeopleDesk desk;
+    const QString file = desk.folder() + QStringLiteral("/roster.csv");
+    write(file, "login name,full name,role\numa,Uma,trainee\nvic,Vic,Famulant\nwim,Wim,trainer;FAMULANT\ntina,Tina,trainee\n");
+    desk.screen<desktop::PeopleScreen>()->importRoster(file);
+    const auto happens = [&](int row) {
+        auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
+        return table && row < table->rowCount() ? table->item(row, 1)->text() : QString();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(happens(1), QStringLiteral("Cannot be imported yet"), kPatience_ms);
+    QCOMPARE(happens(0), QStringLiteral("Would be added"));
+    QCOMPARE(happens(2), QStringLiteral("Cannot be imported yet"));
+    QCOMPARE(happens(3), QStringLiteral("Would be left as it is"));
+    QVERIFY(desk.find<QTableWidget>(QStringLiteral("roster.people"))->item(1, 1)->toolTip().contains(QStringLiteral("\"Famulant\" is no role")));
+    QVERIFY(!desk.isEnabled("roster.accept"));
+    QVERIFY(desk.find<QFrame>(QStringLiteral("roster.problems"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text().contains(QStringLiteral("choose above")));
+    QCOMPARE(desk.find<QWidget>(QStringLiteral("roster.roles"))->findChildren<QComboBox*>().size(), 1); // one for a word, however it is written
+    VERIFY_READABLE(desk.dialog("roster"));
+    picture(desk.dialog("roster"), QStringLiteral("people_roster_roles"));
+    auto* choice = desk.find<QComboBox>(QStringLiteral("roster.role.Famulant"));
+    choice->setCurrentText(QStringLiteral("Trainee"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
+    QCOMPARE(happens(1), QStringLiteral("Would be added"));
+    choice->setCurrentIndex(0); // taken back
+    QTRY_COMPARE_WITH_TIMEOUT(happens(1), QStringLiteral("Cannot be imported yet"), kPatience_ms);
+    choice->setCurrentText(QStringLiteral("Trainee"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
+    desk.click("roster.accept");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 8, kPatience_ms);
+    QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainee"));
+    QCOMPARE(desk.cell(QStringLiteral("wim"), 2), QStringLiteral("Trainee, Trainer"));
+}
+
 void TestPeople::editNames() {
     PeopleDesk desk;
     const database::SessionId session = desk.addSession("tina", 1, "expert", 1, 1);
@@ -366,6 +403,9 @@ void TestPeople::renamingOneselfIsSeenAtOnce() {
 
 void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     PeopleDesk desk;
+    QVERIFY(desk.database().write([&](database::WriteContext& writing) {
+        return database::SiteRepository(writing.connection(), desk.context.actor()).setSiteName("Nordklinik");
+    }).has_value());
     const QString file = desk.folder() + QStringLiteral("/Kurs.csv");
     write(file, "Name;Vorname;Anmeldename;Rolle;Gruppe\r\nM\xfcller;J\xf6rg;mueller;Lernende Person;A\r\nGro\xdf;Uwe;gross;Ausbilder/in;A\r\n");
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
@@ -390,6 +430,7 @@ void TestPeople::germanExcelIsImportedAndSlipsArePrinted() {
     // Closing is asked about once while nobody has the passwords on paper.
     desk.click("roster.cancel");
     QVERIFY(desk.dialog("roster")->isVisible() && desk.notice("roster.notice").contains(QStringLiteral("neither printed nor saved")));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLineEdit>(QStringLiteral("slips.site"))->text(), QStringLiteral("Nordklinik"), kPatience_ms); // the site's own
     desk.set("slips.site", QStringLiteral("Skills lab"));
     const QString pdf = desk.folder() + QStringLiteral("/slips.pdf");
     auto* slips = desk.find<desktop::SlipsPanel>(QString());
@@ -434,7 +475,7 @@ void TestPeople::whoExistsIsUpdatedWhenAsked() {
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
     QVERIFY(accept->isVisible() && leave->text() == QLatin1String("Cancel"));
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
-    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Updated"));
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Would be updated"));
     QCOMPARE(table->item(0, 3)->text(), QStringLiteral("Tina Trainee → Christina"));
     QCOMPARE(table->item(0, 4)->text(), QStringLiteral("Trainee → Trainer"));
     QCOMPARE(table->item(1, 1)->text(), QStringLiteral("Nothing to change"));
@@ -460,7 +501,7 @@ void TestPeople::anOldListNamesWhoWasRenamed() {
     desk.screen<desktop::PeopleScreen>()->importRoster(file);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTableWidget>(QStringLiteral("roster.people")), kPatience_ms);
     auto* table = desk.find<QTableWidget>(QStringLiteral("roster.people"));
-    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Left as it is"));
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("Would be left as it is"));
     QCOMPARE(table->item(0, 2)->text(), QStringLiteral("tina, known as christina today"));
     QCOMPARE(table->item(1, 2)->text(), QStringLiteral("theo"));
     const QString summary = desk.find<QFrame>(QStringLiteral("roster.summary"))->findChild<QLabel*>(QStringLiteral("notice.text"))->text();

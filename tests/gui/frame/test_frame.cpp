@@ -61,6 +61,27 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(desktop.screen<SettingsScreen>(), kPatience_ms);
     }
 
+    /// Under that name below one's own, and by Ctrl+K; somebody who looks for "switch user" finds it, too.
+    void loggingOutIsFound() {
+        for (const char* typed : {"log out", "switch user", ""}) {
+            tests::DesktopFixture desktop;
+            desktop.logIn("tina");
+            if (typed[0] == '\0') {
+                auto* button = desktop.find<QPushButton>(QStringLiteral("nav.log_out"));
+                QVERIFY(button && button->text() == QLatin1String("Log out"));
+                button->click();
+            } else {
+                QTest::keyClick(desktop.window.get(), Qt::Key_K, Qt::ControlModifier);
+                QTRY_VERIFY_WITH_TIMEOUT(desktop.find<QLineEdit>(QStringLiteral("palette.field")), kPatience_ms);
+                auto* field = desktop.find<QLineEdit>(QStringLiteral("palette.field"));
+                QTest::keyClicks(field, QLatin1String(typed));
+                QTest::keyClick(field, Qt::Key_Return);
+            }
+            QTRY_VERIFY_WITH_TIMEOUT(!desktop.context.loggedIn(), kPatience_ms);
+            QCOMPARE(desktop.context.navigator().current().screen, QStringLiteral("login"));
+        }
+    }
+
     void entriesOfTheSideBarAreAsWideAsIt() {
         tests::DesktopFixture desktop;
         desktop.logIn("ada");

@@ -328,15 +328,15 @@ private slots:
             cues.step = static_cast<core::LaparoscopyStep>(s);
             for (const auto task : {simulation::TubeTask::hold, simulation::TubeTask::stretch, simulation::TubeTask::transfer, simulation::TubeTask::twoHanded}) {
                 tube.task = task;
-                say({desktop::tubeGrasping(tube, {}).step(cues)});
+                say({desktop::tubeGrasping(tube, {}).step(cues, m_locale)});
             }
             for (const auto task : {simulation::HandlingTask::weigh, simulation::HandlingTask{}}) {
                 handling.task = task;
-                say({desktop::handlingGrasping(handling, {}).step(cues)});
+                say({desktop::handlingGrasping(handling, {}).step(cues, m_locale)});
             }
         }
         cues.torn = true;
-        say({desktop::tubeGrasping(tube, {}).step(cues), desktop::handlingGrasping(handling, {}).step(cues)});
+        say({desktop::tubeGrasping(tube, {}).step(cues, m_locale), desktop::handlingGrasping(handling, {}).step(cues, m_locale)});
         cues = {};
         cues.grips = 2;
         for (const auto& [first, second, third, fold] : {std::tuple{0, 0, 0, 0}, {1, 0, 0, 0}, {1, 2, 0, 0}, {0, 0, 4, 0}, {0, 0, 0, 4}, {1, 0, 0, 4}, {1, 2, 0, 4}}) {

@@ -119,6 +119,19 @@ private slots:
             QVERIFY2(desktop.find<QPushButton>(QLatin1String(name)), name);
     }
 
+    /// What asks for something comes first, then one's own next step, and what is in order last.
+    void administratorsHomeBeginsWithWhatIsToBeDone() {
+        DesktopFixture desktop; // without any backup
+        desktop.logIn("ada");
+        QVERIFY(loaded(desktop));
+        const auto top = [&](const char* name) {
+            auto* button = desktop.find<QPushButton>(QLatin1String(name));
+            return button ? button->mapTo(desktop.window->screen(), QPoint()).y() : -1;
+        };
+        QVERIFY(top("home.storage") >= 0 && top("home.storage") < top("home.try"));
+        QVERIFY(top("home.try") < top("home.people") && top("home.people") < top("home.station"));
+    }
+
     void whoeverMayTrainFindsAnExercise_data() {
         QTest::addColumn<QString>("person");
         for (const char* person : {"ada", "tom", "rhea", "tina"})
@@ -547,13 +560,13 @@ private slots:
         session::SelfTestResult result;
         result.loop.ticks = 10000;
         result.loop.late = 31;
-        const CheckCircumstances of{QStringLiteral("rhea"), QDateTime(QDate(2026, 11, 28), QTime(9, 30)), QStringLiteral("bench-2"), QStringLiteral("A device"), QStringLiteral("SN-7"), QStringLiteral("1.2 build"), 41};
+        const CheckCircumstances of{QStringLiteral("rhea"), QDateTime(QDate(2026, 11, 28), QTime(9, 30)), QStringLiteral("bench-2"), QStringLiteral("A device"), QStringLiteral("SN-7"), QStringLiteral("1.2 build"), 41, QStringLiteral("Nordklinik")};
         const report::CheckRecord failed = loopRecord(result, of, QLocale::c());
         QVERIFY(failed.verdict.startsWith(QStringLiteral("Failed.")));
         QStringList head;
         for (const auto& [name, value] : failed.head)
             head << value;
-        for (const char* told : {"rhea", "bench-2", "A device", "SN-7", "1.2 build", "41"})
+        for (const char* told : {"Nordklinik", "rhea", "bench-2", "A device", "SN-7", "1.2 build", "41"})
             QVERIFY2(head.contains(QLatin1String(told)), told);
         QVERIFY(head.join(QString()).contains(QStringLiteral("2026")));
         QCOMPARE(serialWords(QString()), QStringLiteral("not told by the device"));

@@ -2,6 +2,8 @@
 // What a debrief says of a session that passed, failed, or did not come to its end.
 #include "desktop/debrief/band_bar.h"
 #include "desktop/debrief/debrief_screen.h"
+#include "desktop/debrief/verdict.h"
+#include "desktop/plots/metric_words.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_repository.h"
 #include "report/plot_view.h"
@@ -27,6 +29,7 @@ private slots:
     void passed();
     void failedSaysWhichMarkAndByHowMuch();
     void everyMissedMarkHasAdvice();
+    void aCauseIsToldBeforeWhatItLeadsTo();
     void whatChangedSinceTheLastAttempt();
     void afterADemonstrationItIsOnesOwnTurn();
     void worstMomentIsOneClickAway();
@@ -119,12 +122,41 @@ void TestDebrief::everyMissedMarkHasAdvice() {
         return *database::ScoreRepository(**connection, *m_tina).scores(m_bad);
     }();
     QStringList expected;
-    for (const scoring::MetricValue& metric : card.metrics)
-        if (metric.passed == std::optional<bool>(false))
-            expected << QString::fromStdString(exercise->advice.at(metric.id).at("en"));
+    for (const catalogue::Advice& one : exercise->advice)
+        for (const scoring::MetricValue& metric : card.metrics)
+            if (metric.id == one.metric && metric.passed == std::optional<bool>(false)) {
+                QVERIFY2(reasons[expected.size()].startsWith(QStringLiteral("•  ") + desktop::metricTitle(QString::fromStdString(metric.id))), qPrintable(reasons.join(QLatin1Char('|'))));
+                expected << QString::fromStdString(one.text.at("en"));
+            }
     QCOMPARE(advice, expected); // each beside its own mark
     open(m_good);
     QVERIFY(texts("debrief.advice").isEmpty());
+}
+
+// A miss counts as a large error: who marked in the air is told so before they read of the error. What has no advice comes last.
+void TestDebrief::aCauseIsToldBeforeWhatItLeadsTo() {
+    desktop::DebriefHead head;
+    head.record.summary.state = database::SessionState::completed;
+    head.report.passed = false;
+    for (const auto& [id, met] : {std::pair{"time", false}, {"apex_error_mean", false}, {"path_length", true}, {"apex_misses", false}}) {
+        report::MetricRow row;
+        row.id = QLatin1String(id);
+        row.value = 2.0;
+        row.gateMaximum = met ? 3.0 : 1.0;
+        row.passed = met;
+        head.report.metrics.push_back(row);
+    }
+    std::vector<desktop::MetricAdvice> advice;
+    for (const catalogue::Advice& one : m_site->site.catalogue().find("sphere_apex")->advice)
+        advice.push_back({one.metric, QString::fromStdString(one.text.at("en"))});
+    const desktop::Verdict verdict = desktop::verdictOf(head, QLocale(QLocale::English), advice);
+    QCOMPARE(verdict.reasons.size(), 3);
+    const QStringList order{QStringLiteral("apex_misses"), QStringLiteral("apex_error_mean"), QStringLiteral("time")};
+    for (qsizetype i = 0; i < order.size(); ++i)
+        QVERIFY2(verdict.reasons[i].startsWith(desktop::metricTitle(order[i])), qPrintable(verdict.reasons.join(QLatin1Char('|'))));
+    QVERIFY(verdict.advice[0].startsWith(QStringLiteral("Before you mark")));
+    QVERIFY(verdict.advice[1].startsWith(QStringLiteral("Move over the top")));
+    QVERIFY(verdict.advice[2].isEmpty());
 }
 
 void TestDebrief::whatChangedSinceTheLastAttempt() {

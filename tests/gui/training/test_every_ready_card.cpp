@@ -123,9 +123,12 @@ void TestEveryReadyCard::theTargetHasOneName() {
             core::LaparoscopyCues cues;
             cues.objectShown = true;
             cues.step = step[0] == 'c' ? core::LaparoscopyStep::carry : step[0] == 'p' ? core::LaparoscopyStep::place : core::LaparoscopyStep::hold;
-            const QString told = grasping.step(cues);
+            const QString told = grasping.step(cues, kEnglish);
             QVERIFY2(told.contains(QStringLiteral("ring")), qPrintable(name + QStringLiteral(": ") + told));
             words += QLatin1Char(' ') + told;
+            const std::optional<double> end_mm = session::levelLimits(level).placement_mm; // told where it is judged, before and while it is done
+            const QString end = QStringLiteral("%1 mm").arg(kEnglish.toString(end_mm.value_or(0.0), 'g', 3));
+            QVERIFY2(!end_mm || (desktop::limitsInWords(level, kEnglish).filter(end).size() == 1 && (step[0] != 'p' || told.contains(end))), qPrintable(name + QStringLiteral(": ") + told));
         }
         QVERIFY2(QString::fromStdString(level.goal.at("en")).contains(QStringLiteral("ring")), qPrintable(name));
         QVERIFY2(!words.contains(QStringLiteral("dish")), qPrintable(words));

@@ -54,15 +54,20 @@ private slots:
             cues.step = static_cast<LaparoscopyStep>(step);
             for (const TubeTask task : {TubeTask::hold, TubeTask::stretch, TubeTask::twoHanded, TubeTask::transfer}) {
                 tube.task = task;
-                QVERIFY(!tubeGrasping(tube, {}).step(cues).isEmpty());
+                QVERIFY(!tubeGrasping(tube, {}).step(cues, QLocale(QLocale::English)).isEmpty());
             }
-            QVERIFY(!handlingGrasping(handling, {}).step(cues).isEmpty());
-            said.insert(tubeGrasping(tube, {}).step(cues));
+            QVERIFY(!handlingGrasping(handling, {}).step(cues, QLocale(QLocale::English)).isEmpty());
+            said.insert(tubeGrasping(tube, {}).step(cues, QLocale(QLocale::English)));
         }
         QCOMPARE(said.size(), std::size_t(10)); // of a transfer: one each
+        core::LaparoscopyCues over;
+        over.step = LaparoscopyStep::place;
+        session::LevelLimits limits;
+        limits.placement_mm = 5.0; // who sets it down knows how far from the middle is too far
+        QVERIFY(handlingGrasping(handling, limits).step(over, QLocale(QLocale::English)).contains(QStringLiteral("5 mm")));
         core::LaparoscopyCues torn;
         torn.torn = true;
-        QVERIFY(tubeGrasping(tube, {}).step(torn).contains(QStringLiteral("torn")));
+        QVERIFY(tubeGrasping(tube, {}).step(torn, QLocale(QLocale::English)).contains(QStringLiteral("torn")));
     }
 
     void everyValueIsShown() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
+#include "app/exercises/urethra_insertion/scene/scope_marks.h"
+#include "gui/scene3d/urethra_samples.h"
 #include "gui/training/posed_endoscope.h"
+#include "modules/exercises/urethra_insertion/simulation/lumen_sight.h"
 
 #include <QtTest>
 #include <array>
@@ -30,6 +33,7 @@ private slots:
     void alongAndAcross();
     void torquesAreP1s();
     void theSceneMayStandAnywhere();
+    void theRingAsksForWhatIsMeasured();
 };
 
 void TestInsertionValues::aPerfectPoseReadsZero() {
@@ -103,6 +107,52 @@ void TestInsertionValues::theSceneMayStandAnywhere() {
     QVERIFY((values[0].torque_Nm - values[1].torque_Nm).norm() < 1e-9);
     QVERIFY(std::abs(values[0].alignment_rad - values[1].alignment_rad) < 1e-9);
     QVERIFY(std::abs(values[0].offset_m - values[1].offset_m) < 1e-12);
+}
+
+namespace {
+
+/// The pose as the scene hands it on, with the lumen as far ahead as it can be seen.
+scene3d::SceneState seenFrom(const scene3d::SceneSetup& setup, const scene3d::samples::ScopePose& pose) {
+    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
+    scene3d::SceneState state = scene3d::samples::urethraState(setup, pose);
+    const simulation::UrethraCentreline line(p.anatomy);
+    const Vec3 p_A = p.pose.pointToA(state.tool[0].p_WT);
+    const Vec3 axis_A = p.pose.vectorToA(state.tool[0].q_WT * Vec3(0.0, 0.0, -1.0));
+    const simulation::LumenSight::View view = simulation::LumenSight(p).look(p_A, axis_A, line.foot(p_A));
+    const Vec3 to_T = view.open ? Vec3(state.tool[0].q_WT.conjugate() * p.pose.vectorToW((view.p_A - p_A).normalized())) : Vec3(Vec3::Zero());
+    state.endoscope.toLumen_T = {to_T.x(), to_T.y(), to_T.z()};
+    return state;
+}
+
+} // namespace
+
+/// Along the whole canal, the bend included, on its centre-line and beside it: the ring is double where the measured alignment is small, and
+/// only there; and the way from the mark to the ring is the turn that is left.
+void TestInsertionValues::theRingAsksForWhatIsMeasured() {
+    const scene3d::SceneSetup setup = scene3d::samples::urethraSetup();
+    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
+    const scene3d::UrethraDrawing drawing(p);
+    const InsertionGauge gauge(p);
+    constexpr double kDouble_deg = 2.5, kSingle_deg = 4.0; // what lies between may be either: the picture's scale grows towards its edge
+    int looked = 0;
+    double mostAside = 0.0;
+    for (double s_m = -0.02; s_m < gauge.length_m(); s_m += 0.0025)
+        for (const double off_m : {0.0, 0.002, -0.002})
+            for (const double turn_deg : {0.0, 2.0, 6.0, -6.0, 10.0, -10.0}) {
+                const scene3d::SceneState state = seenFrom(setup, {.s_m = s_m, .ex_m = off_m, .en_m = 0.5 * off_m, .pitch_rad = core::radFromDeg(turn_deg)});
+                const scene3d::ScopeMarks marks = scene3d::ScopeMarks::of(setup, drawing, state);
+                if (!marks.guided || marks.beyond)
+                    continue; // an arrow at the rim, or wall alone
+                ++looked;
+                const double alignment_deg = core::degFromRad(gauge.at(state.tool[0].p_WT, state.tool[0].q_WT, {}).alignment_rad);
+                const QString at = QStringLiteral("s %1 mm, %2 mm aside, turned by %3: %4").arg(s_m * 1e3).arg(off_m * 1e3).arg(turn_deg).arg(alignment_deg);
+                QVERIFY2(alignment_deg > kDouble_deg || marks.aligned, qPrintable(at));
+                QVERIFY2(alignment_deg < kSingle_deg || !marks.aligned, qPrintable(at));
+                QVERIFY2(turn_deg == 0.0 || (marks.lumen - marks.target).y() * turn_deg < 0.0, qPrintable(at)); // turned too far up: the ring lies below
+                mostAside = std::max(mostAside, turn_deg == 0.0 && off_m == 0.0 ? marks.target.norm() : 0.0);
+            }
+    QVERIFY(looked > 500);
+    QVERIFY2(mostAside > 0.2, qPrintable(QString::number(mostAside))); // in the bend an aligned endoscope does see the lumen aside
 }
 
 QTEST_APPLESS_MAIN(TestInsertionValues)

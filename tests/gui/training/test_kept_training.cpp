@@ -106,6 +106,7 @@ haptics::DisplayState overLimits(const QString& exercise) {
     }
     state.trial = 2;
     state.timeLeft_s = 3.0;
+    state.tick = 4'000;
     state.lateTicks = 3;
     if (exercise == "urethra_insertion") {
         auto& scope = state.exercise.own<simulation::EndoscopeCues>();

@@ -3,6 +3,7 @@
 #include "core/tool_state.h"
 #include "desktop/training/column_trace.h"
 #include "desktop/training/force_words.h"
+#include "desktop/training/info_panel.h"
 #include "desktop/training/live_plot.h"
 #include "desktop/training/pointer_control.h"
 #include "desktop/training/scene_pointer.h"
@@ -34,6 +35,7 @@ private slots:
     void onlyACapturedPointerIsLedBackWhenItLeaves();
     void heldKeysBecomeASpeed();
     void everyStateHasItsWords();
+    void lateUpdatesAreToldAsAShare();
     void aPlanComesBackFromItsPlace();
 };
 
@@ -290,6 +292,17 @@ void TestTrainingParts::heldKeysBecomeASpeed() {
     QCOMPARE(mailbox.read().rate_per_s[0], v);
     hand.releaseKeys();
     QVERIFY((mailbox.read().rate_per_s == std::array{0.0, 0.0, 0.0, 0.0}));
+}
+
+/// Every update is recorded, late or not: no count of thousandths that reads like an error.
+void TestTrainingParts::lateUpdatesAreToldAsAShare() {
+    haptics::DisplayState state;
+    state.tick = 60'000;
+    QCOMPARE(InfoPanel::loopText(state), QStringLiteral("Recording complete; every force update on time"));
+    state.lateTicks = 1125;
+    QCOMPARE(InfoPanel::loopText(state), QStringLiteral("Recording complete; nothing is lost. 1.88 % of the force updates came late."));
+    state.lateTicks = 1;
+    QVERIFY(InfoPanel::loopText(state).contains(QStringLiteral("0.01 %")));
 }
 
 void TestTrainingParts::everyStateHasItsWords() {

@@ -62,7 +62,9 @@ private slots:
     void aDialogPauses();
     void pauseAndResume();
     void whatWasTrueIsLookedAtBeforeTheNextTrial();
+    void theLastTrialIsLookedAtBeforeTheDebrief();
     void anAssessmentGoesOnAtOnce();
+    void theWayToTheButtonsIsTold();
     void escStopsAndRearms();
     void aStopShowsNoForce();
     void cuesFollowTheLevel_data();
@@ -215,6 +217,45 @@ void TestTrainingScreen::whatWasTrueIsLookedAtBeforeTheNextTrial() {
     QVERIFY(bench.state().paused && bench.state().trial == 1);
     bench.key(Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(bench.runs() && bench.state().trial == 2, kPatience_ms);
+}
+
+/// The session has ended, and is stored meanwhile: the scene with the mark and the top stays before the debrief comes.
+void TestTrainingScreen::theLastTrialIsLookedAtBeforeTheDebrief() {
+    TrainingBench bench(1);
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.runs(), kPatience_ms);
+    const auto* stage = bench.screen()->findChild<desktop::StatePanel*>();
+    bool looked = false;
+    const auto look = connect(bench.screen()->feed(), &desktop::LiveFeed::frame, this, [&] {
+        const scene3d::SceneState& drawn = bench.screen()->drawn();
+        looked = looked || (bench.state().ended && stage->state() == desktop::StatePanel::State::content && drawn.answered && drawn.marked &&
+                            drawn.note.kind == scene3d::SceneNote::Kind::said);
+    });
+    bench.key(Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(looked, kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.at(QStringLiteral("debrief")), kPatience_ms);
+    QVERIFY(!bench.desktop.context.trialRuns());
+    disconnect(look);
+}
+
+/// The pointer is the scene's while somebody works: the way to the buttons stands above them, and over the scene until it was once gone.
+void TestTrainingScreen::theWayToTheButtonsIsTold() {
+    const QString inScene = QStringLiteral("The mouse moves the instrument. Space pauses and frees it.");
+    TrainingBench bench;
+    bench.train();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.title == inScene, kPatience_ms);
+    QCOMPARE(bench.text("training.pointer"), QStringLiteral("Space frees the mouse"));
+    QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::BlankCursor);
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::paused, kPatience_ms);
+    QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::ArrowCursor);
+    QCOMPARE(bench.text("training.pointer"), QString()); // the veil says how to go on
+    bench.key(Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::none, kPatience_ms); // who has found it is not told again
+    QCOMPARE(bench.text("training.pointer"), QStringLiteral("Space frees the mouse"));
+    bench.key(Qt::Key_Escape); // frees it, too
+    QTRY_VERIFY_WITH_TIMEOUT(bench.screen()->drawn().note.kind == scene3d::SceneNote::Kind::stopped, kPatience_ms);
+    QVERIFY(bench.screen()->scene()->widget()->cursor().shape() == Qt::ArrowCursor);
 }
 
 /// Level 5 teaches nothing: nothing is drawn, and nobody is kept.

@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTableView>
 #include <algorithm>
 
@@ -20,6 +21,7 @@ namespace {
 /// What a command asks for.
 struct Asked {
     const char* button;
+    const char* purpose; ///< dialogs for one purpose begin where the one before ended
     const char* person;
     const char* screen;
     QVariantMap parameters;
@@ -31,6 +33,11 @@ struct Asked {
     const char* missing = ""; ///< what is said of a file to read that is not there
     const char* closed = "";  ///< what is said when the dialog is closed without a choice
 };
+
+QString documents() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QDir(QFileInfo(folder).isDir() ? folder : QDir::homePath()).absolutePath();
+}
 
 constexpr const char* kNoPlace = "Nothing was exported: no place was chosen.";
 constexpr auto kOpen = QFileDialog::AcceptOpen;
@@ -67,22 +74,22 @@ std::vector<Asked> TestFileDialogs::all() const {
     const auto folder = QFileDialog::Directory;
     const auto one = QFileDialog::ExistingFile;
     const auto any = QFileDialog::AnyFile;
-    return {{"people.import", "ada", "people", {}, "Import people from a CSV file", kOpen, one, "CSV (*.csv)", "", "cannot be read"},
-            {"people.template", "ada", "people", {}, "Save a template for a roster", kSave, any, "CSV (*.csv)", "roster.csv"},
-            {"people.export", "ada", "people", {}, "Export all data about tina", kSave, any, "JSON (*.json)", "tina.json"},
-            {"storage.choose", "ada", "storage", {}, "Folder for backups", kOpen, folder, "", ""},
-            {"storage.export", "ada", "storage", {}, "Folder for the export", kOpen, folder, "", ""},
-            {"station.record", "ada", "station", {}, "Save the record", kSave, any, "PDF documents (*.pdf)", "Fingertip platform.pdf"},
-            {"sessions.export", "tom", "sessions", {}, "Save the list", kSave, any, "Comma-separated values (*.csv)", "sessions.csv"},
-            {"results.export", "tina", "results", {}, "Choose a folder for your data", kOpen, folder, "", ""},
-            {"debrief.report", "tina", "debrief", session, "Write the report", kSave, any, "PDF documents (*.pdf)", "Chiron session"},
-            {"setup.trace.choose", "tina", "exercise_setup", level, "Choose a recorded movement", kOpen, one, "Traces (*.csv)", "", "This file cannot be played"},
-            {"studies.import", "rhea", "studies", {}, "Import a study", kOpen, one, "Studies (*.json)", "", "The file could not be read"},
-            {"study.import", "rhea", "study", study(m_studies.draft), "Import a design from a file", kOpen, one, "Studies (*.json)", "", "The file was not imported"},
-            {"study.export", "rhea", "study", study(m_studies.draft), "Save the design", kSave, any, "Studies (*.json)", "pilot.json"},
-            {"data.csv", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
-            {"data.bids", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
-            {"data.pdf", "rhea", "study_data", study(m_studies.data), "Save as PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf", "", kNoPlace}};
+    return {{"people.import", "rosters", "ada", "people", {}, "Import people from a CSV file", kOpen, one, "CSV (*.csv)", "", "cannot be read"},
+            {"people.template", "rosters", "ada", "people", {}, "Save a template for a roster", kSave, any, "CSV (*.csv)", "roster.csv"},
+            {"people.export", "person_data", "ada", "people", {}, "Export all data about tina", kSave, any, "JSON (*.json)", "tina.json"},
+            {"storage.choose", "backups", "ada", "storage", {}, "Folder for backups", kOpen, folder, "", ""},
+            {"storage.export", "site_exports", "ada", "storage", {}, "Folder for the export", kOpen, folder, "", ""},
+            {"station.record", "station_records", "ada", "station", {}, "Save the record", kSave, any, "PDF documents (*.pdf)", "Fingertip platform.pdf"},
+            {"sessions.export", "session_lists", "tom", "sessions", {}, "Save the list", kSave, any, "Comma-separated values (*.csv)", "sessions.csv"},
+            {"results.export", "own_data", "tina", "results", {}, "Choose a folder for your data", kOpen, folder, "", ""},
+            {"debrief.report", "reports", "tina", "debrief", session, "Write the report", kSave, any, "PDF documents (*.pdf)", "Chiron session"},
+            {"setup.trace.choose", "traces", "tina", "exercise_setup", level, "Choose a recorded movement", kOpen, one, "Traces (*.csv)", "", "This file cannot be played"},
+            {"studies.import", "studies", "rhea", "studies", {}, "Import a study", kOpen, one, "Studies (*.json)", "", "The file could not be read"},
+            {"study.import", "studies", "rhea", "study", study(m_studies.draft), "Import a design from a file", kOpen, one, "Studies (*.json)", "", "The file was not imported"},
+            {"study.export", "studies", "rhea", "study", study(m_studies.draft), "Save the design", kSave, any, "Studies (*.json)", "pilot.json"},
+            {"data.csv", "study_tables", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
+            {"data.bids", "study_tables", "rhea", "study_data", study(m_studies.data), "Choose a location for the folder", kOpen, folder, "", "", "", kNoPlace},
+            {"data.pdf", "study_reports", "rhea", "study_data", study(m_studies.data), "Save as PDF", kSave, any, "PDF (*.pdf)", "jnd_stiffness_mass.pdf", "", kNoPlace}};
 }
 
 void TestFileDialogs::initTestCase() {
@@ -145,6 +152,11 @@ void TestFileDialogs::asksAndDoes() {
         QVERIFY2(dialog->selectedFiles().value(0).contains(QLatin1String(asked.suggested)), qPrintable(dialog->selectedFiles().join(QLatin1Char(' '))));
     if (asked.accept == kSave && asked.button != std::string("people.export"))
         QCOMPARE(dialog->defaultSuffix(), QString::fromLatin1(asked.filter).section(QStringLiteral("*."), 1).chopped(1));
+    QCOMPARE(dialog->directory().absolutePath(), asked.button == std::string("people.template") ? m_folder.filePath(QStringLiteral("people.import")) // rosters, too
+                                                 : asked.button == std::string("study.import")  ? m_folder.filePath(QStringLiteral("studies.import"))
+                                                 : asked.button == std::string("study.export")  ? m_folder.filePath(QStringLiteral("study.import"))
+                                                 : asked.button == std::string("data.bids")     ? m_folder.filePath(QStringLiteral("data.csv"))
+                                                                                                : documents());
     QPointer<QFileDialog> first = dialog;
     dialog->reject();
     QTRY_VERIFY_WITH_TIMEOUT(!first, kPatience_ms);
@@ -158,6 +170,8 @@ void TestFileDialogs::asksAndDoes() {
     if (asked.button != std::string("station.record")) // no check was made: there is nothing to write
         emit dialog->fileSelected(asked.file == QFileDialog::Directory ? folder : file);
     dialog->close();
+    if (asked.button != std::string("station.record")) // and begins there the next time
+        QCOMPARE(m_desktop->settings.lastFolder(QLatin1String(asked.purpose)), folder);
     if (asked.button == std::string("storage.choose"))
         QCOMPARE(m_desktop->settings.backupFolder(), folder);
     else if (asked.missing[0] != '\0')

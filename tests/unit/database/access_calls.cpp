@@ -6,6 +6,7 @@
 #include "database/repositories/account_repository.h"
 #include "database/repositories/audit_repository.h"
 #include "database/repositories/privacy_repository.h"
+#include "database/repositories/site_repository.h"
 #include "database/repositories/station_repository.h"
 
 namespace chiron::test {
@@ -49,6 +50,8 @@ std::map<Action, Call> accessCalls(CallWorld& m) {
         [=](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).importPeople({fresh})); });
     add(Action::recordStationCheck, none, true,
         [](C& c, A a, std::int64_t) { return drop(StationRepository(c, a).recordStationCheck({"loop", "", "1", true})); });
+    add(Action::siteName, none, false, [](C& c, A a, std::int64_t) { return drop(SiteRepository(c, a).siteName()); });
+    add(Action::setSiteName, none, true, [](C& c, A a, std::int64_t) { return SiteRepository(c, a).setSiteName("North Hospital"); });
     add(Action::listPeople, none, false,
         [](C& c, A a, std::int64_t) { return drop(AccountRepository(c, a).listPeople()); });
     add(Action::person, person, false,

@@ -3,6 +3,7 @@
 
 #include "database/boot_clock.h"
 #include "database/repositories/audit_repository.h"
+#include "database/repositories/site_repository.h"
 #include "database/repositories/station_repository.h"
 #include "database/repositories/study_rules.h"
 
@@ -26,6 +27,7 @@ private slots:
     void studiesAreNoted();
     void upkeepIsNoted();
     void stationChecksHoldTheSerialNumber();
+    void theSitesNameIsChangedByAnAdministrator();
     void thePersonsOwnAreTheSame();
     void codesTakeTheirBytesInTurn();
     void theSystemsClockIsSinceItsStart();
@@ -199,6 +201,26 @@ void TestAuditEntries::stationChecksHoldTheSerialNumber() {
     REQUIRE(checked("SN-7 / 12"));
     QCOMPARE(lastDetail()["serial"].toString(), QStringLiteral("SN-7 / 12"));
     QCOMPARE(checked("SN\n7").error().code, core::ErrorCode::badInput);
+}
+
+/// A site's name is known to everybody, changed by administrators alone, and each change stands in the audit trail.
+void TestAuditEntries::theSitesNameIsChangedByAnAdministrator() {
+    auto reader = m->database->openReader();
+    REQUIRE(reader);
+    const auto named = [&](const Actor& actor, const std::string& name) {
+        return m->database->write([&](WriteContext& w) { return SiteRepository(w.connection(), actor).setSiteName(name); });
+    };
+    const auto known = [&] { return SiteRepository(**reader, Actor::anonymous()).siteName().value_or("failed"); };
+    QCOMPARE(known(), std::string());
+    REQUIRE(named(m_admin, "  Nordklinik, Lehrstation 2 "));
+    QCOMPARE(known(), std::string("Nordklinik, Lehrstation 2"));
+    QCOMPARE(lastDetail()["name"].toString(), QStringLiteral("Nordklinik, Lehrstation 2"));
+    QCOMPARE(named(m_ruth, "Another").error().code, core::ErrorCode::notAllowed);
+    QCOMPARE(named(m_admin, std::string(std::size_t{kMaximumSiteNameCharacters} + 1, 'x')).error().code, core::ErrorCode::badInput);
+    QCOMPARE(named(m_admin, "two\nlines").error().code, core::ErrorCode::badInput);
+    QCOMPARE(known(), std::string("Nordklinik, Lehrstation 2"));
+    REQUIRE(named(m_admin, ""));
+    QCOMPARE(known(), std::string());
 }
 
 // Nanoseconds since the machine started, sleep included, and the start by its own name.

@@ -49,6 +49,7 @@ class TestRoster : public QObject {
 private slots:
     void init();
     void germanExcelIsImportedWithoutAQuestion();
+    void wordsThatAreNoRoleCanStandForOne();
     void everyEncodingIsTold_data();
     void everyEncodingIsTold();
     void delimitersAreFoundBesideQuotedOnes_data();
@@ -114,6 +115,26 @@ void TestRoster::germanExcelIsImportedWithoutAQuestion() {
         REQUIRE(actor);
         QVERIFY(actor->mustChangePassword());
     }
+}
+
+/// However they are written, and only where they are no role by themselves.
+void TestRoster::wordsThatAreNoRoleCanStandForOne() {
+    const std::string file = "login name,role\numa,Famulant\nvic,\"trainer;FAMULANT\"\nwim,\nxia,trainee\n";
+    const Roster asRead = readRoster(file);
+    QCOMPARE(asRead.unknownRoles, (std::vector<std::string>{"Famulant", ""}));
+    QCOMPARE(asRead.problems.size(), std::size_t{3});
+    const RoleWords half{{"famulant", Role::trainee}};
+    QCOMPARE(readRoster(file, half).problems.size(), std::size_t{1});
+    QCOMPARE(accounts().importCsv(m_admin, file, RosterExisting::skip, {}, half).error().code, core::ErrorCode::badInput);
+    const RoleWords whole{{"Famulant", Role::trainee}, {"", Role::researcher}, {"trainee", Role::admin}};
+    const Roster roster = readRoster(file, whole);
+    QVERIFY2(roster.problems.empty(), wordsOf(roster).c_str());
+    QCOMPARE(roster.unknownRoles, asRead.unknownRoles);
+    QVERIFY(roster.rows[0].roles == RoleSet{Role::trainee});
+    QVERIFY((roster.rows[1].roles == RoleSet{Role::trainer, Role::trainee}));
+    QVERIFY(roster.rows[2].roles == RoleSet{Role::researcher});
+    QVERIFY(roster.rows[3].roles == RoleSet{Role::trainee}); // a role stays what it is
+    QVERIFY(accounts().previewCsv(m_admin, file, RosterExisting::skip, whole)->roster.problems.empty());
 }
 
 void TestRoster::everyEncodingIsTold_data() {

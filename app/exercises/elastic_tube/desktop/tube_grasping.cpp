@@ -81,7 +81,7 @@ Grasping tubeGrasping(const simulation::ElasticTubeParameters& level, const sess
     grasping.reach_m = level.graspReach_m;
     grasping.holdsBelow_rad = level.graspAngle_rad;
     grasping.opensAbove_rad = level.releaseAngle_rad;
-    grasping.step = [task = level.task](const core::LaparoscopyCues& cues) { return tubeText(cues, task); };
+    grasping.step = [task = level.task](const core::LaparoscopyCues& cues, const QLocale&) { return tubeText(cues, task); };
     grasping.held = [](const core::LaparoscopyCues& cues, const QLocale&) { return heldTube(cues); };
     grasping.load = [](const haptics::DisplayState& state, const QLocale& locale) {
         const double stretch_mm = 1e3 * state.exercise.of<core::LaparoscopyCues>().stretch_m;

@@ -14,7 +14,13 @@ using core::LaparoscopyStep;
 
 namespace {
 
-QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
+QString placeText(const session::LevelLimits& limits, const QLocale& locale) {
+    return limits.placement_mm
+               ? GraspTexts::tr("Set it down in the middle of the ring, at most %1 mm off, and let go").arg(locale.toString(*limits.placement_mm, 'g', 3))
+               : GraspTexts::tr("Set it down inside the ring and let go");
+}
+
+QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task, const session::LevelLimits& limits, const QLocale& locale) {
     switch (cues.step) {
     case LaparoscopyStep::grasp:
         return task == HandlingTask::weigh ? GraspTexts::tr("Lift one object after the other and find the heaviest")
@@ -23,7 +29,7 @@ QString handlingText(const core::LaparoscopyCues& cues, HandlingTask task) {
     case LaparoscopyStep::carry:
         return task == HandlingTask::weigh ? GraspTexts::tr("Is it the heaviest? Bring it over the ring; otherwise set it down")
                                            : GraspTexts::tr("Bring it over the ring");
-    case LaparoscopyStep::place: return GraspTexts::tr("Set it down inside the ring and let go");
+    case LaparoscopyStep::place: return placeText(limits, locale);
     case LaparoscopyStep::hold: return GraspTexts::tr("In the ring: let it lie still");
     case LaparoscopyStep::done: return GraspTexts::tr("Done: the next one follows");
     case LaparoscopyStep::none:
@@ -56,7 +62,7 @@ Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level, con
     grasping.reach_m = level.graspReach_m;
     grasping.holdsBelow_rad = jaws.angle_rad(2.0 * level.radius_m);
     grasping.opensAbove_rad = jaws.angle_rad(2.0 * level.radius_m + level.releaseClearance_m);
-    grasping.step = [task = level.task](const core::LaparoscopyCues& cues) { return handlingText(cues, task); };
+    grasping.step = [task = level.task, limits](const core::LaparoscopyCues& cues, const QLocale& locale) { return handlingText(cues, task, limits, locale); };
     grasping.held = heldObject;
     grasping.load = [](const haptics::DisplayState& state, const QLocale& locale) {
         const double pull_N = std::max(0.0, -state.tool[0].tissue[2]) + 0.0; // + 0: no minus before 0.00

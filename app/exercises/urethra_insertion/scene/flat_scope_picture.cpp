@@ -130,11 +130,12 @@ void FlatScopePicture::paintMarks(QPainter& painter, const ScopeMarks& marks) co
     const QColor guide = m_setup.colours.highContrast ? QColor(255, 255, 0) : QColor(140, 240, 255);
     if (marks.guided) {
         const QPointF at(marks.lumen.x(), marks.lumen.y());
+        const QPointF target(marks.target.x(), marks.target.y());
         QPainterPath path;
-        path.addEllipse(QPointF(0, 0), 0.02, 0.02);
-        path.moveTo(0, 0);
+        path.addEllipse(target, 0.02, 0.02);
+        path.moveTo(target);
         path.lineTo(at);
-        const QPointF way = at / std::max(1e-6, marks.lumen.norm());
+        const QPointF way = (at - target) / std::max(1e-6, (marks.lumen - marks.target).norm());
         const QPointF aside(-way.y(), way.x());
         if (marks.beyond) { // an arrow's head at the rim
             path.moveTo(at + 0.06 * aside);

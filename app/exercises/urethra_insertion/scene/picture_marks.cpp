@@ -45,7 +45,7 @@ PictureMarks::PictureMarks(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3D
     const auto ring = [&](double radius, double half) { return make(flatRing(radius, half), flatRing(radius, half + kEdge)); };
     const auto bar = [&](double half) { return make(flatBar(half), flatBar(half + kEdge)); };
     const auto head = [&](double half) { return make(moved(flatHead(half), 0.0), moved(flatHead(1.35 * half), -0.16)); };
-    m_middle = ring(0.018, 0.005);
+    m_target = ring(0.018, 0.005);
     m_ring = ring(kRing, 0.008);
     m_inner = ring(0.6 * kRing, 0.006);
     m_way = bar(0.006);
@@ -62,7 +62,7 @@ void PictureMarks::change(const SceneSetup& setup) {
     m_guide = setup.colours.highContrast ? QColor(255, 255, 0) : kGuide;
     m_force = kForce;
     m_overForce = kOver;
-    for (OutlinedShape* shape : {m_middle.get(), m_ring.get(), m_inner.get(), m_way.get(), m_point.get(), m_dwell.get()})
+    for (OutlinedShape* shape : {m_target.get(), m_ring.get(), m_inner.get(), m_way.get(), m_point.get(), m_dwell.get()})
         shape->setColour(m_guide);
 }
 
@@ -72,9 +72,11 @@ void PictureMarks::show(const ScopeMarks& marks) {
 }
 
 void PictureMarks::showGuidance(const ScopeMarks& marks) {
-    const double away = marks.lumen.norm();
-    const double turn = std::atan2(marks.lumen.y(), marks.lumen.x());
-    m_middle->show(marks.guided);
+    const core::Vec2 way = marks.lumen - marks.target;
+    const double away = way.norm();
+    const double turn = std::atan2(way.y(), way.x());
+    m_target->show(marks.guided);
+    m_target->place(marks.target.x(), marks.target.y());
     m_ring->show(marks.guided && !marks.beyond);
     m_ring->place(marks.lumen.x(), marks.lumen.y());
     m_inner->show(marks.guided && marks.aligned);
@@ -82,7 +84,7 @@ void PictureMarks::showGuidance(const ScopeMarks& marks) {
     const double from = 0.03;
     const double to = away - (marks.beyond ? 0.0 : kRing);
     m_way->show(marks.guided && to > from + 0.01);
-    m_way->place(from * std::cos(turn), from * std::sin(turn), turn, std::max(0.01, to - from));
+    m_way->place(marks.target.x() + from * std::cos(turn), marks.target.y() + from * std::sin(turn), turn, std::max(0.01, to - from));
     m_point->show(marks.guided && marks.beyond);
     m_point->place(marks.lumen.x(), marks.lumen.y(), turn, 1.0, 0.11);
     m_dwell->show(marks.dwell > 0.0);

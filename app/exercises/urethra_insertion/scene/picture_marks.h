@@ -10,7 +10,7 @@
 
 namespace chiron::scene3d {
 
-/// ScopeMarks over the round picture: the ring at the middle of the lumen with the way to it, the turn that fills while a
+/// ScopeMarks over the round picture: the ring at the middle of the lumen with the way to it from where it is to come, the turn that fills while a
 /// landmark is held in view, and the force across the shaft as an arrow with the limit's bar.
 class PictureMarks {
 public:
@@ -30,7 +30,7 @@ private:
     QColor m_guide;
     QColor m_force;
     QColor m_overForce;
-    Shape m_middle, m_ring, m_inner, m_way, m_point, m_dwell;
+    Shape m_target, m_ring, m_inner, m_way, m_point, m_dwell;
     Shape m_stem, m_head, m_limit;
     std::array<Shape, 3> m_rungs;
 };

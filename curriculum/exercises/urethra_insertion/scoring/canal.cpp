@@ -271,9 +271,8 @@ std::vector<MetricDefinition> canalMetrics() {
               .aggregate = Aggregate::pooled,
               .title = QT_TRANSLATE_NOOP("Metrics", "Alignment, root mean square"),
               .meaning = QT_TRANSLATE_NOOP("Metrics", "The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In "
-                                                      "the picture: the wall near the tip is equally wide all round when the two are in line. The ring shows where the "
-                                                      "urethra leads farther ahead, so in a bend a few degrees remain although it is in the centre; the pass marks allow "
-                                                      "for them."),
+                                                      "the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is "
+                                                      "double. In a bend the urethra then leads on beside the middle of the picture."),
               .titleAtMoment = QT_TRANSLATE_NOOP("Metrics", "Largest misalignment"),
               .definition = "Root mean square of the angle between the instrument's axis and the centre-line's tangent over the samples in the "
                             "urethra (0 <= s <= L), on the way in and out.",

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/site/site_name.h"
+
+#include "database/repositories/site_repository.h"
+
+namespace chiron::desktop {
+
+core::Result<QString> readSiteName(database::Database& database, const database::Actor& actor) {
+    auto reader = database.openReader();
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const auto name = database::SiteRepository(**reader, actor).siteName();
+    return name ? core::Result<QString>(QString::fromStdString(*name)) : tl::unexpected(name.error());
+}
+
+} // namespace chiron::desktop

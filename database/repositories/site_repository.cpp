@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "database/repositories/site_repository.h"
+
+#include "database/access/authorise.h"
+#include "database/access/writer_only.h"
+#include "database/accounts/account_rules.h"
+#include "database/audit/audit_trail.h"
+#include "database/query.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QString>
+#include <algorithm>
+
+namespace chiron::database {
+
+namespace {
+
+constexpr const char* kNameKey = "site_name"; // beside the backup's plan, in the table of what the site is
+
+} // namespace
+
+core::Result<std::string> SiteRepository::siteName() {
+    if (const auto scope = authorise(m_connection, m_actor, Action::siteName); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    const auto name = selectText(m_connection, "SELECT value FROM meta WHERE key = ?", {std::string(kNameKey)});
+    return name ? core::Result<std::string>(name->value_or("")) : tl::unexpected(name.error());
+}
+
+core::Result<void> SiteRepository::setSiteName(const std::string& name) {
+    if (auto writer = requireWriter(m_connection); !writer) {
+        return tl::unexpected(writer.error());
+    }
+    if (const auto scope = authorise(m_connection, m_actor, Action::setSiteName); !scope) {
+        return tl::unexpected(scope.error());
+    }
+    const QString trimmed = QString::fromStdString(name).trimmed();
+    if (std::any_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.category() == QChar::Other_Control; })) {
+        return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");
+    }
+    const std::string stored = trimmed.toStdString();
+    if (auto good = checkText("site name", stored, kMaximumSiteNameCharacters); !good) {
+        return tl::unexpected(good.error());
+    }
+    const auto put = Query::run(m_connection,
+                                "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
+                                {std::string(kNameKey), stored});
+    if (!put) {
+        return tl::unexpected(put.error());
+    }
+    const QJsonObject detail{{"name", QString::fromStdString(stored)}};
+    return appendAudit(m_connection, m_actor,
+                       {"setSiteName", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
+}
+
+} // namespace chiron::database
