@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/exercise.h"
+#include "desktop/playback/moment_words.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_mark.h"
 
@@ -20,7 +21,7 @@ class MarkList : public QWidget {
     Q_OBJECT
 public:
     MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks,
-             const catalogue::ExerciseParameters& level, QWidget* parent = nullptr);
+             const catalogue::ExerciseParameters& level, MomentWords moments, QWidget* parent = nullptr);
 
 signals:
     void seekAsked(double t_s);
@@ -32,6 +33,7 @@ private:
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
     catalogue::ExerciseParameters m_level; ///< whose words are used
+    MomentWords m_moments;
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;
     QListWidget* m_list;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/moment_words.h"
 #include "catalogue/exercise.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_track.h"
@@ -18,7 +19,7 @@ class Scrubber : public QAbstractSlider {
 public:
     explicit Scrubber(const Theme& theme, QWidget* parent = nullptr);
 
-    void setTrack(const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level); ///< copies what it draws
+    void setTrack(const session::PlaybackTrack& track, const catalogue::ExerciseParameters& level, MomentWords moments); ///< copies what it draws
     void setComments(std::vector<double> moments_s);
     void setPosition(double t_s);
     QSize sizeHint() const override;
@@ -44,6 +45,7 @@ private:
 
     const Theme& m_theme;
     catalogue::ExerciseParameters m_level; ///< whose words are used
+    MomentWords m_moments;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     std::vector<session::PlaybackTrial> m_trials;
