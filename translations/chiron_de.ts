@@ -174,6 +174,85 @@
     </message>
 </context>
 <context>
+    <name>CommandWords</name>
+    <message>
+        <source>start page, dashboard, begin, what next, news</source>
+        <translation>Startseite, anfangen, Neuigkeiten, was nun</translation>
+    </message>
+    <message>
+        <source>experiment, research, trial, participants, questionnaire</source>
+        <translation>Experiment, Versuch, Forschung, Teilnehmende, Fragebogen</translation>
+    </message>
+    <message>
+        <source>analysis, statistics, export</source>
+        <translation>Auswertung, Statistik, exportieren</translation>
+    </message>
+    <message>
+        <source>group, class, course, cohort, overview, results, trainees, students, learners, passed, due, who has trained</source>
+        <translation>Gruppe, Klasse, Kurs, Kohorte, Überblick, Übersicht, Ergebnisse, Lernende, Studierende, bestanden, fällig, wer hat trainiert</translation>
+    </message>
+    <message>
+        <source>users, accounts, group, class, roster, trainees, students, names, passwords, roles, add a user</source>
+        <translation>Benutzer, Konten, Gruppe, Klasse, Namensliste, Lernende, Studierende, Namen, Passwörter, Rollen, Konto anlegen</translation>
+    </message>
+    <message>
+        <source>backup, back up, copy, restore, disk, space, database, verify, save</source>
+        <translation>Sicherung, Backup, sichern, Kopie, Wiederherstellen, Festplatte, Speicherplatz, Datenbank, prüfen</translation>
+    </message>
+    <message>
+        <source>device, haptic, hardware, calibration, check, timing, computer, test</source>
+        <translation>Gerät, haptisch, Hardware, Kalibrierung, prüfen, Zeitverhalten, Rechner, Test</translation>
+    </message>
+    <message>
+        <source>progress, scores, marks, grades, curve, history, overview, review, export my data</source>
+        <translation>Fortschritt, Wertungen, Noten, Lernkurve, Verlauf, Übersicht, Rückblick, meine Daten exportieren</translation>
+    </message>
+    <message>
+        <source>options, preferences, language, theme, dark mode, text size, sound, volume</source>
+        <translation>Optionen, Sprache, Farben, dunkel, Schriftgröße, Ton, Lautstärke</translation>
+    </message>
+    <message>
+        <source>assess, feedback, look at, mark, grade, inbox, to do</source>
+        <translation>Begutachtung, begutachten, bewerten, Rückmeldung, Feedback, benoten, Posteingang, zu tun</translation>
+    </message>
+    <message>
+        <source>feedback, notes, remarks, messages, answers, replies, review</source>
+        <translation>Rückmeldung, Feedback, Notizen, Anmerkungen, Nachrichten, Antworten, Begutachtung</translation>
+    </message>
+    <message>
+        <source>log out, logout, log off, sign out, change user, leave</source>
+        <translation>abmelden, ausloggen, Abmeldung, Logout, Benutzer wechseln</translation>
+    </message>
+    <message>
+        <source>password, profile, name, recovery code</source>
+        <translation>Passwort, Profil, Name, Wiederherstellungscode</translation>
+    </message>
+    <message>
+        <source>quit, exit, end the program, shut down</source>
+        <translation>beenden, schließen, Programm verlassen</translation>
+    </message>
+    <message>
+        <source>manual, guide, how do I, what is this</source>
+        <translation>Handbuch, Anleitung, wie geht das, was ist das</translation>
+    </message>
+    <message>
+        <source>keys, hotkeys</source>
+        <translation>Tasten, Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>pause, away, screen lock</source>
+        <translation>Pause, abwesend, Bildschirmsperre</translation>
+    </message>
+    <message>
+        <source>train, practise, practice, task, lesson, level, choose an exercise, curriculum</source>
+        <translation>trainieren, üben, Training, Aufgabe, Lektion, Stufe, Übung wählen, Lehrplan</translation>
+    </message>
+    <message>
+        <source>recordings, attempts, history, list, playback, debrief</source>
+        <translation>Aufzeichnungen, Versuche, Verlauf, Liste, Wiedergabe, Auswertung</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Go to: %1</source>
@@ -250,6 +329,14 @@
     <message>
         <source>Log out</source>
         <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Sessions to review</source>
+        <translation>Sitzungen zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Kommentare</translation>
     </message>
 </context>
 <context>
@@ -2130,6 +2217,17 @@ Einzelheiten: %2</translation>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Der Winkel zwischen Endoskop und Richtung der Harnröhre am Ort der Spitze; große Winkel zählen mehr. Im Bild: Die Wand nahe der Spitze ist rundum gleich breit, wenn beide in einer Linie liegen, und ein Führungsring ist doppelt. In einer Biegung führt die Harnröhre dann neben der Bildmitte weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>MomentWords</name>
+    <message>
+        <source>%1 before the start</source>
+        <translation>%1 vor dem Beginn</translation>
+    </message>
+    <message>
+        <source>Trial %1, %2</source>
+        <translation>Durchgang %1, %2</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4462,10 @@ Möchten Sie die Datei ersetzen?</translation>
     <message>
         <source>Comments</source>
         <translation>Kommentare</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
 </context>
 <context>
@@ -7607,6 +7709,10 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
         <source>Further commands</source>
         <translation>Weitere Befehle</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::CommentPanel</name>
@@ -7625,10 +7731,6 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>What do you see here?</source>
         <translation>Was sehen Sie hier?</translation>
-    </message>
-    <message>
-        <source>Comment at %1</source>
-        <translation>Kommentar bei %1</translation>
     </message>
     <message>
         <source>You</source>
@@ -7657,6 +7759,22 @@ Wer zur Administration gehört, kann hier einen Wiederherstellungscode für sich
     <message>
         <source>Reviewed. Nothing to add.</source>
         <translation>Durchgesehen. Nichts hinzuzufügen.</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Do not reply</source>
+        <translation>Nicht antworten</translation>
+    </message>
+    <message>
+        <source>Reply to %1</source>
+        <translation>%1 antworten</translation>
+    </message>
+    <message>
+        <source>Comment here: %1</source>
+        <translation>Hier kommentieren: %1</translation>
     </message>
 </context>
 <context>
@@ -8180,10 +8298,6 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>(gelöscht)</translation>
     </message>
     <message>
-        <source>%1, at %2: %3</source>
-        <translation>%1, bei %2: %3</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -8246,6 +8360,14 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
     <message>
         <source>Start a session that counts</source>
         <translation>Sitzung starten, die zählt</translation>
+    </message>
+    <message>
+        <source>%1 · %2: %3</source>
+        <translation>%1 · %2: %3</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>Antworten</translation>
     </message>
 </context>
 <context>
@@ -9774,10 +9896,6 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
         <source>List of sessions to review</source>
         <translation>Liste der zu begutachtenden Sitzungen</translation>
     </message>
-    <message>
-        <source>Comments</source>
-        <translation>Kommentare</translation>
-    </message>
     <message numerus="yes">
         <source>Comments: unread on %n session(s)</source>
         <translation>
@@ -9792,6 +9910,10 @@ Die Liste links führt zu allen anderen Ansichten; Strg+K findet jeden Befehl na
     <message>
         <source>%1 answered your comment on session %2 (%3, level %4).</source>
         <translation>%1 hat auf Ihren Kommentar zu Sitzung %2 geantwortet (%3, Stufe %4).</translation>
+    </message>
+    <message>
+        <source>Progress of the group</source>
+        <translation>Fortschritt der Gruppe</translation>
     </message>
 </context>
 <context>
@@ -11215,10 +11337,6 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
 <context>
     <name>chiron::desktop::PlaybackPlots</name>
     <message>
-        <source>Time (s)</source>
-        <translation>Zeit (s)</translation>
-    </message>
-    <message>
         <source>Speed (mm/s)</source>
         <translation>Geschwindigkeit (mm/s)</translation>
     </message>
@@ -11357,6 +11475,10 @@ Wählen Sie eine Person in der Liste, dann darunter eine Aktion. Rollen ändern 
     <message>
         <source>Show the whole session (0)</source>
         <translation>Die ganze Sitzung zeigen (0)</translation>
+    </message>
+    <message>
+        <source>Time in the recording (s)</source>
+        <translation>Zeit in der Aufzeichnung (s)</translation>
     </message>
 </context>
 <context>
@@ -11944,6 +12066,188 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Mehr Schritte sind feiner und brauchen mehr Rechenzeit.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProgressScreen</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>How far each person of the group is.
+
+A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;. &quot;Last session&quot; says when they trained last, &quot;Next step&quot; what the program offers them next, and &quot;To review&quot; how many of their sessions await your review. Trainees whose accounts are disabled are left out.
+
+The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it leaves those who have not trained for some time, or who have not passed everything.
+
+Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+        <translation>Wie weit jede Person der Gruppe ist.
+
+Eine Zeile ist eine Person. Unter jeder Übung steht die niedrigste Stufe, die die Person nicht bestanden hat, oder „Alle bestanden“. „Letzte Sitzung“ sagt, wann zuletzt trainiert wurde, „Nächster Schritt“, was das Programm als Nächstes anbietet, und „Zu begutachten“, wie viele Sitzungen der Person auf Ihre Begutachtung warten. Lernende, deren Konto gesperrt ist, stehen nicht in der Liste.
+
+Das Programm führt keine Gruppenlisten: Geben Sie mehrere Namen mit Kommas dazwischen ein, um nur diese Personen zu sehen. Mit der Auswahl daneben bleiben nur die Personen stehen, die länger nicht trainiert oder noch nicht alles bestanden haben.
+
+Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um die Sitzungen dieser Person in dieser Übung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Names, with commas between them</source>
+        <translation>Namen, mit Kommas dazwischen</translation>
+    </message>
+    <message>
+        <source>Names: Ada, Nikos, …</source>
+        <translation>Namen: Ada, Nikos, …</translation>
+    </message>
+    <message>
+        <source>Which people</source>
+        <translation>Welche Personen</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Alle Personen</translation>
+    </message>
+    <message>
+        <source>With sessions to review</source>
+        <translation>Mit zu begutachtenden Sitzungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>No session in the last %n day(s)</source>
+        <translation>
+            <numerusform>Keine Sitzung am letzten Tag</numerusform>
+            <numerusform>Keine Sitzung in den letzten %n Tagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not every level passed</source>
+        <translation>Nicht alle Stufen bestanden</translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Filter löschen</translation>
+    </message>
+    <message>
+        <source>Open the sessions</source>
+        <translation>Sitzungen öffnen</translation>
+    </message>
+    <message>
+        <source>Results of this person</source>
+        <translation>Ergebnisse dieser Person</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Reading how far everybody is …</source>
+        <translation>Der Stand aller Personen wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The progress of the group could not be read.</source>
+        <translation>Der Fortschritt der Gruppe konnte nicht gelesen werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 people</source>
+        <translation>%1 von %2 Personen</translation>
+    </message>
+    <message>
+        <source>There are no trainees yet</source>
+        <translation>Es gibt noch keine Lernenden</translation>
+    </message>
+    <message>
+        <source>As soon as an administrator has added trainees under People, they are listed here, also before they have trained.</source>
+        <translation>Sobald die Administration unter „Personen“ Lernende hinzugefügt hat, stehen sie hier, auch bevor sie trainiert haben.</translation>
+    </message>
+    <message>
+        <source>Nobody matches these filters</source>
+        <translation>Auf diese Filter passt niemand</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) in all.</source>
+        <translation>
+            <numerusform>Insgesamt %n Person.</numerusform>
+            <numerusform>Insgesamt %n Personen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no sessions yet.</source>
+        <translation>%1 hat noch keine Sitzungen.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProgressTable</name>
+    <message>
+        <source>Progress of the group</source>
+        <translation>Fortschritt der Gruppe</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>Last session</source>
+        <translation>Letzte Sitzung</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Zu begutachten</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>All passed</source>
+        <translation>Alle bestanden</translation>
+    </message>
+    <message>
+        <source>Not begun</source>
+        <translation>Nicht begonnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Level %1, %n attempt(s)</source>
+        <translation>
+            <numerusform>Stufe %1, %n Versuch</numerusform>
+            <numerusform>Stufe %1, %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Level %1, not tried</source>
+        <translation>Stufe %1, nicht versucht</translation>
+    </message>
+    <message>
+        <source>Every level is passed</source>
+        <translation>Alle Stufen bestanden</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, Stufe %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>all exercises</source>
+        <translation>alle Übungen</translation>
+    </message>
+    <message>
+        <source>level %1: %2</source>
+        <translation>Stufe %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 – %3</source>
+        <translation>%1, %2 – %3</translation>
     </message>
 </context>
 <context>
@@ -13723,10 +14027,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Felt and shown</source>
-        <translation>Gefühlt und gezeigt</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -13782,6 +14082,22 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <source>Reviewed</source>
         <translation>Begutachtet</translation>
     </message>
+    <message>
+        <source>Force felt or only shown</source>
+        <translation>Kraft gefühlt oder nur gezeigt</translation>
+    </message>
+    <message>
+        <source>Force felt by the hand</source>
+        <translation>Kraft mit der Hand gefühlt</translation>
+    </message>
+    <message>
+        <source>Force only shown, not felt</source>
+        <translation>Kraft nur gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Whether the device let the hand feel the force, or the screen only showed it, as with mouse and keyboard</source>
+        <translation>Ob das Gerät die Hand die Kraft fühlen ließ oder der Bildschirm sie nur zeigte, wie mit Maus und Tastatur</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionLines</name>
@@ -13799,10 +14115,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>%1, archived</source>
         <translation>%1, archiviert</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>Sitzung</translation>
     </message>
     <message>
         <source>Started</source>
@@ -13871,6 +14183,10 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
     <message>
         <source>Attempt</source>
         <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
     </message>
 </context>
 <context>
@@ -14014,18 +14330,6 @@ Ein unterbrochener Lauf geht bei dem Durchgang weiter, bei dem er aufhörte.</tr
         <translation>Sitzung %1 zählt wieder. Dass sie ungültig war, bleibt vermerkt.</translation>
     </message>
     <message>
-        <source>All sessions recorded at this site, newest first.
-
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
-
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
-        <translation>Alle Sitzungen dieses Standorts, die neuesten zuerst.
-
-Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen; die Filter bleiben, wenn Sie zurückkommen. Ein Klick auf einen Spaltenkopf sortiert danach.
-
-Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
-    </message>
-    <message>
         <source>Results of this person</source>
         <translation>Ergebnisse dieser Person</translation>
     </message>
@@ -14039,6 +14343,18 @@ Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitz
             <numerusform>%n Sitzung zu begutachten</numerusform>
             <numerusform>%n Sitzungen zu begutachten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>All sessions recorded at this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
+
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+        <translation>Alle Sitzungen dieses Standorts, die neuesten zuerst.
+
+Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste einzugrenzen. Ihre Auswahl bleibt für den Rest des Tages. Ein Verweis von einem anderen Bildschirm, etwa „Liste der zu begutachtenden Sitzungen“, zeigt seine eigene Liste und lässt Ihre Auswahl, wie sie war. Ein Klick auf einen Spaltenkopf sortiert danach.
+
+Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
     </message>
 </context>
 <context>
@@ -15690,12 +16006,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Pause</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Skip pauses</source>
         <translation>Pausen überspringen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 in the recording, which begins before the first trial</source>
+        <translation>%1 von %2 in der Aufzeichnung, die vor dem ersten Durchgang beginnt</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,85 @@
     </message>
 </context>
 <context>
+    <name>CommandWords</name>
+    <message>
+        <source>start page, dashboard, begin, what next, news</source>
+        <translation>αρχική σελίδα, πίνακας, έναρξη, νέα, τι ακολουθεί</translation>
+    </message>
+    <message>
+        <source>experiment, research, trial, participants, questionnaire</source>
+        <translation>πείραμα, έρευνα, συμμετέχοντες, ερωτηματολόγιο</translation>
+    </message>
+    <message>
+        <source>analysis, statistics, export</source>
+        <translation>ανάλυση, στατιστικά, εξαγωγή</translation>
+    </message>
+    <message>
+        <source>group, class, course, cohort, overview, results, trainees, students, learners, passed, due, who has trained</source>
+        <translation>ομάδα, τάξη, μάθημα, επισκόπηση, σύνοψη, αποτελέσματα, εκπαιδευόμενοι, φοιτητές, επιτυχία, προθεσμία, ποιος εκπαιδεύτηκε</translation>
+    </message>
+    <message>
+        <source>users, accounts, group, class, roster, trainees, students, names, passwords, roles, add a user</source>
+        <translation>χρήστες, λογαριασμοί, ομάδα, τάξη, κατάλογος, εκπαιδευόμενοι, φοιτητές, ονόματα, κωδικοί πρόσβασης, ρόλοι, νέος χρήστης</translation>
+    </message>
+    <message>
+        <source>backup, back up, copy, restore, disk, space, database, verify, save</source>
+        <translation>αντίγραφο ασφαλείας, επαναφορά, δίσκος, χώρος, βάση δεδομένων, έλεγχος, αποθήκευση</translation>
+    </message>
+    <message>
+        <source>device, haptic, hardware, calibration, check, timing, computer, test</source>
+        <translation>συσκευή, απτικός, υλικό, βαθμονόμηση, έλεγχος, χρονισμός, υπολογιστής</translation>
+    </message>
+    <message>
+        <source>progress, scores, marks, grades, curve, history, overview, review, export my data</source>
+        <translation>πρόοδος, βαθμολογίες, βαθμοί, καμπύλη, ιστορικό, επισκόπηση, εξαγωγή των δεδομένων μου</translation>
+    </message>
+    <message>
+        <source>options, preferences, language, theme, dark mode, text size, sound, volume</source>
+        <translation>επιλογές, προτιμήσεις, γλώσσα, χρώματα, σκούρο θέμα, μέγεθος κειμένου, ήχος, ένταση</translation>
+    </message>
+    <message>
+        <source>assess, feedback, look at, mark, grade, inbox, to do</source>
+        <translation>αξιολόγηση, ανατροφοδότηση, βαθμολόγηση, σχολιασμός, εισερχόμενα, εκκρεμότητες</translation>
+    </message>
+    <message>
+        <source>feedback, notes, remarks, messages, answers, replies, review</source>
+        <translation>ανατροφοδότηση, σημειώσεις, παρατηρήσεις, μηνύματα, απαντήσεις, αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>log out, logout, log off, sign out, change user, leave</source>
+        <translation>αποσύνδεση, έξοδος χρήστη, αλλαγή χρήστη</translation>
+    </message>
+    <message>
+        <source>password, profile, name, recovery code</source>
+        <translation>κωδικός πρόσβασης, προφίλ, όνομα, κωδικός ανάκτησης</translation>
+    </message>
+    <message>
+        <source>quit, exit, end the program, shut down</source>
+        <translation>τερματισμός, έξοδος, τέλος προγράμματος</translation>
+    </message>
+    <message>
+        <source>manual, guide, how do I, what is this</source>
+        <translation>εγχειρίδιο, οδηγός, πώς γίνεται, τι είναι αυτό</translation>
+    </message>
+    <message>
+        <source>keys, hotkeys</source>
+        <translation>πλήκτρα, συντομεύσεις</translation>
+    </message>
+    <message>
+        <source>pause, away, screen lock</source>
+        <translation>παύση, απουσία, κλείδωμα οθόνης</translation>
+    </message>
+    <message>
+        <source>train, practise, practice, task, lesson, level, choose an exercise, curriculum</source>
+        <translation>εκπαίδευση, εξάσκηση, προπόνηση, μάθημα, επίπεδο, επιλογή άσκησης</translation>
+    </message>
+    <message>
+        <source>recordings, attempts, history, list, playback, debrief</source>
+        <translation>καταγραφές, προσπάθειες, ιστορικό, λίστα, αναπαραγωγή, απολογισμός</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Go to: %1</source>
@@ -250,6 +329,14 @@
     <message>
         <source>Log out</source>
         <translation>Αποσύνδεση</translation>
+    </message>
+    <message>
+        <source>Sessions to review</source>
+        <translation>Συνεδρίες προς εξέταση</translation>
+    </message>
+    <message>
+        <source>Comments</source>
+        <translation>Σχόλια</translation>
     </message>
 </context>
 <context>
@@ -2130,6 +2217,17 @@ Details: %2</source>
     <message>
         <source>The angle between the endoscope and the direction of the urethra where its tip was; large angles weigh more. In the picture: the wall near the tip is equally wide all round when the two are in line, and a ring that guides is double. In a bend the urethra then leads on beside the middle of the picture.</source>
         <translation>Η γωνία ανάμεσα στο ενδοσκόπιο και τη διεύθυνση της ουρήθρας εκεί που ήταν η άκρη του· οι μεγάλες γωνίες βαραίνουν περισσότερο. Στην εικόνα: το τοίχωμα κοντά στην άκρη είναι εξίσου πλατύ ολόγυρα όταν τα δύο ευθυγραμμίζονται, και ο δακτύλιος που καθοδηγεί είναι διπλός. Σε μια καμπή η ουρήθρα συνεχίζει τότε δίπλα στο κέντρο της εικόνας.</translation>
+    </message>
+</context>
+<context>
+    <name>MomentWords</name>
+    <message>
+        <source>%1 before the start</source>
+        <translation>%1 πριν από την έναρξη</translation>
+    </message>
+    <message>
+        <source>Trial %1, %2</source>
+        <translation>Δοκιμή %1, %2</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4462,10 @@ Do you want to replace it?</source>
     <message>
         <source>Comments</source>
         <translation>Σχόλια</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
     </message>
 </context>
 <context>
@@ -7607,6 +7709,10 @@ Administrators can make a recovery code for themselves here; with it they can se
         <source>Further commands</source>
         <translation>Άλλες εντολές</translation>
     </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::CommentPanel</name>
@@ -7625,10 +7731,6 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>What do you see here?</source>
         <translation>Τι βλέπετε εδώ;</translation>
-    </message>
-    <message>
-        <source>Comment at %1</source>
-        <translation>Σχόλιο στο %1</translation>
     </message>
     <message>
         <source>You</source>
@@ -7657,6 +7759,22 @@ Administrators can make a recovery code for themselves here; with it they can se
     <message>
         <source>Reviewed. Nothing to add.</source>
         <translation>Ελέγχθηκε. Δεν υπάρχει τίποτα να προστεθεί.</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>Απάντηση</translation>
+    </message>
+    <message>
+        <source>Do not reply</source>
+        <translation>Χωρίς απάντηση</translation>
+    </message>
+    <message>
+        <source>Reply to %1</source>
+        <translation>Απάντηση προς: %1</translation>
+    </message>
+    <message>
+        <source>Comment here: %1</source>
+        <translation>Σχόλιο εδώ: %1</translation>
     </message>
 </context>
 <context>
@@ -8180,10 +8298,6 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>(διαγράφηκε)</translation>
     </message>
     <message>
-        <source>%1, at %2: %3</source>
-        <translation>%1, στο %2: %3</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -8246,6 +8360,14 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
     <message>
         <source>Start a session that counts</source>
         <translation>Έναρξη συνεδρίας που μετράει</translation>
+    </message>
+    <message>
+        <source>%1 · %2: %3</source>
+        <translation>%1 · %2: %3</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>Απάντηση</translation>
     </message>
 </context>
 <context>
@@ -9774,10 +9896,6 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
         <source>List of sessions to review</source>
         <translation>Λίστα συνεδριών προς αξιολόγηση</translation>
     </message>
-    <message>
-        <source>Comments</source>
-        <translation>Σχόλια</translation>
-    </message>
     <message numerus="yes">
         <source>Comments: unread on %n session(s)</source>
         <translation>
@@ -9792,6 +9910,10 @@ The list on the left leads to all other screens; Ctrl+K finds any command by its
     <message>
         <source>%1 answered your comment on session %2 (%3, level %4).</source>
         <translation>%1 απάντησε στο σχόλιό σας για τη συνεδρία %2 (%3, επίπεδο %4).</translation>
+    </message>
+    <message>
+        <source>Progress of the group</source>
+        <translation>Πρόοδος της ομάδας</translation>
     </message>
 </context>
 <context>
@@ -11215,10 +11337,6 @@ Choose a person in the list, then an action below it. Changing roles and disabli
 <context>
     <name>chiron::desktop::PlaybackPlots</name>
     <message>
-        <source>Time (s)</source>
-        <translation>Χρόνος (s)</translation>
-    </message>
-    <message>
         <source>Speed (mm/s)</source>
         <translation>Ταχύτητα (mm/s)</translation>
     </message>
@@ -11357,6 +11475,10 @@ Choose a person in the list, then an action below it. Changing roles and disabli
     <message>
         <source>Show the whole session (0)</source>
         <translation>Ολόκληρη η συνεδρία (0)</translation>
+    </message>
+    <message>
+        <source>Time in the recording (s)</source>
+        <translation>Χρόνος στην καταγραφή (s)</translation>
     </message>
 </context>
 <context>
@@ -11944,6 +12066,188 @@ Choose a second session to see it beside this one: each of its trials starts tog
     <message>
         <source>More steps are finer, and take longer to compute.</source>
         <translation>Περισσότερα βήματα είναι λεπτότερα και απαιτούν περισσότερο υπολογισμό.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProgressScreen</name>
+    <message>
+        <source>Progress</source>
+        <translation>Πρόοδος</translation>
+    </message>
+    <message>
+        <source>How far each person of the group is.
+
+A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;. &quot;Last session&quot; says when they trained last, &quot;Next step&quot; what the program offers them next, and &quot;To review&quot; how many of their sessions await your review. Trainees whose accounts are disabled are left out.
+
+The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it leaves those who have not trained for some time, or who have not passed everything.
+
+Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+        <translation>Πόσο έχει προχωρήσει κάθε άτομο της ομάδας.
+
+Κάθε γραμμή είναι ένα άτομο. Κάτω από κάθε άσκηση βρίσκεται το χαμηλότερο επίπεδο που το άτομο δεν έχει περάσει ή «Όλα επιτυχή». Η «Τελευταία συνεδρία» λέει πότε εκπαιδεύτηκε τελευταία φορά, το «Επόμενο βήμα» τι του προτείνει στη συνέχεια το πρόγραμμα και το «Προς αξιολόγηση» πόσες συνεδρίες του περιμένουν τη δική σας αξιολόγηση. Οι εκπαιδευόμενοι με απενεργοποιημένο λογαριασμό δεν εμφανίζονται.
+
+Το πρόγραμμα δεν τηρεί λίστες ομάδων: γράψτε περισσότερα ονόματα με κόμμα ανάμεσά τους για να δείτε μόνο αυτά τα άτομα. Η διπλανή λίστα αφήνει όσους δεν έχουν εκπαιδευτεί για κάποιο διάστημα ή δεν τα έχουν περάσει όλα.
+
+Επιλέξτε ένα κελί με τα βέλη και πατήστε Enter για να δείτε τις συνεδρίες αυτού του ατόμου σε αυτή την άσκηση.</translation>
+    </message>
+    <message>
+        <source>Names, with commas between them</source>
+        <translation>Ονόματα, με κόμμα ανάμεσά τους</translation>
+    </message>
+    <message>
+        <source>Names: Ada, Nikos, …</source>
+        <translation>Ονόματα: Άντα, Νίκος, …</translation>
+    </message>
+    <message>
+        <source>Which people</source>
+        <translation>Ποια άτομα</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Όλα τα άτομα</translation>
+    </message>
+    <message>
+        <source>With sessions to review</source>
+        <translation>Με συνεδρίες προς αξιολόγηση</translation>
+    </message>
+    <message numerus="yes">
+        <source>No session in the last %n day(s)</source>
+        <translation>
+            <numerusform>Καμία συνεδρία την τελευταία ημέρα</numerusform>
+            <numerusform>Καμία συνεδρία τις τελευταίες %n ημέρες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not every level passed</source>
+        <translation>Όχι όλα τα επίπεδα επιτυχή</translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Καθαρισμός φίλτρων</translation>
+    </message>
+    <message>
+        <source>Open the sessions</source>
+        <translation>Άνοιγμα συνεδριών</translation>
+    </message>
+    <message>
+        <source>Results of this person</source>
+        <translation>Αποτελέσματα αυτού του ατόμου</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Φιλτράρισμα κατά όνομα</translation>
+    </message>
+    <message>
+        <source>Reading how far everybody is …</source>
+        <translation>Διαβάζεται πόσο έχει προχωρήσει ο καθένας …</translation>
+    </message>
+    <message>
+        <source>The progress of the group could not be read.</source>
+        <translation>Δεν ήταν δυνατή η ανάγνωση της προόδου της ομάδας.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n άτομο</numerusform>
+            <numerusform>%n άτομα</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 people</source>
+        <translation>%1 από %2 άτομα</translation>
+    </message>
+    <message>
+        <source>There are no trainees yet</source>
+        <translation>Δεν υπάρχουν ακόμη εκπαιδευόμενοι</translation>
+    </message>
+    <message>
+        <source>As soon as an administrator has added trainees under People, they are listed here, also before they have trained.</source>
+        <translation>Μόλις ένας διαχειριστής προσθέσει εκπαιδευόμενους στα «Άτομα», εμφανίζονται εδώ, ακόμη και πριν εκπαιδευτούν.</translation>
+    </message>
+    <message>
+        <source>Nobody matches these filters</source>
+        <translation>Κανείς δεν ταιριάζει με αυτά τα φίλτρα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) in all.</source>
+        <translation>
+            <numerusform>Συνολικά %n άτομο.</numerusform>
+            <numerusform>Συνολικά %n άτομα.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 has no sessions yet.</source>
+        <translation>Για το άτομο %1 δεν υπάρχουν ακόμη συνεδρίες.</translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProgressTable</name>
+    <message>
+        <source>Progress of the group</source>
+        <translation>Πρόοδος της ομάδας</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Άτομο</translation>
+    </message>
+    <message>
+        <source>Last session</source>
+        <translation>Τελευταία συνεδρία</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Επόμενο βήμα</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Προς αξιολόγηση</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Καμία ακόμη</translation>
+    </message>
+    <message>
+        <source>All passed</source>
+        <translation>Όλα επιτυχή</translation>
+    </message>
+    <message>
+        <source>Not begun</source>
+        <translation>Δεν ξεκίνησε</translation>
+    </message>
+    <message numerus="yes">
+        <source>Level %1, %n attempt(s)</source>
+        <translation>
+            <numerusform>Επίπεδο %1, %n προσπάθεια</numerusform>
+            <numerusform>Επίπεδο %1, %n προσπάθειες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Level %1, not tried</source>
+        <translation>Επίπεδο %1, χωρίς προσπάθεια</translation>
+    </message>
+    <message>
+        <source>Every level is passed</source>
+        <translation>Επιτυχία σε όλα τα επίπεδα</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, επίπεδο %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>all exercises</source>
+        <translation>όλες οι ασκήσεις</translation>
+    </message>
+    <message>
+        <source>level %1: %2</source>
+        <translation>επίπεδο %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 – %3</source>
+        <translation>%1, %2 – %3</translation>
     </message>
 </context>
 <context>
@@ -13723,10 +14027,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Αποτέλεσμα</translation>
     </message>
     <message>
-        <source>Felt and shown</source>
-        <translation>Αισθητή και προβολή</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Δύναμη</translation>
     </message>
@@ -13782,6 +14082,22 @@ An interrupted run resumes at the trial where it stopped.</source>
         <source>Reviewed</source>
         <translation>Αξιολογήθηκε</translation>
     </message>
+    <message>
+        <source>Force felt or only shown</source>
+        <translation>Δύναμη αισθητή ή μόνο προβολή</translation>
+    </message>
+    <message>
+        <source>Force felt by the hand</source>
+        <translation>Δύναμη αισθητή στο χέρι</translation>
+    </message>
+    <message>
+        <source>Force only shown, not felt</source>
+        <translation>Μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>Whether the device let the hand feel the force, or the screen only showed it, as with mouse and keyboard</source>
+        <translation>Αν η συσκευή άφηνε το χέρι να αισθανθεί τη δύναμη ή η οθόνη μόνο την έδειχνε, όπως με ποντίκι και πληκτρολόγιο</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SessionLines</name>
@@ -13799,10 +14115,6 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>%1, archived</source>
         <translation>%1, αρχειοθετημένη</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>Συνεδρία</translation>
     </message>
     <message>
         <source>Started</source>
@@ -13871,6 +14183,10 @@ An interrupted run resumes at the trial where it stopped.</source>
     <message>
         <source>Attempt</source>
         <translation>Προσπάθεια</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Αρ.</translation>
     </message>
 </context>
 <context>
@@ -14014,18 +14330,6 @@ An interrupted run resumes at the trial where it stopped.</source>
         <translation>Η συνεδρία %1 μετράει ξανά. Η ακύρωσή της παραμένει καταγεγραμμένη.</translation>
     </message>
     <message>
-        <source>All sessions recorded at this site, newest first.
-
-Type in the search field or choose from the lists beside it to narrow the list; the filters stay when you come back. Click a column header to sort by it.
-
-Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
-        <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, οι νεότερες πρώτα.
-
-Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα· τα φίλτρα παραμένουν όταν επιστρέφετε. Κάντε κλικ σε μια επικεφαλίδα στήλης για ταξινόμηση.
-
-Με Enter ή διπλό κλικ ανοίγει ο απολογισμός της επιλεγμένης συνεδρίας, με Ctrl+P η αναπαραγωγή της. Τα «Αποτελέσματα αυτού του ατόμου» δείχνουν την εξέλιξή του στην άσκηση και το επίπεδό της. Η «Ακύρωση συνεδρίας» ζητά αιτιολογία και αφαιρεί μια συνεδρία από κάθε μέτρηση· η καταγραφή διατηρείται, και το «Να μετράει ξανά» αναιρεί την απόφαση. Η «Αρχειοθέτηση» την αφαιρεί από τις συνηθισμένες λίστες και μπορεί να αναιρεθεί.</translation>
-    </message>
-    <message>
         <source>Results of this person</source>
         <translation>Αποτελέσματα αυτού του ατόμου</translation>
     </message>
@@ -14039,6 +14343,18 @@ Press Return or double-click to open the debrief of the selected session, Ctrl+P
             <numerusform>%n συνεδρία προς αξιολόγηση</numerusform>
             <numerusform>%n συνεδρίες προς αξιολόγηση</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>All sessions recorded at this site, newest first.
+
+Type in the search field or choose from the lists beside it to narrow the list. What you choose stays for the rest of the day. A link from another screen, such as &quot;List of sessions to review&quot;, shows its own list and leaves your choice as it was. Click a column header to sort by it.
+
+Press Return or double-click to open the debrief of the selected session, Ctrl+P to play it back. &quot;Results of this person&quot; shows how they develop at its exercise and level. &quot;Void&quot; asks for a reason and takes a session out of every count; the recording is kept, and &quot;Count it again&quot; takes the decision back. &quot;Archive&quot; takes it out of the usual lists and can be undone.</source>
+        <translation>Όλες οι συνεδρίες που καταγράφηκαν σε αυτό το κέντρο, οι νεότερες πρώτα.
+
+Πληκτρολογήστε στο πεδίο αναζήτησης ή επιλέξτε από τις διπλανές λίστες για να περιορίσετε τη λίστα. Ό,τι επιλέγετε παραμένει για την υπόλοιπη ημέρα. Ένας σύνδεσμος από άλλη οθόνη, όπως η «Λίστα συνεδριών προς αξιολόγηση», δείχνει τη δική του λίστα και αφήνει την επιλογή σας όπως ήταν. Κάντε κλικ σε μια επικεφαλίδα στήλης για ταξινόμηση.
+
+Με Enter ή διπλό κλικ ανοίγει ο απολογισμός της επιλεγμένης συνεδρίας, με Ctrl+P η αναπαραγωγή της. Τα «Αποτελέσματα αυτού του ατόμου» δείχνουν την εξέλιξή του στην άσκηση και το επίπεδό της. Η «Ακύρωση συνεδρίας» ζητά αιτιολογία και αφαιρεί μια συνεδρία από κάθε μέτρηση· η καταγραφή διατηρείται, και το «Να μετράει ξανά» αναιρεί την απόφαση. Η «Αρχειοθέτηση» την αφαιρεί από τις συνηθισμένες λίστες και μπορεί να αναιρεθεί.</translation>
     </message>
 </context>
 <context>
@@ -15690,12 +16006,12 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Παύση</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 από %2</translation>
-    </message>
-    <message>
         <source>Skip pauses</source>
         <translation>Παράλειψη παύσεων</translation>
+    </message>
+    <message>
+        <source>%1 of %2 in the recording, which begins before the first trial</source>
+        <translation>%1 από %2 στην καταγραφή, που αρχίζει πριν από την πρώτη δοκιμή</translation>
     </message>
 </context>
 <context>

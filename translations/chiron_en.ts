@@ -627,6 +627,40 @@
     </message>
 </context>
 <context>
+    <name>chiron::desktop::ProgressScreen</name>
+    <message numerus="yes">
+        <source>No session in the last %n day(s)</source>
+        <translation>
+            <numerusform>No session in the last day</numerusform>
+            <numerusform>No session in the last %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s)</source>
+        <translation>
+            <numerusform>%n person</numerusform>
+            <numerusform>%n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) in all.</source>
+        <translation>
+            <numerusform>%n person in all.</numerusform>
+            <numerusform>%n people in all.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>chiron::desktop::ProgressTable</name>
+    <message numerus="yes">
+        <source>Level %1, %n attempt(s)</source>
+        <translation>
+            <numerusform>Level %1, %n attempt</numerusform>
+            <numerusform>Level %1, %n attempts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>chiron::desktop::QuestionnaireSummary</name>
     <message numerus="yes">
         <source>Answered by %n participant(s)</source>

@@ -11,6 +11,7 @@
 #include "desktop/home/home_screen.h"
 #include "desktop/login/login_screen.h"
 #include "desktop/people/people_screen.h"
+#include "desktop/progress/progress_screen.h"
 #include "desktop/sessions/sessions_screen.h"
 #include "desktop/playback/playback_screen.h"
 #include "desktop/restore/restore_screen.h"
@@ -59,6 +60,7 @@ const std::vector<ScreenEntry>& screenCatalogue() {
         {"questionnaire", QT_TRANSLATE_NOOP("Screens", "Questionnaire"), "document-edit", {}, true, &make<QuestionnaireScreen>},
         {"study_trials", QT_TRANSLATE_NOOP("Screens", "Trials"), "media-playback-start", {}, false, &make<TrialsScreen>, true},
         {"sessions", QT_TRANSLATE_NOOP("Screens", "Sessions"), "view-list-details", {trainer, researcher, admin}, true, &make<SessionsScreen>},
+        {"progress", QT_TRANSLATE_NOOP("Screens", "Progress"), "view-statistics", {trainer}, true, &make<ProgressScreen>},
         {"people", QT_TRANSLATE_NOOP("Screens", "People"), "system-users", {admin}, true, &make<PeopleScreen>},
         {"storage", QT_TRANSLATE_NOOP("Screens", "Storage"), "drive-harddisk", {admin}, true, &make<StorageScreen>},
         {"station", QT_TRANSLATE_NOOP("Screens", "Station"), "computer", everybody, true, &make<StationScreen>},

@@ -103,6 +103,7 @@ inline std::vector<VisitedPlace> everyPlace(const VisitedSessions& sessions, con
             {"results", "tina", place("results")},
             {"results_empty", "theo", place("results")},
             {"sessions", "tom", place("sessions")},
+            {"progress", "tom", place("progress")},
             {"comments_empty", "theo", place("comments")},
             {"people", "ada", place("people")},
             {"storage", "ada", place("storage")},

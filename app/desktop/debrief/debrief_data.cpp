@@ -3,6 +3,7 @@
 
 #include "database/repositories/score_repository.h"
 #include "database/repositories/session_reader.h"
+#include "desktop/sessions/people_names.h"
 #include "session/level_standing.h"
 #include "session/session_view.h"
 #include "session_report/session_report.h"
@@ -53,6 +54,10 @@ core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, cons
     if (!record)
         return tl::unexpected(record.error());
     head.record = std::move(*record);
+    const auto names = PeopleNames::read(connection, actor);
+    if (!names)
+        return tl::unexpected(names.error());
+    head.record.summary.personName = names->of(head.record.summary);
     auto setup = session::setupFromStored(head.record.setup);
     if (!setup)
         return tl::unexpected(setup.error());
@@ -104,6 +109,7 @@ core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection
         const auto tick = named.comment.tick;
         details.comments.push_back({std::move(named), tick ? std::optional(track.timeOfTick(*tick)) : std::nullopt});
     }
+    details.trials = track.trials;
     std::stable_sort(details.comments.begin(), details.comments.end(), [](const auto& a, const auto& b) { return a.t_s < b.t_s; });
     auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card && card.error().code != core::ErrorCode::notFound)

@@ -20,7 +20,7 @@ namespace chiron::desktop {
 
 /// What a debrief shows at once: stored rows alone, no recording is read for it.
 struct DebriefHead {
-    database::SessionRecord record;
+    database::SessionRecord record; ///< with its person's name as screens call them
     session::SessionSetup setup;
     const ExerciseFace* face = nullptr; ///< of its exercise; never null once loaded
     report::ReportData report; ///< facts and metrics; no samples
@@ -43,6 +43,7 @@ struct DebriefDetails {
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
     std::vector<CommentAtMoment> comments; ///< by time; those on the whole session first
+    std::vector<session::PlaybackTrial> trials; ///< to say where in them a comment stands
 };
 
 /// The person's setting (Settings::ofPerson) that tells how many comments on a session they have seen.

@@ -185,7 +185,7 @@ QWidget* DebriefScreen::actionRow() {
 }
 
 // What a trainer wrote is what its reader came for: above the numbers, each with the way to its moment.
-void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
+void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments) {
     const Theme& theme = context().theme();
     const auto person = context().actor().personId();
     std::vector<const database::SessionComment*> written; // in the order of writing; shown they are by moment
@@ -214,7 +214,7 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
         const QString text = stored.text.empty() ? tr("(erased)") : QString::fromStdString(stored.text);
         auto* line = new QHBoxLayout;
         line->setSpacing(theme.px(12));
-        auto* words = kit::label(theme, comment.t_s ? tr("%1, at %2: %3").arg(author, clockText(*comment.t_s, context().locale()), text)
+        auto* words = kit::label(theme, comment.t_s ? tr("%1 · %2: %3").arg(author, moments.at(*comment.t_s), text)
                                                     : tr("%1: %2").arg(author, text));
         words->setObjectName(QStringLiteral("debrief.comment"));
         line->addWidget(words, 1);
@@ -224,9 +224,26 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments) {
             connect(watch, &QPushButton::clicked, this, [this, at_s = *comment.t_s, caption = words->text()] { openComment(at_s, caption); });
             line->addWidget(watch, 0, Qt::AlignTop);
         }
+        if (QWidget* reply = replyButton(stored))
+            line->addWidget(reply, 0, Qt::AlignTop);
         box.layout->addLayout(line);
     }
     m_comments->addWidget(box.frame);
+}
+
+// An answer is written in the playback, where its moment is seen.
+QWidget* DebriefScreen::replyButton(const database::SessionComment& comment) {
+    const auto self = context().actor().personId();
+    using enum database::Role;
+    const bool may = m_head->record.summary.person == self || context().has(trainer) || context().has(researcher) || context().has(admin);
+    if (!may || comment.author == self || m_head->record.summary.recordingErased)
+        return nullptr;
+    auto* reply = kit::button(context().theme(), tr("Reply"), "", QStringLiteral("edit-comment"));
+    reply->setObjectName(QStringLiteral("debrief.comment_reply"));
+    connect(reply, &QPushButton::clicked, this, [this, id = comment.id] {
+        openPlayback({{QStringLiteral("tab"), QStringLiteral("comments")}, {QStringLiteral("reply"), static_cast<qint64>(id)}});
+    });
+    return reply;
 }
 
 QWidget* DebriefScreen::headlineRow() {

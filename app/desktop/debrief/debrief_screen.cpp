@@ -96,7 +96,7 @@ void DebriefScreen::showHead(DebriefHead head) {
     std::vector<CommentAtMoment> comments;
     for (const NamedComment& named : m_head->comments)
         comments.push_back({named, {}});
-    showComments(comments);
+    showComments(comments, {});
     if (QWidget* cards = headlineRow())
         m_column->addWidget(cards);
     m_column->addWidget(answersBox());
@@ -171,7 +171,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
     else
         m_worstText->setText(tr("No moment stands out."));
     showForce(details.force);
-    showComments(details.comments);
+    showComments(details.comments, {details.trials, m_head->record.setup.plannedTrials > 1, context().locale()});
     if (!details.part)
         return m_answers->showError(details.part.error().words, details.part.error().why);
     const DebriefPart* part = details.part->get();

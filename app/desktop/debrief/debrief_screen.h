@@ -4,6 +4,7 @@
 #include "desktop/debrief/debrief_data.h"
 #include "desktop/debrief/verdict.h"
 #include "desktop/frame/screen.h"
+#include "desktop/playback/moment_words.h"
 #include "desktop/training/training_plan.h"
 
 #include <memory>
@@ -43,7 +44,8 @@ private:
     void showDetails(const DebriefDetails& details);
     void showWorst(const session::WorstMoment& worst);
     void showForce(const report::ForceFacts& force);
-    void showComments(const std::vector<CommentAtMoment>& comments);
+    void showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments);
+    QWidget* replyButton(const database::SessionComment& comment); ///< null: it is not for this person to answer
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();

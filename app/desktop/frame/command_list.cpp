@@ -31,6 +31,11 @@ std::vector<ScreenCommand> places(AppContext& context) {
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Go to: %1")).arg(titleOf(entry)), keys,
                         [&context, id = QLatin1String(entry.id)] { context.navigator().go(QString(id)); }});
     }
+    if (context.has(database::Role::trainer))
+        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Sessions to review")), {},
+                        [&context] { context.navigator().go(QStringLiteral("sessions"), {{QStringLiteral("review"), QStringLiteral("to_review")}}); }});
+    if (context.has(database::Role::trainer) || context.has(database::Role::trainee))
+        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Comments")), {}, [&context] { context.navigator().go(QStringLiteral("comments")); }});
     return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/frame/command_palette.h"
 
+#include "desktop/frame/command_words.h"
 #include "desktop/frame/palette_search.h"
 #include "desktop/widgets/kit.h"
 
@@ -16,6 +17,12 @@ namespace {
 enum Data { kGroup = Qt::UserRole, kCommand };
 constexpr int kFirstFound = 1000; // groups that were found count from here
 constexpr int kGoodFit = 3;       // the letters stand together
+
+/// By its own words, or by others that somebody may look for it with.
+int fitOf(const QString& typed, const QString& command) {
+    const int own = CommandPalette::fit(typed, command);
+    return own < kGoodFit && !furtherWordThatFits(typed, command).isEmpty() ? kGoodFit : own;
+}
 
 } // namespace
 
@@ -105,7 +112,10 @@ void CommandPalette::addHeading(const QString& title) {
 void CommandPalette::addCommand(int group, int command) {
     const ScreenCommand& given = commandOf(group, command);
     const QString keys = given.keys.toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(keys.isEmpty() ? given.text : tr("%1   (%2)").arg(given.text, keys));
+    QString text = given.text;
+    if (const QString word = group < kFirstFound && fit(m_field->text(), text) < kGoodFit ? furtherWordThatFits(m_field->text(), text) : QString(); !word.isEmpty())
+        text = tr("%1 – %2").arg(text, word); // why it is here
+    auto* item = new QListWidgetItem(keys.isEmpty() ? text : tr("%1   (%2)").arg(text, keys));
     item->setData(kGroup, group);
     item->setData(kCommand, command);
     m_list->addItem(item);
@@ -120,7 +130,7 @@ void CommandPalette::filter() {
     std::vector<Found> found;
     for (int g = 0; g < static_cast<int>(m_groups.size()); ++g)
         for (int c = 0; c < static_cast<int>(m_groups[static_cast<std::size_t>(g)].commands.size()); ++c)
-            if (const int fits = fit(m_field->text(), commandOf(g, c).text))
+            if (const int fits = fitOf(m_field->text(), commandOf(g, c).text))
                 found.push_back({fits, g, c});
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.fit > b.fit; });
     const auto loose = std::find_if(found.begin(), found.end(), [](const Found& f) { return f.fit < kGoodFit; });

@@ -65,6 +65,9 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
     const auto sessions = database::SessionReader(connection, question.actor).listSessions(filter);
     if (!isThere(sessions, index))
         return;
+    const auto names = PeopleNames::read(connection, question.actor);
+    if (!isThere(names, index))
+        return;
     const ExerciseTitles titles = exerciseTitles(question.catalogue, question.language);
     const bool hasList = question.actor.roles().contains(database::Role::trainer) || question.actor.roles().contains(database::Role::researcher) ||
                          question.actor.roles().contains(database::Role::admin);
@@ -79,8 +82,8 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
         const qlonglong number = session.id;
         add(index, ThingKind::session,
             PaletteSearch::tr("Session %1: %2, level %3, %4, %5")
-                .arg(QString::number(number), titles.value(id, id), question.locale.toString(session.level), QString::fromStdString(session.personName), when),
-            QString::fromStdString(session.operatorName),
+                .arg(QString::number(number), titles.value(id, id), question.locale.toString(session.level), QString::fromStdString(names->of(session)), when),
+            QString::fromStdString(session.personName + ' ' + session.operatorName),
             opens ? Place{QStringLiteral("debrief"), {{QStringLiteral("session"), number}}}
                   : Place{QStringLiteral("sessions"), {{QStringLiteral("selected"), number}}});
     }

@@ -27,10 +27,13 @@ core::Result<std::vector<FoundComment>> readComments(const database::Database& d
     if (!sessions)
         return tl::unexpected(sessions.error());
     const std::map<database::PersonId, std::string> names = shownNames(**connection);
+    const auto people = PeopleNames::read(**connection, actor);
+    if (!people)
+        return tl::unexpected(people.error());
     std::vector<FoundComment> found;
     for (database::CommentedSession& session : *sessions) {
         bool concerned = session.session.person == actor.personId();
-        const SessionRow row = makeSessionRow(std::move(session.session), titles);
+        const SessionRow row = makeSessionRow(std::move(session.session), titles, *people);
         for (std::size_t i = 0; i < session.comments.size(); ++i) {
             const database::SessionComment& comment = session.comments[i];
             const auto name = names.find(comment.author);

@@ -27,17 +27,26 @@ using database::Role;
 using database::SessionFilter;
 using database::SessionReader;
 
-std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, const ExerciseTitles& titles, std::size_t most) {
+/// Who asks, what for, and what everybody is called.
+struct HomeReading {
+    const HomeQuestion& question;
+    const PeopleNames& names;
+
+    SessionRow row(database::SessionSummary session) const { return makeSessionRow(std::move(session), question.titles, names); }
+};
+
+std::vector<SessionRow> rowsOf(std::vector<database::SessionSummary> sessions, const HomeReading& reading, std::size_t most) {
     std::vector<SessionRow> rows;
     for (database::SessionSummary& session : sessions) {
         if (rows.size() == most)
             break;
-        rows.push_back(makeSessionRow(std::move(session), titles));
+        rows.push_back(reading.row(std::move(session)));
     }
     return rows;
 }
 
-core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readCommented(database::Connection& connection, SessionReader& reader, const HomeReading& reading, HomeData& data) {
+    const HomeQuestion& question = reading.question;
     auto sessions = reader.commentedSessions({.toRead = true, .most = kLookedThrough});
     if (!sessions)
         return tl::unexpected(sessions.error());
@@ -51,12 +60,13 @@ core::Result<void> readCommented(database::Connection& connection, SessionReader
         if (upTo == 0)
             continue;
         const auto name = names.find(authors[static_cast<std::size_t>(upTo) - 1]);
-        data.commented.push_back({makeSessionRow(std::move(session.session), question.titles), name == names.end() ? std::string() : name->second, upTo, own});
+        data.commented.push_back({reading.row(std::move(session.session)), name == names.end() ? std::string() : name->second, upTo, own});
     }
     return {};
 }
 
-core::Result<void> readOwn(database::Connection& connection, SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readOwn(database::Connection& connection, SessionReader& reader, const HomeReading& reading, HomeData& data) {
+    const HomeQuestion& question = reading.question;
     SessionFilter filter;
     filter.person = question.actor.personId();
     filter.newestFirst = true;
@@ -65,13 +75,13 @@ core::Result<void> readOwn(database::Connection& connection, SessionReader& read
         return tl::unexpected(own.error());
     data.standings = session::levelStandings(question.catalogue, *own);
     std::erase_if(*own, [](const auto& session) { return session.state == database::SessionState::running; });
-    if (auto read = readCommented(connection, reader, question, data); !read)
+    if (auto read = readCommented(connection, reader, reading, data); !read)
         return read;
-    data.own = rowsOf(std::move(*own), question.titles, kOwnShown);
+    data.own = rowsOf(std::move(*own), reading, kOwnShown);
     return {};
 }
 
-std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummary>& newest) {
+std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummary>& newest, const PeopleNames& names) {
     const std::string weekAgo = QDateTime::currentDateTimeUtc().addDays(-7).toString(Qt::ISODateWithMs).toStdString();
     std::vector<RecentPerson> people;
     for (const database::SessionSummary& session : newest) {
@@ -79,7 +89,7 @@ std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummar
             continue;
         auto found = std::find_if(people.begin(), people.end(), [&](const RecentPerson& p) { return p.person == session.person; });
         if (found == people.end()) {
-            people.push_back({session.person, QString::fromStdString(session.personName), session.startedUtc, 0});
+            people.push_back({session.person, QString::fromStdString(names.of(session)), session.startedUtc, 0});
             found = std::prev(people.end());
         }
         found->sessions += session.startedUtc >= weekAgo ? 1 : 0;
@@ -88,14 +98,14 @@ std::vector<RecentPerson> recentPeople(const std::vector<database::SessionSummar
     return people;
 }
 
-core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
+core::Result<void> readForTrainer(SessionReader& reader, const HomeReading& reading, HomeData& data) {
     SessionFilter filter;
     filter.newestFirst = true;
     filter.limit = kNewest;
     auto newest = reader.listSessions(filter);
     if (!newest)
         return tl::unexpected(newest.error());
-    data.people = recentPeople(*newest);
+    data.people = recentPeople(*newest, reading.names);
     SessionFilter waiting;
     waiting.newestFirst = true;
     waiting.toReview = true;
@@ -105,7 +115,7 @@ core::Result<void> readForTrainer(SessionReader& reader, const HomeQuestion& que
     data.toReview = static_cast<int>(toReview->size());
     std::stable_sort(toReview->begin(), toReview->end(),
                      [](const auto& a, const auto& b) { return session::attentionRank(a) < session::attentionRank(b); });
-    data.toLook = rowsOf(std::move(*toReview), question.titles, kShown);
+    data.toLook = rowsOf(std::move(*toReview), reading, kShown);
     return {};
 }
 
@@ -144,11 +154,11 @@ core::Result<void> readForAdmin(database::Database& database, database::Connecti
     return {};
 }
 
-void readRecovered(SessionReader& reader, const HomeQuestion& question, HomeData& data) {
-    for (const session::RecoveredSession& recovered : question.recovered) {
+void readRecovered(SessionReader& reader, const HomeReading& reading, HomeData& data) {
+    for (const session::RecoveredSession& recovered : reading.question.recovered) {
         auto record = reader.session(recovered.session);
         if (record) // else it is somebody else's, who is told when they come
-            data.recovered.push_back({makeSessionRow(std::move(record->summary), question.titles), recovered.framesFromRing, recovered.problem});
+            data.recovered.push_back({reading.row(std::move(record->summary)), recovered.framesFromRing, recovered.problem});
     }
 }
 
@@ -163,17 +173,21 @@ core::Result<HomeData> readHome(database::Database& database, const HomeQuestion
     const auto self = database::AccountService(database).self(question.actor);
     if (!self)
         return tl::unexpected(self.error());
+    const auto names = PeopleNames::read(**connection, question.actor);
+    if (!names)
+        return tl::unexpected(names.error());
+    const HomeReading reading{question, *names};
     HomeData data;
     data.name = self->displayName.empty() ? self->name : self->displayName;
     core::Result<void> done;
-    done = readOwn(**connection, reader, question, data); // everybody may train
+    done = readOwn(**connection, reader, reading, data); // everybody may train
     if (done && roles.contains(Role::trainer))
-        done = readForTrainer(reader, question, data);
+        done = readForTrainer(reader, reading, data);
     if (done && roles.contains(Role::admin))
         done = readForAdmin(database, **connection, reader, question, data);
     if (!done)
         return tl::unexpected(done.error());
-    readRecovered(reader, question, data);
+    readRecovered(reader, reading, data);
     return data;
 }
 

@@ -162,9 +162,12 @@ void HomeScreen::addTrainer(QVBoxLayout& column, const HomeData& home) {
         waiting->setObjectName(QStringLiteral("home.to_review"));
         row->addWidget(waiting);
     }
-    auto* all = opener(tr("All sessions"), QStringLiteral("sessions"));
+    auto* all = opener(tr("All sessions"), QStringLiteral("sessions"), {{QStringLiteral("all"), true}});
     all->setObjectName(QStringLiteral("home.sessions"));
     row->addWidget(all);
+    auto* progress = opener(tr("Progress of the group"), QStringLiteral("progress"));
+    progress->setObjectName(QStringLiteral("home.progress"));
+    row->addWidget(progress);
     box.layout->addWidget(buttons);
     column.addWidget(box.frame);
     if (!home.people.empty())

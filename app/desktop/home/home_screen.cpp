@@ -33,10 +33,7 @@ QString HomeScreen::help() const {
 std::vector<ScreenCommand> HomeScreen::commands() {
     if (!m_first)
         return {};
-    std::vector<ScreenCommand> list{{m_first->text(), {}, [this] { m_first->click(); }}};
-    if (findChild<QPushButton*>(QStringLiteral("home.comments")))
-        list.push_back({tr("Comments"), {}, [this] { context().navigator().go(QStringLiteral("comments")); }});
-    return list;
+    return {{m_first->text(), {}, [this] { m_first->click(); }}};
 }
 
 void HomeScreen::enter() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/playback/comment_panel.h"
 
-#include "desktop/plots/session_words.h"
 #include "desktop/widgets/kit.h"
 
 #include <QDateTime>
@@ -11,22 +10,32 @@
 
 namespace chiron::desktop {
 
-CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_list(new QListWidget) {
+CommentPanel::CommentPanel(const Theme& theme, const QLocale& locale, MomentWords moments, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_moments(std::move(moments)), m_list(new QListWidget) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, theme.px(8), 0, 0);
     column->setSpacing(theme.px(6));
+    buildDraft(*column);
+    buildList(*column);
+}
+
+void CommentPanel::buildList(QVBoxLayout& column) {
     m_list->setObjectName(QStringLiteral("playback.comments"));
     m_list->setAccessibleName(tr("Comments"));
     m_list->setWordWrap(true);
     m_list->setTextElideMode(Qt::ElideNone);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setIconSize(QSize(theme.px(18), theme.px(18)));
-    m_none = kit::label(theme, tr("No comments yet."), TextStyle::body, "muted");
-    buildDraft(*column);
-    column->addWidget(m_none);
-    column->addWidget(m_list, 1);
+    m_list->setIconSize(QSize(m_theme.px(18), m_theme.px(18)));
+    m_none = kit::label(m_theme, tr("No comments yet."), TextStyle::body, "muted");
+    column.addWidget(m_none);
+    column.addWidget(m_list, 1);
+    m_reply = kit::button(m_theme, tr("Reply"), "", QStringLiteral("edit-comment"));
+    m_reply->setObjectName(QStringLiteral("playback.comment_reply"));
+    m_reply->hide();
+    column.addWidget(m_reply, 0, Qt::AlignLeft);
+    connect(m_reply, &QPushButton::clicked, this, [this] { answer(chosen()); });
     const auto jump = [this](const QListWidgetItem* item) {
+        m_reply->setVisible(chosen());
         if (item && item->data(Qt::UserRole).isValid())
             emit seekAsked(item->data(Qt::UserRole).toDouble());
     };
@@ -52,11 +61,21 @@ void CommentPanel::buildDraft(QVBoxLayout& column) {
     m_reviewed->setObjectName(QStringLiteral("playback.reviewed"));
     m_reviewed->hide();
     inner->addWidget(m_text);
+    m_noReply = kit::button(m_theme, tr("Do not reply"), "quiet");
+    m_noReply->setObjectName(QStringLiteral("playback.comment_no_reply"));
+    m_noReply->hide();
     inner->addWidget(m_add);
+    inner->addWidget(m_noReply);
     inner->addWidget(m_reviewed);
     column.addWidget(m_draft);
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_add->setEnabled(!draft().isEmpty()); });
-    connect(m_add, &QPushButton::clicked, this, [this] { emit addAsked(draft()); });
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        if (m_replyTo)
+            emit replyAsked(draft(), *m_replyTo);
+        else
+            emit addAsked(draft());
+    });
+    connect(m_noReply, &QPushButton::clicked, this, [this] { answer(nullptr); });
     connect(m_reviewed, &QPushButton::clicked, this, [this] { emit addAsked(tr("Reviewed. Nothing to add.")); });
     setMoment(0.0);
 }
@@ -72,10 +91,40 @@ void CommentPanel::write() { m_text->setFocus(Qt::ShortcutFocusReason); }
 void CommentPanel::clearDraft() {
     m_text->setFocus(Qt::OtherFocusReason); // first: the button that was pressed is off once there is no text, and the page would follow the focus
     m_text->clear();
+    m_replyTo.reset();
+    showReply();
 }
 
 void CommentPanel::setMoment(double t_s) {
-    m_add->setText(tr("Comment at %1").arg(clockText(t_s, m_locale)));
+    m_shown_s = t_s;
+    showReply();
+}
+
+void CommentPanel::showReply() {
+    m_noReply->setVisible(m_replyTo.has_value());
+    m_add->setText(m_replyTo ? tr("Reply to %1").arg(authorOf(*m_replyTo)) : tr("Comment here: %1").arg(m_moments.at(m_shown_s)));
+}
+
+const NamedComment* CommentPanel::chosen() const {
+    const int row = m_list->currentRow();
+    if (!mayAdd() || row < 0 || row >= static_cast<int>(m_comments.size()))
+        return nullptr;
+    const NamedComment& comment = m_comments[static_cast<std::size_t>(row)];
+    return comment.comment.author == m_reader ? nullptr : &comment;
+}
+
+void CommentPanel::answer(const NamedComment* comment) {
+    m_replyTo = comment ? std::optional(*comment) : std::nullopt;
+    m_text->setFocus(Qt::OtherFocusReason);
+    showReply();
+}
+
+void CommentPanel::reply(std::int64_t comment) {
+    for (std::size_t row = 0; row < m_comments.size(); ++row)
+        if (m_comments[row].comment.id == comment) {
+            m_list->setCurrentRow(static_cast<int>(row));
+            answer(chosen());
+        }
 }
 
 void CommentPanel::setMayReview(bool may) { m_reviewed->setVisible(may); }
@@ -84,32 +133,36 @@ void CommentPanel::setMayAdd(bool may) {
     m_draft->setVisible(may);
 }
 
-QString CommentPanel::headOf(const NamedComment& comment, database::PersonId reader, double t_s) const {
-    const QString author = comment.comment.author == reader ? tr("You")
-                           : comment.author.empty()         ? tr("Somebody else")
-                                                            : QString::fromStdString(comment.author);
+QString CommentPanel::authorOf(const NamedComment& comment) const {
+    return comment.comment.author == m_reader ? tr("You") : comment.author.empty() ? tr("Somebody else") : QString::fromStdString(comment.author);
+}
+
+QString CommentPanel::headOf(const NamedComment& comment, double t_s) const {
     const QDateTime utc = QDateTime::fromString(QString::fromStdString(comment.comment.utc), Qt::ISODateWithMs);
     const QString when = m_locale.toString(utc.toLocalTime().date(), QLocale::ShortFormat);
-    return comment.comment.tick ? tr("%1 · %2 · %3").arg(clockText(t_s, m_locale), author, when)
-                                : tr("Whole session · %1 · %2").arg(author, when);
+    return comment.comment.tick ? tr("%1 · %2 · %3").arg(m_moments.at(t_s), authorOf(comment), when)
+                                : tr("Whole session · %1 · %2").arg(authorOf(comment), when);
 }
 
 void CommentPanel::show(std::vector<NamedComment> comments, database::PersonId reader,
                         const std::function<double(std::uint64_t)>& timeOf) {
     std::stable_sort(comments.begin(), comments.end(),
                      [](const NamedComment& a, const NamedComment& b) { return a.comment.tick < b.comment.tick; });
+    m_reader = reader;
+    m_comments = std::move(comments);
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    for (const NamedComment& named : comments) {
+    for (const NamedComment& named : m_comments) {
         const double t_s = named.comment.tick ? timeOf(*named.comment.tick) : 0.0;
         const QString text = named.comment.text.empty() ? tr("(erased)") : QString::fromStdString(named.comment.text);
         auto* item = new QListWidgetItem(m_theme.icon(QStringLiteral("edit-comment"), Colour::warning),
-                                         QStringLiteral("%1\n%2").arg(headOf(named, reader, t_s), text));
+                                         QStringLiteral("%1\n%2").arg(headOf(named, t_s), text));
         if (named.comment.tick)
             item->setData(Qt::UserRole, t_s);
         m_list->addItem(item);
     }
     m_none->setVisible(m_list->count() == 0);
+    m_reply->hide();
 }
 
 } // namespace chiron::desktop

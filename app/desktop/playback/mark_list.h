@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/moment_words.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_mark.h"
 
@@ -19,7 +20,7 @@ class MarkList : public QWidget {
     Q_OBJECT
 public:
     MarkList(const Theme& theme, const QLocale& locale, std::vector<session::PlaybackMark> marks,
-             const std::string& exercise, QWidget* parent = nullptr);
+             const std::string& exercise, MomentWords moments, QWidget* parent = nullptr);
 
 signals:
     void seekAsked(double t_s);
@@ -31,6 +32,7 @@ private:
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
     std::string m_exercise; ///< whose words are used
+    MomentWords m_moments;
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;
     QListWidget* m_list;

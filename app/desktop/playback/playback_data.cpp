@@ -4,6 +4,7 @@
 #include "database/repositories/account_repository.h"
 #include "database/repositories/score_repository.h"
 #include "desktop/exercise_face.h"
+#include "desktop/sessions/people_names.h"
 #include "session/session_view.h"
 
 #include <algorithm>
@@ -49,6 +50,10 @@ core::Result<PlaybackData> loadPlayback(database::Connection& connection, const 
     if (!record)
         return tl::unexpected(record.error());
     data.record = std::move(*record);
+    const auto names = PeopleNames::read(connection, actor);
+    if (!names)
+        return tl::unexpected(names.error());
+    data.record.summary.personName = names->of(data.record.summary);
     auto setup = session::setupFromStored(data.record.setup);
     if (!setup)
         return tl::unexpected(setup.error());
@@ -78,10 +83,14 @@ core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& conne
     auto sessions = database::SessionReader(connection, actor).listSessions(filter);
     if (!sessions)
         return tl::unexpected(sessions.error());
+    const auto names = PeopleNames::read(connection, actor);
+    if (!names)
+        return tl::unexpected(names.error());
     std::vector<GhostCandidate> own;
     std::vector<GhostCandidate> scripted;
     std::vector<GhostCandidate> others;
-    for (const database::SessionSummary& summary : *sessions) {
+    for (database::SessionSummary& summary : *sessions) {
+        summary.personName = names->of(summary);
         if (summary.id == record.summary.id || summary.recordingErased || summary.felt != record.summary.felt)
             continue;
         if (!summary.operatorName.empty())

@@ -19,7 +19,7 @@ namespace chiron::desktop {
 
 /// A session as playback needs it: values only, so that the GUI thread waits for nobody.
 struct PlaybackData {
-    database::SessionRecord record;
+    database::SessionRecord record; ///< with its person's name as screens call them
     session::SessionSetup setup;
     std::unique_ptr<PlaybackLayer> layer; ///< of its exercise; null without a recording
     session::PlaybackTrack track; ///< empty where nothing was recorded, or where the recording was erased

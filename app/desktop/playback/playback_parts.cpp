@@ -118,13 +118,13 @@ QWidget* PlaybackScreen::stageColumn() {
     m_scrubber = new Scrubber(theme);
     m_scrubber->setObjectName(QStringLiteral("playback.scrubber"));
     m_scrubber->setLocale(locale);
-    m_scrubber->setTrack(m_data->track, m_data->setup.level.exercise);
+    m_scrubber->setTrack(m_data->track, m_data->setup.level.exercise, momentWords());
     connect(m_scrubber, &Scrubber::seekAsked, &m_clock, &PlaybackClock::seek);
     column->addWidget(m_scrubber);
     std::vector<std::pair<double, double>> pauses_s;
     for (const session::PlaybackSpan& span : m_data->track.paused)
         pauses_s.emplace_back(span.begin_s, span.end_s);
-    column->addWidget(new TransportBar(theme, locale, m_clock, std::move(pauses_s)));
+    column->addWidget(new TransportBar(theme, locale, m_clock, momentWords(), std::move(pauses_s)));
     const bool expert = context().has(database::Role::trainer) || context().has(database::Role::researcher) || context().has(database::Role::admin);
     m_plots = new PlaybackPlots(theme, locale, m_data->track, m_data->setup.level, m_data->layer.get(), expert);
     connect(m_plots, &PlaybackPlots::seekAsked, &m_clock, &PlaybackClock::seek);
@@ -187,12 +187,13 @@ QWidget* PlaybackScreen::sideColumn() {
     m_tabs = new QTabWidget;
     m_tabs->setObjectName(QStringLiteral("playback.tabs"));
     m_tabs->setMinimumHeight(theme.px(300));
-    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.exercise);
+    auto* marks = new MarkList(theme, context().locale(), m_data->track.marks, m_data->setup.level.exercise, momentWords());
     connect(marks, &MarkList::seekAsked, &m_clock, &PlaybackClock::seek);
     m_tabs->addTab(marks, tr("Events"));
-    m_comments = new CommentPanel(theme, context().locale());
+    m_comments = new CommentPanel(theme, context().locale(), momentWords());
     connect(m_comments, &CommentPanel::seekAsked, &m_clock, &PlaybackClock::seek);
-    connect(m_comments, &CommentPanel::addAsked, this, &PlaybackScreen::addComment);
+    connect(m_comments, &CommentPanel::addAsked, this, [this](const QString& text) { addComment(text, m_data->track.tickAt(m_clock.position_s())); });
+    connect(m_comments, &CommentPanel::replyAsked, this, [this](const QString& text, const NamedComment& to) { addComment(text, to.comment.tick); });
     const bool mine = m_data->record.summary.person == context().actor().personId();
     m_comments->setMayAdd(mine || context().has(database::Role::trainer) || context().has(database::Role::researcher) ||
                           context().has(database::Role::admin));
@@ -202,6 +203,10 @@ QWidget* PlaybackScreen::sideColumn() {
         m_tabs->setCurrentWidget(m_comments);
     column->addWidget(m_tabs, 1);
     return side;
+}
+
+MomentWords PlaybackScreen::momentWords() const {
+    return {m_data->track.trials, m_data->record.setup.plannedTrials > 1, context().locale()};
 }
 
 QWidget* PlaybackScreen::ghostBox() {

@@ -163,7 +163,7 @@ void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
 
 void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity,
                            bool last) {
-    slim(*view, last ? tr("Time (s)") : QString());
+    slim(*view, last ? tr("Time in the recording (s)") : QString());
     view->setLegendShown(false); // the same lines as above
     view->setYAxis({QString(), 0.0, {}});
     view->setTitle(quantity);

@@ -284,7 +284,19 @@ void PlaybackScreen::loadComments() {
             m_scrubber->setComments(std::move(moments_s));
             m_comments->show(std::move(*comments), context().actor().personId(),
                              [this](std::uint64_t tick) { return m_data->track.timeOfTick(tick); });
+            answerAsked();
         });
+}
+
+// Once: whoever cancels the reply is not asked again when the comments are read anew.
+void PlaybackScreen::answerAsked() {
+    QVariantMap parameters = context().navigator().current().parameters;
+    const QVariant asked = parameters.take(QStringLiteral("reply"));
+    if (!asked.isValid() || parameters.value(QStringLiteral("session")).toLongLong() != sessionId())
+        return;
+    context().navigator().note(parameters);
+    m_tabs->setCurrentWidget(m_comments);
+    m_comments->reply(asked.toLongLong());
 }
 
 void PlaybackScreen::writeComment() {
@@ -304,9 +316,8 @@ void PlaybackScreen::zoomPlots(int key) {
         m_plots->zoom(key == Qt::Key_Minus ? 2.0 : 0.5);
 }
 
-void PlaybackScreen::addComment(const QString& text) {
+void PlaybackScreen::addComment(const QString& text, std::optional<std::uint64_t> tick) {
     database::Database& database = context().site().database();
-    const std::uint64_t tick = m_data->track.tickAt(m_clock.position_s());
     context().background().run(
         this,
         [&database, actor = context().actor(), id = sessionId(), words = text.toStdString(), tick](WorkToken&) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "desktop/frame/screen.h"
+#include "desktop/playback/moment_words.h"
 #include "desktop/playback/playback_clock.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/scene3d/scene_note.h"
@@ -33,7 +34,8 @@ class WorkToken;
 
 /// A stored session played back: scene, scrubber, force and speed under one cursor, what happened, comments at a moment, a second
 /// session as a ghost. Trainers declare a session void here, or count it again. Place: {session, at_s, ghost}, and a caption with its
-/// moment: {caption, caption_s}, or {caption, at_tick} for the executed tick that a comment belongs to. GUI thread.
+/// moment: {caption, caption_s}, or {caption, at_tick} for the executed tick that a comment belongs to; {reply}: the comment to be answered. GUI
+/// thread.
 class PlaybackScreen final : public Screen {
     Q_OBJECT
 public:
@@ -84,8 +86,10 @@ private:
     void showGhost(PlaybackData ghost);
 
     void loadComments();
+    void answerAsked();  ///< the place says which comment
     void writeComment(); ///< at the moment shown: the clock stops, the field has the focus
-    void addComment(const QString& text);
+    void addComment(const QString& text, std::optional<std::uint64_t> tick);
+    MomentWords momentWords() const;
     void askDecision(); ///< void it, or count it again where it is void
     void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
                 const QString& done, const QString& failed);

@@ -3,7 +3,6 @@
 
 #include "desktop/playback/mark_words.h"
 #include "desktop/playback/playback_clock.h"
-#include "desktop/plots/session_words.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -28,8 +27,9 @@ Scrubber::Scrubber(const Theme& theme, QWidget* parent) : QAbstractSlider(parent
     connect(this, &QAbstractSlider::valueChanged, this, [this](int value_ms) { emit seekAsked(1e-3 * value_ms); });
 }
 
-void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& exercise) {
+void Scrubber::setTrack(const session::PlaybackTrack& track, const std::string& exercise, MomentWords moments) {
     m_exercise = exercise;
+    m_moments = std::move(moments);
     m_duration_s = track.duration_s;
     m_trials = track.trials;
     m_paused = track.paused;
@@ -51,7 +51,7 @@ void Scrubber::setPosition(double t_s) {
     m_position_s = t_s;
     const QSignalBlocker quiet(this);
     setValue(qRound(1e3 * t_s));
-    setAccessibleDescription(clockText(t_s, locale())); // its value alone would be read as thousands
+    setAccessibleDescription(m_moments.at(t_s)); // its value alone would be read as thousands
     update();
 }
 
@@ -96,7 +96,7 @@ bool Scrubber::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QAbstractSlider::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    QString text = clockText(timeAt(help->pos().x()), locale());
+    QString text = m_moments.at(timeAt(help->pos().x()));
     for (const session::PlaybackMark& mark : m_marks)
         if (std::abs(xOf(mark.t_s) - help->pos().x()) <= m_theme.px(6))
             text += QLatin1Char('\n') + markText(mark, m_exercise, locale());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/moment_words.h"
 #include "desktop/theme/theme.h"
 #include "session/playback_track.h"
 
@@ -17,7 +18,7 @@ class Scrubber : public QAbstractSlider {
 public:
     explicit Scrubber(const Theme& theme, QWidget* parent = nullptr);
 
-    void setTrack(const session::PlaybackTrack& track, const std::string& exercise); ///< copies what it draws
+    void setTrack(const session::PlaybackTrack& track, const std::string& exercise, MomentWords moments); ///< copies what it draws
     void setComments(std::vector<double> moments_s);
     void setPosition(double t_s);
     QSize sizeHint() const override;
@@ -43,6 +44,7 @@ private:
 
     const Theme& m_theme;
     std::string m_exercise; ///< whose words are used
+    MomentWords m_moments;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     std::vector<session::PlaybackTrial> m_trials;

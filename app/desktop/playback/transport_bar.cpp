@@ -18,8 +18,8 @@ namespace {
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 }
 
-TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, std::vector<std::pair<double, double>> pauses_s, QWidget* parent)
-    : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock) {
+TransportBar::TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments, std::vector<std::pair<double, double>> pauses_s, QWidget* parent)
+    : QWidget(parent), m_theme(theme), m_locale(locale), m_clock(clock), m_moments(std::move(moments)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     auto* parts = new ResponsiveRow(theme.px(480), theme.px(6));
@@ -94,7 +94,8 @@ void TransportBar::showPlaying(bool playing) {
 }
 
 void TransportBar::showTime() {
-    m_time->setText(tr("%1 of %2").arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));
+    m_time->setText(m_moments.at(m_clock.position_s()));
+    m_time->setToolTip(tr("%1 of %2 in the recording, which begins before the first trial").arg(clockText(m_clock.position_s(), m_locale), clockText(m_clock.duration_s(), m_locale)));
 }
 
 } // namespace chiron::desktop

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "desktop/playback/moment_words.h"
 #include "desktop/playback/playback_clock.h"
 #include "desktop/theme/theme.h"
 
@@ -18,7 +19,7 @@ class TransportBar : public QWidget {
     Q_OBJECT
 public:
     /// `pauses_s`: begin and end of each, which playing leaps over unless somebody wants to see them.
-    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, std::vector<std::pair<double, double>> pauses_s = {},
+    TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments, std::vector<std::pair<double, double>> pauses_s = {},
                  QWidget* parent = nullptr);
 
 private:
@@ -31,6 +32,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     PlaybackClock& m_clock;
+    MomentWords m_moments;
     QPushButton* m_play = nullptr;
     QComboBox* m_speed = nullptr;
     QLabel* m_time = nullptr;

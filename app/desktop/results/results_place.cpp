@@ -19,10 +19,10 @@ bool hasResults(const database::SessionSummary& session) {
     return session.person != database::Actor::kSimulatedPerson && !session.ofStudy;
 }
 
-Place resultsPlace(const database::SessionSummary& session) {
+Place resultsPlace(const database::SessionSummary& session, const QString& name) {
     return {QStringLiteral("results"),
             {{QStringLiteral("person"), static_cast<qint64>(session.person)},
-             {QStringLiteral("name"), QString::fromStdString(session.personName)},
+             {QStringLiteral("name"), name.isEmpty() ? QString::fromStdString(session.personName) : name},
              {QStringLiteral("exercise"), QString::fromStdString(session.exercise)},
              {QStringLiteral("level"), session.level}}};
 }

@@ -14,8 +14,8 @@ class AppContext;
 /// participant's.
 bool hasResults(const database::SessionSummary& session);
 
-/// The results of whose session this is, at its exercise and level.
-Place resultsPlace(const database::SessionSummary& session);
+/// The results of whose session this is, at its exercise and level. `name`: what screens call that person; empty: as the session says.
+Place resultsPlace(const database::SessionSummary& session, const QString& name = {});
 
 /// What a button that goes there says to whoever is logged in: "My results", "Results of Nikos"; empty where there is nothing for them.
 QString resultsCommand(const AppContext& context, const database::SessionSummary& session);

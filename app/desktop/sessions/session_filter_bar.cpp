@@ -108,9 +108,10 @@ void SessionFilterBar::buildChoices(const catalogue::Catalogue& catalogue, const
     m_review = choice(QStringLiteral("review"), tr("Reviewed or not"), tr("Review"));
     m_review->addItem(tr("To review"), static_cast<int>(ReviewState::toReview));
     m_review->addItem(tr("Reviewed"), static_cast<int>(ReviewState::reviewed));
-    m_device = choice(QStringLiteral("device"), tr("Felt and shown"), tr("Force"));
-    m_device->addItem(SessionWords::device(true), true);
-    m_device->addItem(SessionWords::device(false), false);
+    m_device = choice(QStringLiteral("device"), tr("Force felt or only shown"), tr("Force"));
+    m_device->addItem(tr("Force felt by the hand"), true);
+    m_device->addItem(tr("Force only shown, not felt"), false);
+    m_device->setToolTip(tr("Whether the device let the hand feel the force, or the screen only showed it, as with mouse and keyboard"));
 }
 
 void SessionFilterBar::buildPeriod(const Theme& theme) {

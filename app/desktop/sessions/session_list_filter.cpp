@@ -98,8 +98,9 @@ bool SessionMatcher::matchesDay(const database::SessionSummary& session) const {
 bool SessionMatcher::matches(const SessionRow& row) const {
     const database::SessionSummary& session = row.summary;
     const bool inReview = !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
+    const bool hasNoLevel = session.exercise == SessionWords::kComparison; // of a study, whatever is stored
     if (!inReview || (m_filter.commented && session.comments == 0) || (session.archived && !m_filter.archived) || (m_filter.person != 0 && session.person != m_filter.person) ||
-        (!m_exercise.empty() && session.exercise != m_exercise) || (m_filter.level != 0 && session.level != m_filter.level) ||
+        (!m_exercise.empty() && session.exercise != m_exercise) || (m_filter.level != 0 && (session.level != m_filter.level || hasNoLevel)) ||
         (m_filter.state && session.state != *m_filter.state) || (m_filter.felt && session.felt != *m_filter.felt) ||
         (m_filter.outcome && SessionWords::outcomeOf(session) != *m_filter.outcome) || !matchesDay(session))
         return false;

@@ -16,12 +16,13 @@ ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QStri
     return titles;
 }
 
-SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles) {
+SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles, const PeopleNames& names) {
     SessionRow row;
-    row.person = QString::fromStdString(summary.personName);
+    row.person = QString::fromStdString(names.of(summary));
     const QString id = QString::fromStdString(summary.exercise);
     row.exercise = titles.value(id, id);
-    row.search = (QString::number(summary.id) + QLatin1Char('\n') + row.person + QLatin1Char('\n') + row.exercise +
+    row.search = (QString::number(summary.id) + QLatin1Char('\n') + row.person + QLatin1Char('\n') +
+                  QString::fromStdString(summary.personName) + QLatin1Char('\n') + row.exercise +
                   QLatin1Char('\n') + QString::fromStdString(summary.operatorName))
                      .toCaseFolded();
     row.summary = std::move(summary);
@@ -36,10 +37,13 @@ core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& 
     auto sessions = database::SessionReader(**reader, actor).listSessions(filter);
     if (!sessions)
         return tl::unexpected(sessions.error());
+    const auto names = PeopleNames::read(**reader, actor);
+    if (!names)
+        return tl::unexpected(names.error());
     std::vector<SessionRow> rows;
     rows.reserve(sessions->size());
     for (database::SessionSummary& session : *sessions)
-        rows.push_back(makeSessionRow(std::move(session), titles));
+        rows.push_back(makeSessionRow(std::move(session), titles, *names));
     return rows;
 }
 
@@ -51,7 +55,8 @@ core::Result<SessionRow> readSessionRow(const database::Database& database, cons
     auto record = database::SessionReader(**reader, actor).session(session);
     if (!record)
         return tl::unexpected(record.error());
-    return makeSessionRow(std::move(record->summary), titles);
+    const auto names = PeopleNames::read(**reader, actor);
+    return names ? core::Result<SessionRow>(makeSessionRow(std::move(record->summary), titles, *names)) : tl::unexpected(names.error());
 }
 
 } // namespace chiron::desktop

@@ -4,6 +4,7 @@
 #include "core/result.h"
 #include "database/database.h"
 #include "database/repositories/session_types.h"
+#include "desktop/sessions/people_names.h"
 
 #include <QHash>
 #include <QString>
@@ -18,16 +19,16 @@ namespace chiron::desktop {
 /// One line of the list of sessions, with what searching and showing it again and again would otherwise make anew.
 struct SessionRow {
     database::SessionSummary summary;
-    QString person;
+    QString person;   ///< as screens call them
     QString exercise; ///< its title
-    QString search;   ///< folded: number, person, exercise, operator
+    QString search;   ///< folded: number, person by both names, exercise, operator
 };
 
 /// Titles of exercises in the language shown, by id. A value that workers are given.
 using ExerciseTitles = QHash<QString, QString>;
 ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QString& language);
 
-SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles);
+SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles, const PeopleNames& names = {});
 
 /// Lines that the filter asks for. Blocking: a worker's task. Failure: the repository's.
 core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,

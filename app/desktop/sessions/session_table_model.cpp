@@ -137,7 +137,7 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
         return {};
     switch (section) {
     case number:
-        return tr("Session");
+        return tr("No."); // short: it is always there
     case started:
         return tr("Started");
     case person:

@@ -16,8 +16,8 @@ namespace chiron::desktop {
 class SessionTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// The person first; what a narrow window leaves out comes last.
-    enum Column { person, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, number, columns };
+    /// The person first, and the number that messages call the session by; what a narrow window leaves out comes last.
+    enum Column { person, number, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, columns };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
 

@@ -113,7 +113,7 @@ void SessionsScreen::openResults() {
     if (!row || !hasResults(row->summary))
         return;
     noteState();
-    context().navigator().go(resultsPlace(row->summary));
+    context().navigator().go(resultsPlace(row->summary, row->person));
 }
 
 void SessionsScreen::askDecision() {

@@ -22,6 +22,21 @@ namespace {
 
 const QString kSelected = QStringLiteral("selected");
 
+const QString kOwnFilter = QStringLiteral("sessions_filter");
+const QString kChosenOn = QStringLiteral("chosen_on");
+
+/// What the person chose here last, as long as it was today: a list that is narrowed since some earlier day would be a riddle.
+SessionListFilter ownFilter(AppContext& context) {
+    const QVariantMap kept = context.settings().ofPerson(context.actor().personId(), kOwnFilter, QVariantMap()).toMap();
+    return kept.value(kChosenOn).toString() == QDate::currentDate().toString(Qt::ISODate) ? SessionListFilter::fromMap(kept) : SessionListFilter();
+}
+
+void keepOwnFilter(AppContext& context, const SessionListFilter& filter) {
+    QVariantMap kept = filter.toMap();
+    kept.insert(kChosenOn, QDate::currentDate().toString(Qt::ISODate));
+    context.settings().setOfPerson(context.actor().personId(), kOwnFilter, kept);
+}
+
 database::SessionFilter pageBefore(database::SessionId before, int limit) {
     database::SessionFilter filter;
     filter.includeArchived = true; // shown or not by the list's own filter, at once
@@ -66,16 +81,12 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::review] = widest({SessionWords::review(reviewed), SessionWords::review(waiting)});
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
-    for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const int arrow = theme.px(24); // any column may become the one that it is sorted by
-        const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
-        table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), head));
-    }
+    for (int column = 0; column < SessionTableModel::columns; ++column)
+        table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), table.horizontalHeader()->sectionSizeHint(column)));
 }
 
 /// What a narrow window leaves out, first to last; a row's tool tip still says it.
-constexpr std::array<int, 5> kMayGo{SessionTableModel::number, SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName,
-                                    SessionTableModel::attempt};
+constexpr std::array<int, 4> kMayGo{SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName, SessionTableModel::attempt};
 
 } // namespace
 
@@ -91,7 +102,7 @@ SessionsScreen::SessionsScreen(AppContext& context, const Place& place)
     column->addWidget(buildHead());
     m_filterBar = new SessionFilterBar(theme, context.site().catalogue(), context.language());
     m_wanted = place.parameters.value(kSelected).toLongLong();
-    m_filterBar->setFilter(SessionListFilter::fromMap(place.parameters));
+    m_filterBar->setFilter(place.parameters.isEmpty() ? ownFilter(context) : SessionListFilter::fromMap(place.parameters));
     column->addWidget(m_filterBar);
     m_panel = new StatePanel(theme);
     m_panel->setContent(buildTable());
@@ -107,7 +118,8 @@ QString SessionsScreen::title() const {
 
 QString SessionsScreen::help() const {
     return tr("All sessions recorded at this site, newest first.\n\nType in the search field or choose from the lists beside it to narrow "
-              "the list; the filters stay when you come back. Click a column header to sort by it.\n\nPress Return or double-click to open "
+              "the list. What you choose stays for the rest of the day. A link from another screen, such as \"List of sessions to review\", shows its own list "
+              "and leaves your choice as it was. Click a column header to sort by it.\n\nPress Return or double-click to open "
               "the debrief of the selected session, Ctrl+P to play it back. \"Results of this person\" shows how they develop at its exercise and "
               "level. \"Void\" asks for a reason and takes a session out of every count; the recording is kept, and \"Count it again\" takes the "
               "decision back. \"Archive\" takes it out of the usual lists and can be undone.");
@@ -152,11 +164,23 @@ QWidget* SessionsScreen::buildTable() {
     head->setStretchLastSection(true);
     head->setSortIndicator(SessionTableModel::number, Qt::DescendingOrder);
     setWidths(*m_table, theme, context().locale(), m_titles);
-    for (int column = 0; column < SessionTableModel::columns; ++column)
+    for (int column = 0; column < SessionTableModel::columns; ++column) {
         m_widths[static_cast<std::size_t>(column)] = m_table->columnWidth(column);
+        m_heads[static_cast<std::size_t>(column)] = head->sectionSizeHint(column);
+    }
     m_table->setSortingEnabled(true);
+    roomForArrow(SessionTableModel::number);
+    connect(head, &QHeaderView::sortIndicatorChanged, this, &SessionsScreen::roomForArrow);
     m_table->viewport()->installEventFilter(this);
     return m_table;
+}
+
+/// Only the column that the list is sorted by has an arrow beside its words.
+void SessionsScreen::roomForArrow(int column) {
+    const int words = m_heads[static_cast<std::size_t>(column)] + context().theme().px(24);
+    m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), words));
+    m_widths[static_cast<std::size_t>(column)] = std::max(m_widths[static_cast<std::size_t>(column)], words);
+    fitColumns();
 }
 
 bool SessionsScreen::eventFilter(QObject* watched, QEvent* event) {
@@ -221,14 +245,17 @@ void SessionsScreen::connectTable() {
         selectSomething();
         showState();
     });
-    connect(m_filterBar, &SessionFilterBar::changed, this, [this](const SessionListFilter& filter) {
-        m_model->setFilter(filter);
-        noteState();
-    });
+    connect(m_filterBar, &SessionFilterBar::changed, this, &SessionsScreen::chooseFilter);
     connect(m_filterBar, &SessionFilterBar::leaveSearch, this, [this] {
         if (m_panel->state() == StatePanel::State::content)
             m_table->setFocus(Qt::TabFocusReason);
     });
+}
+
+void SessionsScreen::chooseFilter(const SessionListFilter& filter) {
+    keepOwnFilter(context(), filter);
+    m_model->setFilter(filter);
+    noteState();
 }
 
 void SessionsScreen::enter() {
@@ -303,8 +330,7 @@ void SessionsScreen::showState() {
         m_panel->showEmpty(tr("No session matches these filters"), tr("%n session(s) in all.", nullptr, m_model->total()),
                            tr("Clear the filters"), [this] {
                                m_filterBar->setFilter({});
-                               m_model->setFilter({});
-                               noteState();
+                               chooseFilter({});
                            });
     }
     showActions();

@@ -19,7 +19,8 @@ class StatePanel;
 class WorkToken;
 
 /// Every session of the site: find, open, play, void, archive, export the list. The newest come first and are shown as soon as
-/// they are there; the rest follows. The filter is kept in the place.
+/// they are there; the rest follows. The filter is kept in the place. A place without parameters shows
+/// the list as the person left it today; one with them (a link) shows its own and leaves the person's as it was. {all}: everything.
 class SessionsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -48,12 +49,14 @@ private:
     QWidget* buildTable();
     QWidget* buildActions();
     void connectTable();
+    void roomForArrow(int column);
     void fitColumns(); ///< those that the table has room for
     void load();
     void loadRest(database::SessionId before);
     void take(core::Result<std::vector<SessionRow>> rows, bool first);
     void showState();
     void noteState();
+    void chooseFilter(const SessionListFilter& filter); ///< by hand: the person's own from then on
     void selectSomething();
     static QString sealedWords();
     void showActions();
@@ -71,6 +74,7 @@ private:
     SessionTableModel* m_model = nullptr;
     QTableView* m_table = nullptr;
     std::array<int, SessionTableModel::columns> m_widths{}; ///< pixels
+    std::array<int, SessionTableModel::columns> m_heads{};  ///< what the words above them take
     StatePanel* m_panel = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_open = nullptr;

@@ -69,6 +69,7 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QSpinBox:focus, QDoubleS
     padding: #5-# #8-#; }
 QLineEdit:disabled, QPlainTextEdit:disabled, QSpinBox:disabled, QDoubleSpinBox:disabled, QDateEdit:disabled, QComboBox:disabled { color: @muted; background: @raised; border-color: @border; }
 QLineEdit[kind="bad"], QPlainTextEdit[kind="bad"], QSpinBox[kind="bad"], QDoubleSpinBox[kind="bad"], QComboBox[kind="bad"] { border: 2px solid @bad; padding: #5-# #8-#; }
+QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: #24#; }
 QComboBox::down-arrow { image: url(:/theme/chevron_%INK%.svg); width: #14#; height: #14#; margin-right: #8#; }
 QComboBox::down-arrow:disabled { image: url(:/theme/chevron_%INK%_off.svg); }
@@ -82,8 +83,8 @@ QAbstractSpinBox::up-arrow { image: url(:/theme/arrow_up_%INK%.svg); width: #9#;
 QAbstractSpinBox::down-arrow { image: url(:/theme/arrow_down_%INK%.svg); width: #9#; height: #9#; }
 QAbstractSpinBox::up-arrow:disabled, QAbstractSpinBox::up-arrow:off { image: url(:/theme/arrow_up_%INK%_off.svg); }
 QAbstractSpinBox::down-arrow:disabled, QAbstractSpinBox::down-arrow:off { image: url(:/theme/arrow_down_%INK%_off.svg); }
-QComboBox QAbstractItemView { background: @surface; color: @text; border: 1px solid @borderStrong; selection-background-color: @accent;
-    selection-color: @accentText; outline: none; }
+QComboBox QAbstractItemView, QComboBox QAbstractItemView:focus { background: @surface; color: @text; border: 1px solid @borderStrong; padding: 0;
+    selection-background-color: @accent; selection-color: @accentText; outline: none; }
 QCheckBox, QRadioButton { color: @text; spacing: #8#; background: transparent; padding: #3#; border: 2px solid transparent; border-radius: #6#; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; }
 QCheckBox::indicator, QRadioButton::indicator { width: #18#; height: #18#; border: 2px solid @borderStrong; background: @surface; }

@@ -84,6 +84,8 @@ private slots:
     void nobodyFindsWhatIsNotTheirs();
     void studiesAreTheResearchers();
     void otherScreensCommandsLeadThere();
+    void otherWordsLeadThere_data();
+    void otherWordsLeadThere();
     void arrowsPassTheHeadings();
     void tenThousandSessionsAreCapped();
 };
@@ -202,6 +204,52 @@ void TestPaletteSearch::otherScreensCommandsLeadThere() {
     QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, QStringLiteral("storage"), kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(desktop.window->focusWidget() && desktop.window->focusWidget()->objectName() == QLatin1String("storage.back_up"), kPatience_ms);
     QVERIFY(!QDir(desktop.folder()).exists(QStringLiteral("backups"))); // nothing is done before it is seen
+}
+
+void TestPaletteSearch::otherWordsLeadThere_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("person");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("screen");
+    const auto add = [](const char* language, const char* person, const char* typed, const char* screen) {
+        QTest::addRow("%s %s: %s", language, person, typed) << QString::fromLatin1(language) << QString::fromLatin1(person) << QString::fromUtf8(typed) << QString::fromLatin1(screen);
+    };
+    for (const char* word : {"group", "progress", "overview", "class", "results"})
+        add("en", "tom", word, "progress");
+    add("en", "tom", "review", "sessions");
+    add("en", "tom", "feedback", "sessions");
+    add("en", "ada", "backup", "storage");
+    add("en", "ada", "users", "people");
+    add("en", "tina", "scores", "results");
+    add("en", "tina", "log out", "login");
+    for (const char* word : {"Gruppe", "Fortschritt", "Übersicht", "Kurs", "Ergebnisse"})
+        add("de", "tom", word, "progress");
+    add("de", "tom", "Begutachtung", "sessions");
+    add("de", "ada", "Sicherung", "storage");
+    add("de", "tina", "abmelden", "login");
+    for (const char* word : {"ομάδα", "πρόοδος", "επισκόπηση", "τάξη", "αποτελέσματα"})
+        add("el", "tom", word, "progress");
+    add("el", "tom", "αξιολόγηση", "sessions");
+    add("el", "ada", "αντίγραφο", "storage");
+    add("el", "tina", "αποσύνδεση", "login");
+}
+
+/// The first line that is found by another word than its own leads to the right screen, and says why it is there.
+void TestPaletteSearch::otherWordsLeadThere() {
+    QFETCH(QString, language);
+    QFETCH(QString, person);
+    QFETCH(QString, typed);
+    QFETCH(QString, screen);
+    DesktopFixture desktop;
+    desktop.context.settings().setLanguage(language);
+    desktop.context.applyAppearance();
+    desktop.logIn(person.toStdString());
+    Palette palette(desktop);
+    palette.field()->setText(typed); // at once: nobody waits for what is read
+    QTest::keyClick(palette.field(), Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(desktop.context.navigator().current().screen, screen, kPatience_ms);
+    desktop.context.settings().setLanguage(QStringLiteral("en")); // the translators are the program's
+    desktop.context.applyAppearance();
 }
 
 void TestPaletteSearch::arrowsPassTheHeadings() {

@@ -4,12 +4,15 @@
 #include "desktop/storage/storage_words.h"
 #include "realtime/virtual_clock.h"
 #include "session/backup_list.h"
+#include "session/group_standing.h"
 #include "session/integrity_check.h"
 #include "session/level_standing.h"
 #include "session/loop_self_test.h"
 #include "support/desktop_fixture.h"
 
 #include <QDir>
+#include <algorithm>
+#include <tuple>
 
 using namespace chiron;
 using namespace chiron::desktop;
@@ -78,6 +81,50 @@ private slots:
         QVERIFY(session::levelStandings(*catalogue, own)[2].passedFelt);
         own.push_back(attempt(6, 3, SessionState::stopped, true));
         QCOMPARE(session::nextStep(session::levelStandings(*catalogue, own))->level, 2);
+    }
+
+    void aGroupIsTheTraineesAndWhoeverTrained() {
+        const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+        QVERIFY(catalogue);
+        using enum database::Role;
+        std::vector<database::Person> people(5);
+        const std::vector<std::tuple<const char*, const char*, database::RoleSet, bool>> given{{"tina", "Tina T.", {trainee}, true}, {"theo", "", {trainee}, true},
+                                                                                                {"gone", "", {trainee}, false}, {"tom", "Tom", {trainer}, true}, {"rhea", "", {researcher}, true}};
+        for (std::size_t i = 0; i < people.size(); ++i) {
+            people[i].id = static_cast<database::PersonId>(i) + 2;
+            std::tie(people[i].name, people[i].displayName, people[i].roles, people[i].enabled) = given[i];
+        }
+        const auto by = [](database::PersonId person, database::SessionSummary session) {
+            session.person = person;
+            return session;
+        };
+        std::vector<database::SessionSummary> sessions{by(2, attempt(1, 1, SessionState::completed, true)), by(2, attempt(3, 2, SessionState::completed, false)),
+                                                       by(5, attempt(4, 1, SessionState::stopped, {})), by(4, attempt(5, 1, SessionState::completed, true))};
+        sessions[1].toReview = true;
+        auto study = by(6, attempt(6, 1, SessionState::completed, true));
+        study.ofStudy = true;
+        sessions.push_back(study);
+        const auto group = session::groupStandings(*catalogue, people, sessions);
+        QStringList names;
+        for (const session::PersonStanding& person : group)
+            names << QString::fromStdString(person.name);
+        QCOMPARE(names, (QStringList{QStringLiteral("Tina T."), QStringLiteral("theo"), QStringLiteral("Tom")})); // not who is disabled, nor who only took part in a study
+        const auto& apex = *std::find_if(group[0].exercises.begin(), group[0].exercises.end(), [](const auto& each) { return each.exercise == "sphere_apex"; });
+        QVERIFY(apex.open && apex.open->level == 2 && apex.open->attempts == 1);
+        QCOMPARE(apex.attempts, 2);
+        QCOMPARE(group[0].exercises.size(), catalogue->exercises().size());
+        QVERIFY(group[0].latest && group[0].latest->id == 3);
+        QCOMPARE(group[0].toReview, 1);
+        QVERIFY(group[0].next && group[0].next->level == 2 && !group[0].allPassed());
+        QVERIFY(!group[1].latest && group[1].next && group[1].next->level == 1);
+        std::vector<database::SessionSummary> everything;
+        for (const catalogue::Exercise& exercise : catalogue->exercises())
+            for (const catalogue::ExerciseLevel& level : exercise.levels) {
+                everything.push_back(by(3, attempt(static_cast<database::SessionId>(everything.size()) + 1, level.number, SessionState::completed, true)));
+                everything.back().exercise = exercise.id;
+            }
+        const auto done = session::groupStandings(*catalogue, people, everything);
+        QVERIFY(done[1].allPassed() && std::none_of(done[1].exercises.begin(), done[1].exercises.end(), [](const auto& each) { return each.open.has_value(); }));
     }
 
     void nextStepIsTheLowestOfTheExerciseInHand() {

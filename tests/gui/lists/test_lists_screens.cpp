@@ -15,6 +15,7 @@
 #include "support/desktop_fixture.h"
 #include "support/patience.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDateEdit>
 #include <QLabel>
@@ -106,7 +107,7 @@ private slots:
                 names << button->accessibleName();
         QVERIFY(names.size() >= 4);
         QVERIFY(!names.first().contains(QStringLiteral("Passed")) || names.first().contains(QStringLiteral("Not passed")));
-        QVERIFY(names.first().contains(QStringLiteral("tina")) || names.first().contains(QStringLiteral("theo")));
+        QVERIFY(names.first().contains(QStringLiteral("Tina Trainee")) || names.first().contains(QStringLiteral("Theo Trainee")));
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.continue"))); // not a trainee
         QVERIFY(!desktop.find<QPushButton>(QStringLiteral("home.storage")));
     }
@@ -218,9 +219,9 @@ private slots:
             auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
             QTRY_COMPARE_WITH_TIMEOUT(table->horizontalScrollBar()->maximum(), 0, kPatience_ms);
             using Model = SessionTableModel;
-            for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
+            for (const int column : {int(Model::person), int(Model::number), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
                 QVERIFY(!table->isColumnHidden(column));
-            QVERIFY(table->isColumnHidden(Model::number));
+            QVERIFY(table->isColumnHidden(Model::length));
             desktop.window->resize(2400, 900);
             QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName), kPatience_ms);
         }
@@ -273,6 +274,88 @@ private slots:
         QCOMPARE(again->model().rowCount(), rows);
         auto* tableAgain = again->findChild<QTableView*>();
         QCOMPARE(again->model().at(tableAgain->currentIndex().row()).summary.id, id);
+    }
+
+    /// The list that a choice opens shows its last line whole.
+    void openedChoicesCutNoLine() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo"), desktop.actor("rhea")}, 30);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        const auto choices = screen->findChildren<QComboBox*>();
+        QVERIFY(choices.size() >= 7);
+        for (QComboBox* choice : choices) {
+            choice->setFocus();
+            choice->showPopup();
+            QTRY_VERIFY_WITH_TIMEOUT(choice->view()->isVisible(), kPatience_ms);
+            QTest::qWait(50); // a list that does not fit shows arrows then, which take more of its room
+            const QRect last = choice->view()->visualRect(choice->model()->index(choice->count() - 1, 0));
+            QVERIFY2(last.height() > 0 && last.bottom() <= choice->view()->viewport()->rect().bottom(), qPrintable(choice->objectName()));
+            choice->hidePopup();
+        }
+    }
+
+    /// What somebody chose stays; a link shows its own list and leaves that as it was.
+    void aLinkLeavesOnesOwnFilter() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 40);
+        desktop.logIn("tom");
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        desktop.find<QComboBox>(QStringLiteral("sessions.level"))->setCurrentIndex(3);
+        const int own = screen->model().rowCount();
+        QVERIFY(own > 0 && own < 40);
+        desktop.go(QStringLiteral("home"));
+        QVERIFY(loaded(desktop));
+        desktop.find<QPushButton>(QStringLiteral("home.to_review"))->click();
+        screen = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY_WITH_TIMEOUT(screen && screen->isComplete(), kPatience_ms);
+        QCOMPARE(screen->model().filter().level, 0);
+        QVERIFY(screen->model().filter().review == ReviewState::toReview);
+        desktop.find<QPushButton>(QStringLiteral("nav.home"))->click();
+        desktop.find<QPushButton>(QStringLiteral("nav.sessions"))->click();
+        screen = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY_WITH_TIMEOUT(screen && screen->isComplete(), kPatience_ms);
+        QCOMPARE(screen->model().filter().level, 3);
+        QVERIFY(!screen->model().filter().review);
+        QCOMPARE(screen->model().rowCount(), own);
+        desktop.go(QStringLiteral("home"));
+        QVERIFY(loaded(desktop));
+        desktop.find<QPushButton>(QStringLiteral("home.sessions"))->click(); // all of them, as it says
+        screen = desktop.screen<SessionsScreen>();
+        QTRY_VERIFY_WITH_TIMEOUT(screen && screen->isComplete(), kPatience_ms);
+        QVERIFY(screen->model().filter().isEmpty());
+        desktop.logIn("ada"); // somebody else's choice is nobody else's
+        QVERIFY(openSessions(desktop) && desktop.screen<SessionsScreen>()->model().filter().isEmpty());
+        desktop.logIn("tom");
+        QVERIFY(openSessions(desktop));
+        QCOMPARE(desktop.screen<SessionsScreen>()->model().filter().level, 3);
+        desktop.find<QPushButton>(QStringLiteral("sessions.clear"))->click();
+        desktop.go(QStringLiteral("home"));
+        QVERIFY(openSessions(desktop));
+        QVERIFY(desktop.screen<SessionsScreen>()->model().filter().isEmpty());
+    }
+
+    /// Everywhere the full name; who may not see names sees codes; the login name still finds.
+    void peopleAreCalledByTheirFullNames() {
+        DesktopFixture desktop;
+        tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 4);
+        desktop.logIn("tom");
+        QVERIFY(loaded(desktop));
+        QVERIFY(desktop.find<QPushButton>(QStringLiteral("home.session.4"))->accessibleName().startsWith(QStringLiteral("Tina Trainee: ")));
+        auto* screen = openSessions(desktop);
+        QVERIFY(screen);
+        QCOMPARE(screen->model().index(0, SessionTableModel::person).data().toString(), QStringLiteral("Tina Trainee"));
+        desktop.find<QLineEdit>(QStringLiteral("sessions.search"))->setText(QStringLiteral("tina"));
+        QCOMPARE(screen->model().rowCount(), 4);
+        desktop.find<QPushButton>(QStringLiteral("sessions.results"))->click();
+        QCOMPARE(here(desktop).parameters.value(QStringLiteral("name")).toString(), QStringLiteral("Tina Trainee"));
+        desktop.logIn("rhea");
+        screen = openSessions(desktop);
+        QVERIFY(screen && screen->model().rowCount() == 4);
+        const QString code = screen->model().index(0, SessionTableModel::person).data().toString();
+        QVERIFY2(code.startsWith(QStringLiteral("P-")), qPrintable(code));
     }
 
     void nothingMatchesAndClears() {

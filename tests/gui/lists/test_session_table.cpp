@@ -78,6 +78,21 @@ private slots:
         QCOMPARE(shown(filter), 0);
     }
 
+    /// What has no level is of none that was chosen, whatever is stored with it.
+    void aLevelLeavesStudiesOut() {
+        database::SessionSummary session;
+        session.id = 3;
+        session.level = 1;
+        session.exercise = SessionWords::kComparison;
+        const SessionRow study = makeSessionRow(session, kTitles);
+        SessionListFilter filter;
+        QVERIFY(SessionMatcher(filter).matches(study));
+        filter.level = 1;
+        QVERIFY(!SessionMatcher(filter).matches(study));
+        session.exercise = "sphere_apex";
+        QVERIFY(SessionMatcher(filter).matches(makeSessionRow(session, kTitles)));
+    }
+
     void daysAreThoseOfThePlace() {
         database::SessionSummary session;
         session.id = 1;

@@ -244,8 +244,16 @@ void TestDebrief::aTrainersCommentArrives() {
     QCOMPARE(comments.size(), 3);
     QCOMPARE(badge(), QStringLiteral("Home")); // read
     QVERIFY(comments.contains(QStringLiteral("Tom Trainer: Good start.")));
-    QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer, at ")) && comments.last().endsWith(QStringLiteral(": Go round the top once more.")), qPrintable(comments.last()));
+    QVERIFY2(comments.last().startsWith(QStringLiteral("Tom Trainer · ")) && comments.last().contains(QStringLiteral(" before the start: ")) && comments.last().endsWith(QStringLiteral(": Go round the top once more.")), qPrintable(comments.last()));
     auto* watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_watch"));
+    QVERIFY(watch);
+    auto* reply = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_reply"));
+    QVERIFY(reply);
+    reply->click();
+    QCOMPARE(m_site->context.navigator().current().screen, QStringLiteral("playback"));
+    m_site->context.navigator().back();
+    open(id);
+    watch = m_site->window->screen()->findChild<QPushButton*>(QStringLiteral("debrief.comment_watch"));
     QVERIFY(watch);
     watch->click();
     const desktop::Place place = m_site->context.navigator().current();

@@ -3,6 +3,7 @@
 #include "support/looked_back.h"
 #include "support/patience.h"
 #include "database/repositories/score_repository.h"
+#include "database/repositories/session_repository.h"
 #include "desktop/playback/playback_data.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -50,6 +51,8 @@ private slots:
     void ghostsAreOfTheSameDeviceClass();
     void theEarliestOfTheBestStandsOut();
     void commentAtAMoment();
+    void aCommentIsAnsweredAtItsMoment();
+    void oneClockTellsTheTime();
     void voidNeedsAReasonAndATrainer();
     void nothingRecorded();
     void damagedIsNamed();
@@ -90,7 +93,6 @@ void TestPlayback::opensAtAMoment() {
     open(m_bad, {{QStringLiteral("at_s"), 7.25}});
     QCOMPARE(screen()->clock().position_s(), 7.25);
     QCOMPARE(find<desktop::Scrubber>("playback.scrubber")->value(), 7250);
-    QVERIFY(find<QLabel>("playback.time")->text().startsWith(QStringLiteral("0:07.2")));
     QVERIFY(find<QLabel>("playback.readout")->text().contains(QStringLiteral("Trial")));
     QVERIFY(!screen()->clock().playing());
     tests::takePictures(*m_site, QStringLiteral("playback"), [this] {
@@ -443,6 +445,58 @@ void TestPlayback::commentAtAMoment() {
         open(m_bad, {{QStringLiteral("at_s"), 6.0}});
         find<QTabWidget>("playback.tabs")->setCurrentIndex(1);
     });
+}
+
+void TestPlayback::aCommentIsAnsweredAtItsMoment() {
+    const auto id = tests::store(m_site->database(), *m_tina, m_made->bad);
+    const auto tom = m_site->actor("tom");
+    QVERIFY(m_site->database().write([&](database::WriteContext& write) { return database::SessionRepository(write.connection(), tom).addComment(id, "Slower here.", 6000); }));
+    open(id, {{QStringLiteral("at_s"), 1.0}, {QStringLiteral("tab"), QStringLiteral("comments")}});
+    auto* list = find<QListWidget>("playback.comments");
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 1, kPatience_ms);
+    auto* reply = find<QPushButton>("playback.comment_reply");
+    auto* add = find<QPushButton>("playback.comment_add");
+    QVERIFY(reply->isHidden()); // nothing is chosen
+    list->setCurrentRow(0);
+    QVERIFY(!reply->isHidden());
+    reply->click();
+    QCOMPARE(add->text(), QStringLiteral("Reply to Tom Trainer"));
+    find<QPushButton>("playback.comment_no_reply")->click();
+    QVERIFY(add->text().startsWith(QStringLiteral("Comment here")));
+    reply->click();
+    screen()->clock().seek(2.0); // wherever one looks meanwhile
+    find<QPlainTextEdit>("playback.comment_text")->setPlainText(QStringLiteral("I will."));
+    add->click();
+    QTRY_COMPARE_WITH_TIMEOUT(list->count(), 2, kPatience_ms);
+    QVERIFY(list->item(0)->text().contains(QStringLiteral("Slower here.")) && list->item(1)->text().contains(QStringLiteral("I will.")));
+    QVERIFY(add->text().startsWith(QStringLiteral("Comment here")));
+    auto connection = m_site->database().openReader();
+    const auto stored = database::SessionReader(**connection, *m_tina).comments(id);
+    QVERIFY(stored && stored->size() == 2);
+    QCOMPARE(stored->at(1).tick, std::optional<std::uint64_t>(6000));
+    list->setCurrentRow(1);
+    QVERIFY(reply->isHidden()); // one's own
+    open(id, {{QStringLiteral("at_s"), 1.0}, {QStringLiteral("reply"), qlonglong(stored->at(0).id)}}); // from a debrief
+    QTRY_COMPARE_WITH_TIMEOUT(find<QPushButton>("playback.comment_add")->text(), QStringLiteral("Reply to Tom Trainer"), kPatience_ms);
+    QVERIFY(!m_site->context.navigator().current().parameters.contains(QStringLiteral("reply")));
+}
+
+/// A moment is told by its trial and the time in it, in the same words at every place.
+void TestPlayback::oneClockTellsTheTime() {
+    auto connection = m_site->database().openReader();
+    const auto data = desktop::loadPlayback(**connection, *m_tina, m_bad, [](double) { return true; });
+    QVERIFY(data && data->track.trials.size() > 1);
+    const double moment_s = data->track.trials[1].start_s + 1.3;
+    open(m_bad, {{QStringLiteral("at_s"), moment_s}});
+    QCOMPARE(find<QLabel>("playback.time")->text(), QStringLiteral("Trial 2, 0:01.3"));
+    QCOMPARE(find<QPushButton>("playback.comment_add")->text(), QStringLiteral("Comment here: Trial 2, 0:01.3"));
+    QCOMPARE(find<desktop::Scrubber>("playback.scrubber")->accessibleDescription(), QStringLiteral("Trial 2, 0:01.3"));
+    for (int row = 0; row < find<QListWidget>("playback.marks")->count(); ++row)
+        QVERIFY(find<QListWidget>("playback.marks")->item(row)->text().startsWith(QStringLiteral("Trial ")));
+    screen()->clock().seek(0.0);
+    const bool before = data->track.trials[0].start_s > 1e-6;
+    const QString first = find<QLabel>("playback.time")->text();
+    QVERIFY2(before ? first.endsWith(QStringLiteral(" before the start")) : first == QStringLiteral("Trial 1, 0:00.0"), qPrintable(first));
 }
 
 void TestPlayback::voidNeedsAReasonAndATrainer() {

@@ -120,7 +120,7 @@ scene3d::SceneState seenFrom(const scene3d::SceneSetup& setup, const scene3d::sa
     const Vec3 axis_A = p.pose.vectorToA(state.tool[0].q_WT * Vec3(0.0, 0.0, -1.0));
     const simulation::LumenSight::View view = simulation::LumenSight(p).look(p_A, axis_A, line.foot(p_A));
     const Vec3 to_T = view.open ? Vec3(state.tool[0].q_WT.conjugate() * p.pose.vectorToW((view.p_A - p_A).normalized())) : Vec3(Vec3::Zero());
-    state.endoscope.toLumen_T = {to_T.x(), to_T.y(), to_T.z()};
+    state.exercise.own<simulation::EndoscopeCues>().toLumen_T = {to_T.x(), to_T.y(), to_T.z()};
     return state;
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/progress/progress_table.h"
+
+#include "desktop/home/exercise_card.h"
+#include "desktop/sessions/plain_cell_delegate.h"
+#include "desktop/sessions/session_words.h"
+
+#include <QHeaderView>
+#include <algorithm>
+
+namespace chiron::desktop {
+
+ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent)
+    : FittedTable(theme, firstExercise + static_cast<int>(catalogue.exercises().size()), parent), m_theme(theme), m_locale(std::move(locale)), m_titles(std::move(titles)) {
+    setObjectName(QStringLiteral("progress.table"));
+    setAccessibleName(tr("Progress of the group"));
+    setFont(theme.font(TextStyle::body));
+    setItemDelegate(new PlainCellDelegate(theme, this)); // draws a frame around the chosen cell
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setMinimumHeight(theme.px(190));
+    horizontalHeader()->setHighlightSections(false);
+    QStringList heads{tr("Person"), tr("Last session"), tr("Next step"), tr("To review")};
+    for (const catalogue::Exercise& exercise : catalogue.exercises()) {
+        m_exercises.push_back(exercise.id);
+        const QString id = QString::fromStdString(exercise.id);
+        heads << m_titles.value(id, id);
+    }
+    setHorizontalHeaderLabels(heads);
+    connect(this, &QTableWidget::activated, this, &ProgressTable::openAsked);
+}
+
+void ProgressTable::show(std::vector<const session::PersonStanding*> people) {
+    const session::PersonStanding* before = chosen();
+    const database::PersonId person = before ? before->person : 0;
+    const std::string exercise = chosenExercise();
+    const QSignalBlocker quiet(this);
+    m_people = std::move(people);
+    setRowCount(0);
+    setRowCount(static_cast<int>(m_people.size()));
+    for (std::size_t row = 0; row < m_people.size(); ++row)
+        fillRow(static_cast<int>(row), *m_people[row]);
+    choose(person, exercise);
+}
+
+void ProgressTable::put(int row, int column, const QString& text, const char* icon, Colour ink) {
+    auto* item = new QTableWidgetItem(text);
+    if (*icon)
+        item->setIcon(m_theme.icon(QLatin1String(icon), ink));
+    item->setToolTip(text);
+    setItem(row, column, item);
+}
+
+void ProgressTable::fillRow(int row, const session::PersonStanding& person) {
+    put(row, name, QString::fromStdString(person.name));
+    put(row, latest, person.latest ? SessionWords::started(*person.latest, m_locale) : tr("None yet"));
+    put(row, next, nextWords(person));
+    put(row, toReview, person.toReview > 0 ? m_locale.toString(person.toReview) : QStringLiteral("–"));
+    for (std::size_t i = 0; i < person.exercises.size(); ++i) {
+        const session::ExerciseStanding& standing = person.exercises[i];
+        const int column = firstExercise + static_cast<int>(i);
+        if (!standing.open)
+            put(row, column, openWords(standing), "dialog-ok-apply", Colour::good);
+        else if (standing.open->attempts > 0)
+            put(row, column, openWords(standing), "window-close", Colour::bad);
+        else
+            put(row, column, openWords(standing), "list-remove", Colour::muted);
+    }
+}
+
+QString ProgressTable::openWords(const session::ExerciseStanding& standing) const {
+    if (!standing.open)
+        return tr("All passed");
+    if (standing.attempts == 0)
+        return tr("Not begun");
+    const QString level = m_locale.toString(standing.open->level);
+    return standing.open->attempts > 0 ? tr("Level %1, %n attempt(s)", nullptr, standing.open->attempts).arg(level) : tr("Level %1, not tried").arg(level);
+}
+
+QString ProgressTable::nextWords(const session::PersonStanding& person) const {
+    if (!person.next)
+        return tr("Every level is passed");
+    const QString id = QString::fromStdString(person.next->exercise);
+    return tr("%1, level %2").arg(m_titles.value(id, id), m_locale.toString(person.next->level));
+}
+
+const session::PersonStanding* ProgressTable::chosen() const {
+    const int row = currentRow();
+    return row >= 0 && row < static_cast<int>(m_people.size()) ? m_people[static_cast<std::size_t>(row)] : nullptr;
+}
+
+std::string ProgressTable::chosenExercise() const {
+    const int column = currentColumn() - firstExercise;
+    return column >= 0 && column < static_cast<int>(m_exercises.size()) ? m_exercises[static_cast<std::size_t>(column)] : std::string();
+}
+
+void ProgressTable::choose(database::PersonId person, const std::string& exercise) {
+    if (m_people.empty())
+        return;
+    const auto row = std::find_if(m_people.begin(), m_people.end(), [person](const auto* each) { return each->person == person; });
+    const auto column = std::find(m_exercises.begin(), m_exercises.end(), exercise);
+    setCurrentCell(row == m_people.end() ? 0 : static_cast<int>(row - m_people.begin()),
+                   column == m_exercises.end() ? static_cast<int>(name) : firstExercise + static_cast<int>(column - m_exercises.begin()));
+}
+
+QString ProgressTable::chosenInWords() const {
+    const session::PersonStanding* person = chosen();
+    if (!person)
+        return {};
+    const QString who = QString::fromStdString(person->name);
+    const std::string exercise = chosenExercise();
+    if (exercise.empty())
+        return tr("%1: %2").arg(who, tr("all exercises"));
+    QStringList levels;
+    for (const session::ExerciseStanding& standing : person->exercises)
+        if (standing.exercise == exercise)
+            for (const session::LevelStanding& level : standing.levels)
+                levels << tr("level %1: %2").arg(m_locale.toString(level.level), standingWords(level));
+    const QString id = QString::fromStdString(exercise);
+    return tr("%1, %2 – %3").arg(who, m_titles.value(id, id), levels.join(QStringLiteral(" · ")));
+}
+
+} // namespace chiron::desktop

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalogue/catalogue.h"
+#include "desktop/plots/fitted_table.h"
+#include "desktop/sessions/session_row.h"
+#include "session/group_standing.h"
+
+#include <QLocale>
+#include <vector>
+
+namespace chiron::desktop {
+
+/// A group at a glance: a row for each person, a column for each exercise with the lowest level that is not passed. GUI thread.
+class ProgressTable final : public FittedTable {
+    Q_OBJECT
+public:
+    enum Column { name, latest, next, toReview, firstExercise };
+
+    ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent = nullptr);
+
+    void show(std::vector<const session::PersonStanding*> people); ///< which have to outlive it
+    const session::PersonStanding* chosen() const;                 ///< null: nobody
+    std::string chosenExercise() const;                            ///< of the cell that was chosen; empty: of all exercises
+    void choose(database::PersonId person, const std::string& exercise);
+    QString chosenInWords() const; ///< whose and which cell it is, level by level
+
+signals:
+    void openAsked();
+
+private:
+    void fillRow(int row, const session::PersonStanding& person);
+    void put(int row, int column, const QString& text, const char* icon = "", Colour ink = Colour::muted);
+    QString openWords(const session::ExerciseStanding& standing) const;
+    QString nextWords(const session::PersonStanding& person) const;
+
+    const Theme& m_theme;
+    QLocale m_locale;
+    ExerciseTitles m_titles;
+    std::vector<std::string> m_exercises; ///< of the columns
+    std::vector<const session::PersonStanding*> m_people;
+};
+
+} // namespace chiron::desktop

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/sessions/people_names.h"
+
+#include "database/repositories/account_repository.h"
+
+namespace chiron::desktop {
+
+core::Result<PeopleNames> PeopleNames::read(database::Connection& connection, const database::Actor& actor) {
+    database::AccountRepository accounts(connection, actor);
+    PeopleNames names;
+    auto people = accounts.listPeople();
+    if (!people && people.error().code != core::ErrorCode::notAllowed)
+        return tl::unexpected(people.error());
+    if (!people) {
+        const auto self = accounts.person(actor.personId());
+        if (!self && self.error().code != core::ErrorCode::notAllowed)
+            return tl::unexpected(self.error());
+        people = self ? std::vector<database::Person>{*self} : std::vector<database::Person>{};
+    }
+    for (const database::Person& person : *people)
+        if (!person.displayName.empty())
+            names.m_full.emplace(person.id, person.displayName);
+    return names;
+}
+
+std::string PeopleNames::of(const database::SessionSummary& session) const {
+    const auto full = m_full.find(session.person);
+    return full == m_full.end() ? session.personName : full->second;
+}
+
+} // namespace chiron::desktop
