@@ -166,7 +166,7 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
         mark.kind = kind;
         track.marks.push_back(mark);
     }
-    scrubber->setTrack(track, "sphere_apex");
+    scrubber->setTrack(track, "sphere_apex", {});
     scrubber->setComments({25.0});
     scrubber->setPosition(14.0);
     all[QStringLiteral("scrubber")] = std::move(scrubber);
