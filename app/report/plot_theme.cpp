@@ -19,7 +19,7 @@ QFont PlotTheme::font(double pixels, bool bold) const {
 
 QString reportFontFamily() {
     const QStringList installed = QFontDatabase::families();
-    for (const char* wanted : {"Inter", "Noto Sans", "DejaVu Sans"}) {
+    for (const char* wanted : {"Noto Sans", "DejaVu Sans", "Inter"}) {
         if (installed.contains(QLatin1String(wanted)))
             return QLatin1String(wanted);
     }

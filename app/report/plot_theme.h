@@ -37,8 +37,8 @@ struct PlotTheme {
     QFont font(double pixels, bool bold = false) const;
 };
 
-/// The first installed of Inter, Noto Sans, DejaVu Sans; the application's own font where none is. GUI
-/// thread.
+/// The first installed of Noto Sans, DejaVu Sans, Inter; the application's own font where none is. Inter comes last: it draws colons,
+/// brackets and minus signs between digits by glyphs that stand for no letter, and text copied from a PDF would lack them. GUI thread.
 QString reportFontFamily();
 
 /// The light theme of printed reports, in the given locale.

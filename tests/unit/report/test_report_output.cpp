@@ -6,6 +6,8 @@
 #include "support/kept_pictures.h"
 
 #include <QFontDatabase>
+#include <QPainter>
+#include <QPdfWriter>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QtTest>
@@ -20,6 +22,7 @@ class TestReportOutput : public QObject {
 private slots:
     void initTestCase();
     void aFontPackageIsFound();
+    void copiedTextIsTheTextSeen();
     void sessionReport_data();
     void sessionReport();
     void pictures();
@@ -165,8 +168,35 @@ void TestReportOutput::initTestCase() {
 
 void TestReportOutput::aFontPackageIsFound() {
     QVERIFY(QFontDatabase::families().contains(reportFontFamily()));
-    QVERIFY2(reportFontFamily() == QLatin1String("Inter") || reportFontFamily() == QLatin1String("Noto Sans"),
-             qPrintable(reportFontFamily()));
+    QCOMPARE(reportFontFamily(), QStringLiteral("Noto Sans"));
+}
+
+void TestReportOutput::copiedTextIsTheTextSeen() {
+    const QString reader = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
+    if (reader.isEmpty())
+        QSKIP("pdftotext is not installed");
+    const QStringList seen{QStringLiteral("10:39, 0:05.0, (N), [mm], \u22123.5 \u2264 0.75, 3 \u00d7 2, 40\u201360 %, \u00b15\u00b0, \u03bcm, d\u2032"),
+                           QString::fromUtf8("Größe: Überdehnung, „Maß“, fi fl ffi"),
+                           QString::fromUtf8("Εισαγωγή στην ουρήθρα: δύναμη ΐ ϊ ί Ί")};
+    const QString file = path(QStringLiteral("copied.pdf"));
+    {
+        QPdfWriter device(file);
+        QPainter painter(&device);
+        const PlotTheme theme = lightTheme(QLocale(QLocale::English));
+        PlotTheme large = theme;
+        large.scale = device.logicalDpiX() / 96.0;
+        for (const bool bold : {false, true}) {
+            painter.setFont(large.font(14, bold));
+            for (qsizetype i = 0; i < seen.size(); ++i)
+                painter.drawText(QPointF(100, 40 * large.scale * (double(i) + 1.0 + (bold ? 4.0 : 0.0))), seen[i]);
+        }
+    }
+    QProcess process;
+    process.start(reader, {QStringLiteral("-layout"), file, QStringLiteral("-")});
+    QVERIFY(process.waitForFinished());
+    const QString copied = QString::fromUtf8(process.readAllStandardOutput()).normalized(QString::NormalizationForm_C);
+    for (const QString& line : seen)
+        QVERIFY2(copied.count(line.normalized(QString::NormalizationForm_C)) == 2, qPrintable(line + QStringLiteral(" in: ") + copied));
 }
 
 void TestReportOutput::sessionReport_data() {
