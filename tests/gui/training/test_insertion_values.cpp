@@ -113,7 +113,7 @@ namespace {
 
 /// The pose as the scene hands it on, with the lumen as far ahead as it can be seen.
 scene3d::SceneState seenFrom(const scene3d::SceneSetup& setup, const scene3d::samples::ScopePose& pose) {
-    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
+    const auto& p = setup.parameters.as<simulation::UrethraInsertionParameters>();
     scene3d::SceneState state = scene3d::samples::urethraState(setup, pose);
     const simulation::UrethraCentreline line(p.anatomy);
     const Vec3 p_A = p.pose.pointToA(state.tool[0].p_WT);
@@ -130,7 +130,7 @@ scene3d::SceneState seenFrom(const scene3d::SceneSetup& setup, const scene3d::sa
 /// only there; and the way from the mark to the ring is the turn that is left.
 void TestInsertionValues::theRingAsksForWhatIsMeasured() {
     const scene3d::SceneSetup setup = scene3d::samples::urethraSetup();
-    const auto& p = std::get<simulation::UrethraInsertionParameters>(setup.parameters);
+    const auto& p = setup.parameters.as<simulation::UrethraInsertionParameters>();
     const scene3d::UrethraDrawing drawing(p);
     const InsertionGauge gauge(p);
     constexpr double kDouble_deg = 2.5, kSingle_deg = 4.0; // what lies between may be either: the picture's scale grows towards its edge
