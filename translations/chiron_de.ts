@@ -12113,8 +12113,8 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
     <message numerus="yes">
         <source>No session in the last %n day(s)</source>
         <translation>
-            <numerusform>Keine Sitzung am letzten Tag</numerusform>
-            <numerusform>Keine Sitzung in den letzten %n Tagen</numerusform>
+            <numerusform>Seit %n Tag keine Sitzung</numerusform>
+            <numerusform>Seit %n Tagen keine Sitzung</numerusform>
         </translation>
     </message>
     <message>

@@ -12113,8 +12113,8 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
     <message numerus="yes">
         <source>No session in the last %n day(s)</source>
         <translation>
-            <numerusform>Καμία συνεδρία την τελευταία ημέρα</numerusform>
-            <numerusform>Καμία συνεδρία τις τελευταίες %n ημέρες</numerusform>
+            <numerusform>Καμία συνεδρία εδώ και %n ημέρα</numerusform>
+            <numerusform>Καμία συνεδρία εδώ και %n ημέρες</numerusform>
         </translation>
     </message>
     <message>

@@ -631,7 +631,7 @@
     <message numerus="yes">
         <source>No session in the last %n day(s)</source>
         <translation>
-            <numerusform>No session in the last day</numerusform>
+            <numerusform>No session in the last %n day</numerusform>
             <numerusform>No session in the last %n days</numerusform>
         </translation>
     </message>

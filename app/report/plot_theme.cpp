@@ -14,6 +14,8 @@ QFont PlotTheme::font(double pixels, bool bold) const {
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
     // Letters keep their true widths at any scale of the paper.
     font.setHintingPreference(QFont::PreferNoHinting);
+    if (copied) // with any space between letters Qt forms no ligatures, which would be copied as letters of their own
+        font.setLetterSpacing(QFont::AbsoluteSpacing, 1.0 / 64.0);
     return font;
 }
 
@@ -29,6 +31,7 @@ QString reportFontFamily() {
 PlotTheme lightTheme(const QLocale& locale) {
     PlotTheme theme;
     theme.family = reportFontFamily();
+    theme.copied = true;
     theme.locale = locale;
     return theme;
 }

@@ -31,6 +31,7 @@ struct PlotTheme {
     QColor seriesD{92, 104, 117};   ///< dash-dotted line: a second session beside the first
     double scale = 1.0;             ///< of fonts and of the smallest size, 1..2; 1 on paper
     QString family;                 ///< chosen by reportFontFamily()
+    bool copied = false;            ///< on paper, from which text is copied
     QLocale locale = QLocale(QLocale::English, QLocale::UnitedKingdom);
 
     /// A font of `pixels` logical pixels (1/96 inch) times the scale: sizes are in pixels so that screen, PNG and PDF agree.

@@ -81,8 +81,11 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::review] = widest({SessionWords::review(reviewed), SessionWords::review(waiting)});
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
-    for (int column = 0; column < SessionTableModel::columns; ++column)
-        table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), table.horizontalHeader()->sectionSizeHint(column)));
+    for (int column = 0; column < SessionTableModel::columns; ++column) {
+        const int arrow = theme.px(24); // any column may become the one that it is sorted by
+        const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
+        table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), head));
+    }
 }
 
 /// What a narrow window leaves out, first to last; a row's tool tip still says it.
@@ -164,23 +167,11 @@ QWidget* SessionsScreen::buildTable() {
     head->setStretchLastSection(true);
     head->setSortIndicator(SessionTableModel::number, Qt::DescendingOrder);
     setWidths(*m_table, theme, context().locale(), m_titles);
-    for (int column = 0; column < SessionTableModel::columns; ++column) {
+    for (int column = 0; column < SessionTableModel::columns; ++column)
         m_widths[static_cast<std::size_t>(column)] = m_table->columnWidth(column);
-        m_heads[static_cast<std::size_t>(column)] = head->sectionSizeHint(column);
-    }
     m_table->setSortingEnabled(true);
-    roomForArrow(SessionTableModel::number);
-    connect(head, &QHeaderView::sortIndicatorChanged, this, &SessionsScreen::roomForArrow);
     m_table->viewport()->installEventFilter(this);
     return m_table;
-}
-
-/// Only the column that the list is sorted by has an arrow beside its words.
-void SessionsScreen::roomForArrow(int column) {
-    const int words = m_heads[static_cast<std::size_t>(column)] + context().theme().px(24);
-    m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), words));
-    m_widths[static_cast<std::size_t>(column)] = std::max(m_widths[static_cast<std::size_t>(column)], words);
-    fitColumns();
 }
 
 bool SessionsScreen::eventFilter(QObject* watched, QEvent* event) {

@@ -49,7 +49,6 @@ private:
     QWidget* buildTable();
     QWidget* buildActions();
     void connectTable();
-    void roomForArrow(int column);
     void fitColumns(); ///< those that the table has room for
     void load();
     void loadRest(database::SessionId before);
@@ -74,7 +73,6 @@ private:
     SessionTableModel* m_model = nullptr;
     QTableView* m_table = nullptr;
     std::array<int, SessionTableModel::columns> m_widths{}; ///< pixels
-    std::array<int, SessionTableModel::columns> m_heads{};  ///< what the words above them take
     StatePanel* m_panel = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_open = nullptr;

@@ -128,7 +128,8 @@ QWidget* TrainingScreen::buildFoot() {
     m_keysText = kit::label(theme, keysText(), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
-    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown) {
+    constexpr double kRoomUpTo = 1.5; // at a larger scale the keys in words need the whole row, and say it, too
+    if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown && theme.scale() <= kRoomUpTo) {
         m_pointerText = kit::label(theme, {}, TextStyle::strong);
         m_pointerText->setObjectName(QStringLiteral("training.pointer"));
         row->addWidget(m_pointerText, 0, Qt::AlignTop);

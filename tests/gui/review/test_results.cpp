@@ -175,7 +175,7 @@ void TestResults::opensWhereOneIsAndStaysThere() {
     QCOMPARE(m_site->context.navigator().current().parameters.value(QStringLiteral("session")).toLongLong(), second);
     m_site->context.navigator().back();
     QTRY_VERIFY_WITH_TIMEOUT(tests::isLoaded(*m_site), kPatience_ms);
-    QVERIFY(m_site->window->screen()->title().contains(QStringLiteral("theo")));
+    QVERIFY(m_site->window->screen()->title().contains(QStringLiteral("Theo Trainee")));
     QCOMPARE(find<QTableWidget>("results.attempts")->rowCount(), 1); // theo's, and at level 2
     QCOMPARE(level(), 2);
     m_site->context.navigator().back();
