@@ -89,7 +89,8 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
 }
 
 /// What a narrow window leaves out, first to last; a row's tool tip still says it.
-constexpr std::array<int, 4> kMayGo{SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName, SessionTableModel::attempt};
+constexpr std::array<int, 5> kMayGo{SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName, SessionTableModel::attempt,
+                                    SessionTableModel::number};
 
 } // namespace
 

@@ -219,7 +219,7 @@ private slots:
             auto* table = desktop.find<QTableView>(QStringLiteral("sessions.table"));
             QTRY_COMPARE_WITH_TIMEOUT(table->horizontalScrollBar()->maximum(), 0, kPatience_ms);
             using Model = SessionTableModel;
-            for (const int column : {int(Model::person), int(Model::number), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
+            for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
                 QVERIFY(!table->isColumnHidden(column));
             QVERIFY(table->isColumnHidden(Model::length));
             desktop.window->resize(2400, 900);
