@@ -220,8 +220,8 @@
         <translation>Rückmeldung, Feedback, Notizen, Anmerkungen, Nachrichten, Antworten, Begutachtung</translation>
     </message>
     <message>
-        <source>log out, logout, log off, sign out, change user, leave</source>
-        <translation>abmelden, ausloggen, Abmeldung, Logout, Benutzer wechseln</translation>
+        <source>switch user, logout, log off, sign out, change user, leave</source>
+        <translation>Benutzer wechseln, ausloggen, Abmeldung, Logout, verlassen</translation>
     </message>
     <message>
         <source>password, profile, name, recovery code</source>
@@ -301,10 +301,6 @@
     <message>
         <source>Lock</source>
         <translation>Sperren</translation>
-    </message>
-    <message>
-        <source>Switch user</source>
-        <translation>Person wechseln</translation>
     </message>
     <message>
         <source>Close Chiron</source>

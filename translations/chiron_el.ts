@@ -220,8 +220,8 @@
         <translation>ανατροφοδότηση, σημειώσεις, παρατηρήσεις, μηνύματα, απαντήσεις, αξιολόγηση</translation>
     </message>
     <message>
-        <source>log out, logout, log off, sign out, change user, leave</source>
-        <translation>αποσύνδεση, έξοδος χρήστη, αλλαγή χρήστη</translation>
+        <source>switch user, logout, log off, sign out, change user, leave</source>
+        <translation>αλλαγή χρήστη, έξοδος χρήστη, logout</translation>
     </message>
     <message>
         <source>password, profile, name, recovery code</source>
@@ -301,10 +301,6 @@
     <message>
         <source>Lock</source>
         <translation>Κλείδωμα</translation>
-    </message>
-    <message>
-        <source>Switch user</source>
-        <translation>Αλλαγή χρήστη</translation>
     </message>
     <message>
         <source>Close Chiron</source>

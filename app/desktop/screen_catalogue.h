@@ -21,6 +21,8 @@ struct ScreenEntry {
     bool framed = true;                ///< false: the whole window (login, first start)
     Screen* (*make)(AppContext& context, const Place& place);
     bool sitting = false; ///< a session or a study's sitting is done here: nothing else may use the machine
+    const char* furtherWords = ""; ///< by which somebody may look for it, with commas between them; source text in context "CommandWords", where each
+                                   ///< language has words of its own: they need not say the same
 };
 
 /// Every screen of the program, in the order of the navigation.

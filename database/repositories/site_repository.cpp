@@ -20,6 +20,18 @@ constexpr const char* kNameKey = "site_name"; // beside the backup's plan, in th
 
 } // namespace
 
+core::Result<std::string> SiteRepository::checkedSiteName(const std::string& name) {
+    const QString trimmed = QString::fromStdString(name).trimmed();
+    if (std::any_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.category() == QChar::Other_Control; })) {
+        return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");
+    }
+    const std::string stored = trimmed.toStdString();
+    if (auto good = checkText("site name", stored, kMaximumSiteNameCharacters); !good) {
+        return tl::unexpected(good.error());
+    }
+    return stored;
+}
+
 core::Result<std::string> SiteRepository::siteName() {
     if (const auto scope = authorise(m_connection, m_actor, Action::siteName); !scope) {
         return tl::unexpected(scope.error());
@@ -35,21 +47,17 @@ core::Result<void> SiteRepository::setSiteName(const std::string& name) {
     if (const auto scope = authorise(m_connection, m_actor, Action::setSiteName); !scope) {
         return tl::unexpected(scope.error());
     }
-    const QString trimmed = QString::fromStdString(name).trimmed();
-    if (std::any_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.category() == QChar::Other_Control; })) {
-        return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");
-    }
-    const std::string stored = trimmed.toStdString();
-    if (auto good = checkText("site name", stored, kMaximumSiteNameCharacters); !good) {
-        return tl::unexpected(good.error());
+    const auto stored = checkedSiteName(name);
+    if (!stored) {
+        return tl::unexpected(stored.error());
     }
     const auto put = Query::run(m_connection,
                                 "INSERT INTO meta (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value",
-                                {std::string(kNameKey), stored});
+                                {std::string(kNameKey), *stored});
     if (!put) {
         return tl::unexpected(put.error());
     }
-    const QJsonObject detail{{"name", QString::fromStdString(stored)}};
+    const QJsonObject detail{{"name", QString::fromStdString(*stored)}};
     return appendAudit(m_connection, m_actor,
                        {"setSiteName", "meta", 0, std::nullopt, QJsonDocument(detail).toJson(QJsonDocument::Compact).toStdString()});
 }

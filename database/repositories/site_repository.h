@@ -17,10 +17,12 @@ public:
     SiteRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
 
+    /// As it would be stored: without spaces at the ends. Failure: badInput (too long, or control characters).
+    static core::Result<std::string> checkedSiteName(const std::string& name);
+
     /// Empty: it was never given one. Failure: storage.
     core::Result<std::string> siteName();
-    /// By an administrator; empty takes it away. Spaces at the ends are left out. Only in a writer's job. Failure: notAllowed, wrongUse,
-    /// badInput (too long, or control characters), storage.
+    /// By an administrator; empty takes it away. Only in a writer's job. Failure: notAllowed, wrongUse, that of checkedSiteName, storage.
     core::Result<void> setSiteName(const std::string& name);
 
 private:

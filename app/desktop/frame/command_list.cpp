@@ -75,7 +75,6 @@ std::vector<ScreenCommand> program(AppContext& context, const WindowActions& win
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "My account")), {}, [&context] { context.navigator().go(QStringLiteral("account")); }});
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Lock")), QKeySequence(Qt::CTRL | Qt::Key_L), [&context] { emit context.lockAsked(); }});
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Log out")), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L), [&context] { context.logOut(); }});
-        list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Switch user")), {}, [&context] { context.logOut(); }}); // some look for it by this name
     }
     addLook(context, list);
     list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Close Chiron")), QKeySequence(Qt::CTRL | Qt::Key_Q), window.close});

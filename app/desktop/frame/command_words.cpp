@@ -11,35 +11,16 @@ namespace chiron::desktop {
 
 namespace {
 
-struct OfScreen {
-    const char* screen;
-    const char* words;
-};
-
 struct OfCommand {
     const char* command; ///< as command_list.cpp says it
     const char* words;
 };
 
-// Each language has words of its own: they need not say the same ones.
-constexpr OfScreen kOfScreens[] = {
-    {"home", QT_TRANSLATE_NOOP("CommandWords", "start page, dashboard, begin, what next, news")},
-    {"exercises", QT_TRANSLATE_NOOP("CommandWords", "train, practise, practice, task, lesson, level, choose an exercise, curriculum")},
-    {"studies", QT_TRANSLATE_NOOP("CommandWords", "experiment, research, trial, participants, questionnaire")},
-    {"study_data", QT_TRANSLATE_NOOP("CommandWords", "analysis, statistics, export")},
-    {"sessions", QT_TRANSLATE_NOOP("CommandWords", "recordings, attempts, history, list, playback, debrief")},
-    {"progress", QT_TRANSLATE_NOOP("CommandWords", "group, class, course, cohort, overview, results, trainees, students, learners, passed, due, who has trained")},
-    {"people", QT_TRANSLATE_NOOP("CommandWords", "users, accounts, group, class, roster, trainees, students, names, passwords, roles, add a user")},
-    {"storage", QT_TRANSLATE_NOOP("CommandWords", "backup, back up, copy, restore, disk, space, database, verify, save")},
-    {"station", QT_TRANSLATE_NOOP("CommandWords", "device, haptic, hardware, calibration, check, timing, computer, test")},
-    {"results", QT_TRANSLATE_NOOP("CommandWords", "progress, scores, marks, grades, curve, history, overview, review, export my data")},
-    {"settings", QT_TRANSLATE_NOOP("CommandWords", "options, preferences, language, theme, dark mode, text size, sound, volume")},
-};
-
+// As ScreenEntry::furtherWords, of commands that open no screen of the navigation.
 constexpr OfCommand kOfCommands[] = {
     {QT_TRANSLATE_NOOP("Commands", "Sessions to review"), QT_TRANSLATE_NOOP("CommandWords", "assess, feedback, look at, mark, grade, inbox, to do")},
     {QT_TRANSLATE_NOOP("Commands", "Comments"), QT_TRANSLATE_NOOP("CommandWords", "feedback, notes, remarks, messages, answers, replies, review")},
-    {QT_TRANSLATE_NOOP("Commands", "Switch user"), QT_TRANSLATE_NOOP("CommandWords", "log out, logout, log off, sign out, change user, leave")},
+    {QT_TRANSLATE_NOOP("Commands", "Log out"), QT_TRANSLATE_NOOP("CommandWords", "switch user, logout, log off, sign out, change user, leave")},
     {QT_TRANSLATE_NOOP("Commands", "My account"), QT_TRANSLATE_NOOP("CommandWords", "password, profile, name, recovery code")},
     {QT_TRANSLATE_NOOP("Commands", "Close Chiron"), QT_TRANSLATE_NOOP("CommandWords", "quit, exit, end the program, shut down")},
     {QT_TRANSLATE_NOOP("Commands", "Help for this screen"), QT_TRANSLATE_NOOP("CommandWords", "manual, guide, how do I, what is this")},
@@ -55,9 +36,9 @@ QString furtherWordsOf(const QString& command) {
     for (const OfCommand& each : kOfCommands)
         if (command == words("Commands", each.command))
             return words("CommandWords", each.words);
-    for (const OfScreen& each : kOfScreens)
-        if (const ScreenEntry* entry = findScreen(QLatin1String(each.screen)); entry && command == words("Commands", "Go to: %1").arg(titleOf(*entry)))
-            return words("CommandWords", each.words);
+    for (const ScreenEntry& entry : screenCatalogue())
+        if (*entry.furtherWords && command == words("Commands", "Go to: %1").arg(titleOf(entry)))
+            return words("CommandWords", entry.furtherWords);
     return {};
 }
 

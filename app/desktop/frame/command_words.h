@@ -5,7 +5,7 @@
 
 namespace chiron::desktop {
 
-/// Further words by which somebody may look for a command ("log out" for "Switch user"), in the language of the program, with commas between
+/// Further words by which somebody may look for a command ("sign out" for "Log out"), in the language of the program, with commas between
 /// them; empty where there are none. `command`: its translated text, which is what the palette knows a command by.
 QString furtherWordsOf(const QString& command);
 

@@ -137,7 +137,7 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
         return {};
     switch (section) {
     case number:
-        return tr("No."); // short: it is always there
+        return tr("No."); // short, so that there is room for it
     case started:
         return tr("Started");
     case person:

@@ -16,7 +16,7 @@ namespace chiron::desktop {
 class SessionTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// The person first, and the number that messages call the session by; what a narrow window leaves out comes last.
+    /// The person first, then the number by which messages call the session. What a narrow window leaves out: sessions_screen.cpp.
     enum Column { person, number, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, columns };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/repositories/session_repository.h"
-
-#include "desktop/frame/file_folder.h"
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/file_folder.h"
 #include "desktop/results/results_place.h"
 #include "desktop/sessions/session_filter_bar.h"
 #include "desktop/sessions/session_table_model.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/answer_note.h"
 
-#include "desktop/exercise_face.h"
 #include "core/laparoscopy_cues.h"
+#include "desktop/exercise_face.h"
 
 namespace chiron::desktop {
 

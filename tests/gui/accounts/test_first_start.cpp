@@ -3,6 +3,7 @@
 
 #include "database/accounts/account_service.h"
 #include "desktop/first_start/first_start_screen.h"
+#include "desktop/first_start/site_maker.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/main_window.h"
 #include "desktop/frame/program.h"
@@ -10,6 +11,7 @@
 #include "support/patience.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QLabel>
 #include <QListWidget>
 #include <QTemporaryDir>
@@ -65,6 +67,7 @@ private slots:
     void initTestCase() { qputenv("CHIRON_CONTENT", CHIRON_SOURCE_DIR "/curriculum/content"); }
     void setUpByKeyboardThenRecover();
     void formSaysWhatIsMissing();
+    void aNameThatCannotBeStoredMakesNoSite();
     void siteWithoutPeopleAsksForItsAdministrator();
     void codeSurvivesAnotherLanguage();
     void demonstrationIsStoppedWithoutATrace();
@@ -161,6 +164,19 @@ void TestFirstStart::formSaysWhatIsMissing() {
     QCOMPARE(missing(), 0);
     QVERIFY(create->isEnabled());
     QVERIFY(!station.site.exists()); // nothing is made before it is sent
+}
+
+/// Refused before anything is made, so that the next try begins anew.
+void TestFirstStart::aNameThatCannotBeStoredMakesNoSite() {
+    QTemporaryDir folder;
+    const std::string file = folder.filePath(QStringLiteral("site.db")).toStdString();
+    for (const std::string& name : {std::string("North\nSouth"), std::string(81, 'n')}) {
+        const auto made = desktop::makeSite(file, cheap(), nullptr, {"ada", "", kPassword, name});
+        QVERIFY(!made && made.error().code == core::ErrorCode::badInput);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+    const auto made = desktop::makeSite(file, cheap(), nullptr, {"ada", "", kPassword, std::string(80, 'n')});
+    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
 }
 
 void TestFirstStart::siteWithoutPeopleAsksForItsAdministrator() {

@@ -222,6 +222,8 @@ private slots:
             for (const int column : {int(Model::person), int(Model::exercise), int(Model::started), int(Model::result), int(Model::score), int(Model::comments), int(Model::review)})
                 QVERIFY(!table->isColumnHidden(column));
             QVERIFY(table->isColumnHidden(Model::length));
+            const int inOrder[]{Model::length, Model::device, Model::operatorName, Model::attempt, Model::number}; // none goes before those left of it
+            QVERIFY(std::is_sorted(std::begin(inOrder), std::end(inOrder), [&](int before, int after) { return table->isColumnHidden(before) && !table->isColumnHidden(after); }));
             desktop.window->resize(2400, 900);
             QTRY_VERIFY_WITH_TIMEOUT(!table->isColumnHidden(Model::number) && !table->isColumnHidden(Model::length) && !table->isColumnHidden(Model::operatorName), kPatience_ms);
         }

@@ -2,20 +2,23 @@
 #include "core/base_mounting.h"
 #include "core/clock.h"
 #include "core/contact_bits.h"
-#include "modules/exercises/palpation/cues/findings_book.h"
+#include "core/exercise_cues.h"
+#include "core/exercise_parameters.h"
 #include "core/fp_environment.h"
 #include "core/haptic_frame.h"
+#include "core/laparoscopy_cues.h"
 #include "core/least_squares.h"
 #include "core/normal_distribution.h"
 #include "core/presentation_word.h"
+#include "core/procedure_stage.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "core/visible_cues.h"
+#include "modules/exercises/palpation/cues/findings_book.h"
 #include "support/cue_numbers.h"
-#include "core/procedure_stage.h"
-#include "core/laparoscopy_cues.h"
 
 #include <QtTest>
+#include <any>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -42,6 +45,8 @@ private slots:
     void nothingIsShownUnlessSaid();
     void unitsAreThoseOfSi();
     void namesOfABuild();
+    void parametersAreReadByWhoKnowsThem();
+    void cuesAreOneTypeAtATime();
     void whatSaysNothingTakesTheUsual();
     void findingsAreBooked();
     void leastSquaresFindTheSlopes();
@@ -242,6 +247,46 @@ void TestCore::unitsAreThoseOfSi() {
     QCOMPARE(std::sin(kPi / 2.0), 1.0);
     QCOMPARE(kStandardGravity, 9.80665);
     QCOMPARE(kTickSeconds, 0.001);
+}
+
+namespace {
+struct OwnParameters {
+    int trials = 3;
+};
+struct OtherParameters {};
+struct OwnCues {
+    double depth_m = -1.0;
+    int layer = 7;
+};
+struct OtherCues {
+    int step = 2;
+};
+} // namespace
+
+void TestCore::parametersAreReadByWhoKnowsThem() {
+    QVERIFY(!ExerciseParameters().find<OwnParameters>());
+    ExerciseParameters held(OwnParameters{5});
+    QCOMPARE(held.as<OwnParameters>().trials, 5);
+    QVERIFY(held.find<OwnParameters>() && !held.find<OtherParameters>());
+    QVERIFY_EXCEPTION_THROWN((void)held.as<OtherParameters>(), std::bad_any_cast);
+    ExerciseParameters copy = held; // a value: what is changed in one stays in it
+    copy.as<OwnParameters>().trials = 9;
+    QVERIFY(held.as<OwnParameters>().trials == 5 && copy.as<OwnParameters>().trials == 9);
+    held = OtherParameters{};
+    QVERIFY(held.find<OtherParameters>() && !held.find<OwnParameters>());
+}
+
+void TestCore::cuesAreOneTypeAtATime() {
+    ExerciseCues cues;
+    QVERIFY(!cues.holds<OwnCues>() && cues.of<OwnCues>().depth_m == -1.0 && cues.of<OwnCues>().layer == 7);
+    cues.own<OwnCues>().depth_m = 0.02;
+    QVERIFY(cues.holds<OwnCues>() && cues.of<OwnCues>().depth_m == 0.02 && cues.own<OwnCues>().layer == 7);
+    const ExerciseCues copy = cues;
+    cues.own<OtherCues>().step = 4; // begins with that type's own values
+    QVERIFY(!cues.holds<OwnCues>() && cues.of<OtherCues>().step == 4 && cues.of<OwnCues>().depth_m == -1.0);
+    cues.own<OwnCues>();
+    QCOMPARE(cues.of<OwnCues>().depth_m, -1.0);
+    QCOMPARE(copy.of<OwnCues>().depth_m, 0.02);
 }
 
 void TestCore::namesOfABuild() {

@@ -109,4 +109,9 @@ std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::Sessio
     return std::make_shared<report::TubeSection>(tubeReportOf(trace, level));
 }
 
+EndWords tubeEnds() {
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("The tube was held as asked"), MarkTexts::tr("Time was up before the tube was held as asked"),
+            MarkTexts::tr("The tube tore: the trial could no longer be completed"), MarkTexts::tr("The tube was stretched too far")};
+}
+
 } // namespace chiron::session_report

@@ -5,6 +5,7 @@
 #include "catalogue/exercise.h"
 #include "report/report_section.h"
 #include "scoring/trace.h"
+#include "session_report/exercise_words.h"
 
 #include <memory>
 
@@ -16,5 +17,8 @@ report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalo
 
 /// The section of a report. Pure.
 std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+
+/// What the end of a trial, and damage, are called.
+EndWords tubeEnds();
 
 } // namespace chiron::session_report

@@ -63,4 +63,9 @@ std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::Se
     return std::make_shared<report::HandlingSection>(handlingReportOf(trace, level));
 }
 
+EndWords handlingEnds() {
+    return {MarkTexts::tr("Ended"), MarkTexts::tr("An object was set down in the target"), MarkTexts::tr("Time was up before an object was set down in the target"),
+            MarkTexts::tr("The trial could no longer be completed"), MarkTexts::tr("The object was squeezed too hard")};
+}
+
 } // namespace chiron::session_report

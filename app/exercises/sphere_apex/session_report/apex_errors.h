@@ -5,6 +5,7 @@
 #include "report/report_section.h"
 #include "catalogue/exercise.h"
 #include "scoring/trace.h"
+#include "session_report/exercise_words.h"
 
 #include <memory>
 #include <vector>
@@ -16,5 +17,8 @@ std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace);
 
 /// The section of a report. Pure.
 std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+
+/// What the end of a trial, and damage, are called.
+EndWords apexEnds();
 
 } // namespace chiron::session_report

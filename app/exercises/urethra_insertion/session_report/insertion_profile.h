@@ -6,6 +6,7 @@
 #include "catalogue/exercise.h"
 #include "scoring/trace.h"
 #include "session/playback_track.h"
+#include "session_report/exercise_words.h"
 
 #include <memory>
 #include <optional>
@@ -19,5 +20,8 @@ std::optional<report::InsertionProfile> insertionProfileOf(const session::Playba
 
 /// The section of a report; null without a canal. Pure.
 std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
+
+/// What the end of a trial, and damage, are called.
+EndWords insertionEnds();
 
 } // namespace chiron::session_report
