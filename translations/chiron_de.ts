@@ -12071,22 +12071,6 @@ Wählen Sie eine zweite Sitzung, um sie neben dieser zu sehen: Jeder ihrer Durch
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>How far each person of the group is.
-
-A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;. &quot;Last session&quot; says when they trained last, &quot;Next step&quot; what the program offers them next, and &quot;To review&quot; how many of their sessions await your review. Trainees whose accounts are disabled are left out.
-
-The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it leaves those who have not trained for some time, or who have not passed everything.
-
-Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
-        <translation>Wie weit jede Person der Gruppe ist.
-
-Eine Zeile ist eine Person. Unter jeder Übung steht die niedrigste Stufe, die die Person nicht bestanden hat, oder „Alle bestanden“. „Letzte Sitzung“ sagt, wann zuletzt trainiert wurde, „Nächster Schritt“, was das Programm als Nächstes anbietet, und „Zu begutachten“, wie viele Sitzungen der Person auf Ihre Begutachtung warten. Lernende, deren Konto gesperrt ist, stehen nicht in der Liste.
-
-Das Programm führt keine Gruppenlisten: Geben Sie mehrere Namen mit Kommas dazwischen ein, um nur diese Personen zu sehen. Mit der Auswahl daneben bleiben nur die Personen stehen, die länger nicht trainiert oder noch nicht alles bestanden haben.
-
-Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um die Sitzungen dieser Person in dieser Übung zu sehen.</translation>
-    </message>
-    <message>
         <source>Names, with commas between them</source>
         <translation>Namen, mit Kommas dazwischen</translation>
     </message>
@@ -12175,6 +12159,22 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
         <source>%1 has no sessions yet.</source>
         <translation>%1 hat noch keine Sitzungen.</translation>
     </message>
+    <message>
+        <source>How far each person of the group is.
+
+A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
+
+The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
+
+Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+        <translation>Wie weit jede Person der Gruppe ist.
+
+Eine Zeile ist eine Person. Unter jeder Übung steht die niedrigste Stufe, die die Person nicht bestanden hat, oder „Alle bestanden“; ein Kreuz kennzeichnet eine Stufe, die sie schon versucht hat. „Letzte Sitzung“ sagt, wann zuletzt trainiert wurde, und „Zu begutachten“, wie viele Sitzungen der Person auf Ihre Begutachtung warten. Die Zeile unter der Tabelle sagt mehr zur gewählten Zelle: den Stand auf jeder Stufe einer Übung oder, beim Namen, was das Programm als Nächstes anbietet. Lernende, deren Konto gesperrt ist, stehen nicht in der Liste.
+
+Das Programm führt keine Gruppenlisten: Geben Sie mehrere Namen mit Kommas dazwischen ein, um nur diese Personen zu sehen. Mit der Auswahl daneben bleiben nur die Personen stehen, die länger nicht trainiert oder noch nicht alles bestanden haben.
+
+Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um die Sitzungen dieser Person in dieser Übung zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProgressTable</name>
@@ -12189,10 +12189,6 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
     <message>
         <source>Last session</source>
         <translation>Letzte Sitzung</translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation>Nächster Schritt</translation>
     </message>
     <message>
         <source>To review</source>
@@ -12222,20 +12218,8 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
         <translation>Stufe %1, nicht versucht</translation>
     </message>
     <message>
-        <source>Every level is passed</source>
-        <translation>Alle Stufen bestanden</translation>
-    </message>
-    <message>
         <source>%1, level %2</source>
         <translation>%1, Stufe %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>all exercises</source>
-        <translation>alle Übungen</translation>
     </message>
     <message>
         <source>level %1: %2</source>
@@ -12244,6 +12228,22 @@ Wählen Sie mit den Pfeiltasten eine Zelle und drücken Sie die Eingabetaste, um
     <message>
         <source>%1, %2 – %3</source>
         <translation>%1, %2 – %3</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Stufe %1</translation>
+    </message>
+    <message>
+        <source>every level is passed</source>
+        <translation>alle Stufen sind bestanden</translation>
+    </message>
+    <message>
+        <source>%1 – next step: %2</source>
+        <translation>%1 – nächster Schritt: %2</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

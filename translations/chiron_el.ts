@@ -12071,22 +12071,6 @@ Choose a second session to see it beside this one: each of its trials starts tog
         <translation>Πρόοδος</translation>
     </message>
     <message>
-        <source>How far each person of the group is.
-
-A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;. &quot;Last session&quot; says when they trained last, &quot;Next step&quot; what the program offers them next, and &quot;To review&quot; how many of their sessions await your review. Trainees whose accounts are disabled are left out.
-
-The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it leaves those who have not trained for some time, or who have not passed everything.
-
-Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
-        <translation>Πόσο έχει προχωρήσει κάθε άτομο της ομάδας.
-
-Κάθε γραμμή είναι ένα άτομο. Κάτω από κάθε άσκηση βρίσκεται το χαμηλότερο επίπεδο που το άτομο δεν έχει περάσει ή «Όλα επιτυχή». Η «Τελευταία συνεδρία» λέει πότε εκπαιδεύτηκε τελευταία φορά, το «Επόμενο βήμα» τι του προτείνει στη συνέχεια το πρόγραμμα και το «Προς αξιολόγηση» πόσες συνεδρίες του περιμένουν τη δική σας αξιολόγηση. Οι εκπαιδευόμενοι με απενεργοποιημένο λογαριασμό δεν εμφανίζονται.
-
-Το πρόγραμμα δεν τηρεί λίστες ομάδων: γράψτε περισσότερα ονόματα με κόμμα ανάμεσά τους για να δείτε μόνο αυτά τα άτομα. Η διπλανή λίστα αφήνει όσους δεν έχουν εκπαιδευτεί για κάποιο διάστημα ή δεν τα έχουν περάσει όλα.
-
-Επιλέξτε ένα κελί με τα βέλη και πατήστε Enter για να δείτε τις συνεδρίες αυτού του ατόμου σε αυτή την άσκηση.</translation>
-    </message>
-    <message>
         <source>Names, with commas between them</source>
         <translation>Ονόματα, με κόμμα ανάμεσά τους</translation>
     </message>
@@ -12175,6 +12159,22 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
         <source>%1 has no sessions yet.</source>
         <translation>Για το άτομο %1 δεν υπάρχουν ακόμη συνεδρίες.</translation>
     </message>
+    <message>
+        <source>How far each person of the group is.
+
+A row is a person. Under each exercise stands the lowest level that the person has not passed, or &quot;All passed&quot;; a cross marks a level that they have tried. &quot;Last session&quot; says when they trained last, and &quot;To review&quot; how many of their sessions await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that the program offers next. Trainees whose accounts are disabled are left out.
+
+The program keeps no lists of groups: type several names with commas between them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.
+
+Choose a cell with the arrow keys and press Return to see the sessions of that person at that exercise.</source>
+        <translation>Πόσο έχει προχωρήσει κάθε άτομο της ομάδας.
+
+Κάθε γραμμή είναι ένα άτομο. Κάτω από κάθε άσκηση βρίσκεται το χαμηλότερο επίπεδο που το άτομο δεν έχει περάσει ή «Όλα επιτυχή»· ένας σταυρός δείχνει επίπεδο που έχει ήδη δοκιμάσει. Η «Τελευταία συνεδρία» λέει πότε εκπαιδεύτηκε τελευταία φορά και το «Προς αξιολόγηση» πόσες συνεδρίες του περιμένουν τη δική σας αξιολόγηση. Η γραμμή κάτω από τον πίνακα λέει περισσότερα για το επιλεγμένο κελί: πού βρίσκεται το άτομο σε κάθε επίπεδο μιας άσκησης ή, στο όνομα, τι του προτείνει στη συνέχεια το πρόγραμμα. Οι εκπαιδευόμενοι με απενεργοποιημένο λογαριασμό δεν εμφανίζονται.
+
+Το πρόγραμμα δεν τηρεί λίστες ομάδων: γράψτε περισσότερα ονόματα με κόμμα ανάμεσά τους για να δείτε μόνο αυτά τα άτομα. Η διπλανή λίστα αφήνει μόνο όσους δεν έχουν εκπαιδευτεί για κάποιο διάστημα ή δεν τα έχουν περάσει όλα.
+
+Επιλέξτε ένα κελί με τα βέλη και πατήστε Enter για να δείτε τις συνεδρίες αυτού του ατόμου σε αυτή την άσκηση.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ProgressTable</name>
@@ -12189,10 +12189,6 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
     <message>
         <source>Last session</source>
         <translation>Τελευταία συνεδρία</translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation>Επόμενο βήμα</translation>
     </message>
     <message>
         <source>To review</source>
@@ -12222,20 +12218,8 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
         <translation>Επίπεδο %1, χωρίς προσπάθεια</translation>
     </message>
     <message>
-        <source>Every level is passed</source>
-        <translation>Επιτυχία σε όλα τα επίπεδα</translation>
-    </message>
-    <message>
         <source>%1, level %2</source>
         <translation>%1, επίπεδο %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>all exercises</source>
-        <translation>όλες οι ασκήσεις</translation>
     </message>
     <message>
         <source>level %1: %2</source>
@@ -12244,6 +12228,22 @@ Choose a cell with the arrow keys and press Return to see the sessions of that p
     <message>
         <source>%1, %2 – %3</source>
         <translation>%1, %2 – %3</translation>
+    </message>
+    <message>
+        <source>Level %1</source>
+        <translation>Επίπεδο %1</translation>
+    </message>
+    <message>
+        <source>every level is passed</source>
+        <translation>έχουν περαστεί όλα τα επίπεδα</translation>
+    </message>
+    <message>
+        <source>%1 – next step: %2</source>
+        <translation>%1 – επόμενο βήμα: %2</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@ constexpr const char* kNameKey = "site_name"; // beside the backup's plan, in th
 
 } // namespace
 
-core::Result<std::string> SiteRepository::checkedSiteName(const std::string& name) {
+core::Result<std::string> checkedSiteName(const std::string& name) {
     const QString trimmed = QString::fromStdString(name).trimmed();
     if (std::any_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.category() == QChar::Other_Control; })) {
         return core::fail(core::ErrorCode::badInput, "site name: expected one line without control characters");

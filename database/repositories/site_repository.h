@@ -11,14 +11,14 @@ namespace chiron::database {
 
 inline constexpr int kMaximumSiteNameCharacters = 80;
 
+/// A name as it would be stored: without spaces at the ends. Failure: badInput (too long, or control characters).
+core::Result<std::string> checkedSiteName(const std::string& name);
+
 /// What the site is called, as people know it: a hospital, a department, a course. Shown before anybody is logged in.
 class SiteRepository {
 public:
     SiteRepository(Connection& connection, Actor actor)
         : m_connection(connection), m_actor(std::move(actor)) {}
-
-    /// As it would be stored: without spaces at the ends. Failure: badInput (too long, or control characters).
-    static core::Result<std::string> checkedSiteName(const std::string& name);
 
     /// Empty: it was never given one. Failure: storage.
     core::Result<std::string> siteName();

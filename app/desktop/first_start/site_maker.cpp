@@ -42,7 +42,7 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
     auto content = loadContent();
     if (!content)
         return tl::unexpected(content.error());
-    if (const auto name = database::SiteRepository::checkedSiteName(request.siteName); !name)
+    if (const auto name = database::checkedSiteName(request.siteName); !name)
         return tl::unexpected(name.error()); // before anything is made
     MadeSite made;
     made.catalogue = std::move(*content);

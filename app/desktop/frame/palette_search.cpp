@@ -78,7 +78,7 @@ void addSessions(SearchIndex& index, database::Connection& connection, const Sea
         if (!opens && !hasList)
             continue;
         const QString id = QString::fromStdString(session.exercise);
-        const QString when = question.locale.toString(SessionWords::timeOf(session.startedUtc).toLocalTime(), QLocale::ShortFormat);
+        const QString when = SessionWords::started(session, question.locale);
         const qlonglong number = session.id;
         add(index, ThingKind::session,
             PaletteSearch::tr("Session %1: %2, level %3, %4, %5")

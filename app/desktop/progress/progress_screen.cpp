@@ -68,9 +68,10 @@ QString ProgressScreen::title() const { return tr("Progress"); }
 
 QString ProgressScreen::help() const {
     return tr("How far each person of the group is.\n\nA row is a person. Under each exercise stands the lowest level that the person has not passed, or \"All "
-              "passed\". \"Last session\" says when they trained last, \"Next step\" what the program offers them next, and \"To review\" how many of their sessions "
-              "await your review. Trainees whose accounts are disabled are left out.\n\nThe program keeps no lists of groups: type several names with commas between "
-              "them to see only these people. The list beside it leaves those who have not trained for some time, or who have not passed everything.\n\nChoose "
+              "passed\"; a cross marks a level that they have tried. \"Last session\" says when they trained last, and \"To review\" how many of their sessions "
+              "await your review. The line below the table says more about the chosen cell: the standing at every level of an exercise, or, at the name, the step that "
+              "the program offers next. Trainees whose accounts are disabled are left out.\n\nThe program keeps no lists of groups: type several names with commas between "
+              "them to see only these people. The list beside it shows only those who have not trained for some time, or who have not passed everything.\n\nChoose "
               "a cell with the arrow keys and press Return to see the sessions of that person at that exercise.");
 }
 

@@ -19,7 +19,7 @@ ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     setMinimumHeight(theme.px(190));
     horizontalHeader()->setHighlightSections(false);
-    QStringList heads{tr("Person"), tr("Last session"), tr("Next step"), tr("To review")};
+    QStringList heads{tr("Person"), tr("Last session"), tr("To review")};
     for (const catalogue::Exercise& exercise : catalogue.exercises()) {
         m_exercises.push_back(exercise.id);
         const QString id = QString::fromStdString(exercise.id);
@@ -42,29 +42,35 @@ void ProgressTable::show(std::vector<const session::PersonStanding*> people) {
     choose(person, exercise);
 }
 
-void ProgressTable::put(int row, int column, const QString& text, const char* icon, Colour ink) {
+QTableWidgetItem& ProgressTable::put(int row, int column, const QString& text) {
     auto* item = new QTableWidgetItem(text);
-    if (*icon)
-        item->setIcon(m_theme.icon(QLatin1String(icon), ink));
     item->setToolTip(text);
     setItem(row, column, item);
+    return *item;
 }
 
 void ProgressTable::fillRow(int row, const session::PersonStanding& person) {
     put(row, name, QString::fromStdString(person.name));
-    put(row, latest, person.latest ? SessionWords::started(*person.latest, m_locale) : tr("None yet"));
-    put(row, next, nextWords(person));
+    if (person.latest)
+        put(row, latest, SessionWords::startedOn(*person.latest, m_locale)).setToolTip(SessionWords::started(*person.latest, m_locale));
+    else
+        put(row, latest, tr("None yet"));
     put(row, toReview, person.toReview > 0 ? m_locale.toString(person.toReview) : QStringLiteral("–"));
-    for (std::size_t i = 0; i < person.exercises.size(); ++i) {
-        const session::ExerciseStanding& standing = person.exercises[i];
-        const int column = firstExercise + static_cast<int>(i);
-        if (!standing.open)
-            put(row, column, openWords(standing), "dialog-ok-apply", Colour::good);
-        else if (standing.open->attempts > 0)
-            put(row, column, openWords(standing), "window-close", Colour::bad);
-        else
-            put(row, column, openWords(standing), "list-remove", Colour::muted);
-    }
+    for (std::size_t i = 0; i < person.exercises.size(); ++i)
+        putStanding(row, firstExercise + static_cast<int>(i), person.exercises[i]);
+}
+
+/// The cell is short, so that every exercise is seen in the smallest window; how often the level was tried stands in its tool tip.
+void ProgressTable::putStanding(int row, int column, const session::ExerciseStanding& standing) {
+    const QString whole = openWords(standing);
+    const bool begun = standing.open && standing.attempts > 0;
+    QTableWidgetItem& cell = put(row, column, begun ? tr("Level %1").arg(m_locale.toString(standing.open->level)) : whole);
+    cell.setToolTip(whole);
+    cell.setData(Qt::AccessibleTextRole, whole);
+    if (!standing.open)
+        cell.setIcon(m_theme.icon(QStringLiteral("dialog-ok-apply"), Colour::good));
+    else if (standing.open->attempts > 0)
+        cell.setIcon(m_theme.icon(QStringLiteral("window-close"), Colour::bad));
 }
 
 QString ProgressTable::openWords(const session::ExerciseStanding& standing) const {
@@ -78,7 +84,7 @@ QString ProgressTable::openWords(const session::ExerciseStanding& standing) cons
 
 QString ProgressTable::nextWords(const session::PersonStanding& person) const {
     if (!person.next)
-        return tr("Every level is passed");
+        return tr("every level is passed");
     const QString id = QString::fromStdString(person.next->exercise);
     return tr("%1, level %2").arg(m_titles.value(id, id), m_locale.toString(person.next->level));
 }
@@ -109,7 +115,7 @@ QString ProgressTable::chosenInWords() const {
     const QString who = QString::fromStdString(person->name);
     const std::string exercise = chosenExercise();
     if (exercise.empty())
-        return tr("%1: %2").arg(who, tr("all exercises"));
+        return person->next ? tr("%1 – next step: %2").arg(who, nextWords(*person)) : tr("%1 – %2").arg(who, nextWords(*person));
     QStringList levels;
     for (const session::ExerciseStanding& standing : person->exercises)
         if (standing.exercise == exercise)

@@ -15,7 +15,7 @@ namespace chiron::desktop {
 class ProgressTable final : public FittedTable {
     Q_OBJECT
 public:
-    enum Column { name, latest, next, toReview, firstExercise };
+    enum Column { name, latest, toReview, firstExercise };
 
     ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent = nullptr);
 
@@ -30,7 +30,8 @@ signals:
 
 private:
     void fillRow(int row, const session::PersonStanding& person);
-    void put(int row, int column, const QString& text, const char* icon = "", Colour ink = Colour::muted);
+    QTableWidgetItem& put(int row, int column, const QString& text);
+    void putStanding(int row, int column, const session::ExerciseStanding& standing);
     QString openWords(const session::ExerciseStanding& standing) const;
     QString nextWords(const session::PersonStanding& person) const;
 

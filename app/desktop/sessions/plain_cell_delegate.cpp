@@ -19,7 +19,9 @@ void PlainCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
     const QVariant ink = index.data(Qt::ForegroundRole);
     painter->setPen(ink.isValid() ? ink.value<QColor>() : m_theme.color(Colour::text));
     painter->setFont(option.font);
-    const auto alignment = index.data(Qt::TextAlignmentRole).value<Qt::Alignment>();
+    auto alignment = index.data(Qt::TextAlignmentRole).value<Qt::Alignment>();
+    if (!(alignment & Qt::AlignVertical_Mask))
+        alignment |= Qt::AlignVCenter;
     const QString text = index.data().toString();
     const bool fits = option.fontMetrics.horizontalAdvance(text) <= room.width();
     painter->drawText(room, static_cast<int>(alignment) | Qt::TextSingleLine,

@@ -14,6 +14,12 @@ bool saysOutcome(const database::SessionSummary& session) {
     return session.state == SessionState::completed || (session.familiarisation && session.state == SessionState::stopped);
 }
 
+/// Where it was recorded; invalid where the label cannot be read.
+QDateTime localStart(const database::SessionSummary& session) {
+    const QDateTime time = SessionWords::timeOf(session.startedUtc);
+    return time.isValid() ? time.toOffsetFromUtc(session.utcOffset_min * 60) : time;
+}
+
 } // namespace
 
 QString SessionWords::state(SessionState state) {
@@ -124,7 +130,7 @@ QString SessionWords::what(const database::SessionSummary& session, const QStrin
 }
 
 QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
-    const QDateTime begun = timeOf(session.startedUtc).toOffsetFromUtc(session.utcOffset_min * 60);
+    const QDateTime begun = localStart(session);
     // With seconds: several attempts may have begun in one minute.
     const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) + begun.time().toString(QStringLiteral(" HH:mm:ss")) : QString();
     return QStringList{what(session, exercise, locale), when, cameTo(session)}.join(QStringLiteral(" · "));
@@ -139,8 +145,11 @@ QDateTime SessionWords::timeOf(const std::string& utc) {
 }
 
 QString SessionWords::started(const database::SessionSummary& session, const QLocale& locale) {
-    const QDateTime time = timeOf(session.startedUtc);
-    return time.isValid() ? locale.toString(time.toOffsetFromUtc(session.utcOffset_min * 60), QLocale::ShortFormat) : QString();
+    return locale.toString(localStart(session), QLocale::ShortFormat);
+}
+
+QString SessionWords::startedOn(const database::SessionSummary& session, const QLocale& locale) {
+    return locale.toString(localStart(session).date(), QLocale::ShortFormat);
 }
 
 QString SessionWords::length(std::uint64_t ticks, const QLocale& locale) {

@@ -44,6 +44,7 @@ public:
     static QString review(const database::SessionSummary& session);
     /// Date and time where it was recorded; empty where the label cannot be read.
     static QString started(const database::SessionSummary& session, const QLocale& locale);
+    static QString startedOn(const database::SessionSummary& session, const QLocale& locale); ///< the date alone
     static QString length(std::uint64_t ticks, const QLocale& locale); ///< a tick is a millisecond
     /// "5 minutes ago"; the date from a month on.
     static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);

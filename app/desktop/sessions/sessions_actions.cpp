@@ -88,6 +88,7 @@ void SessionsScreen::showActions() {
     m_reinstate->setVisible(changes && voided);
     m_archive->setVisible(changes);
     m_archive->setEnabled(ended);
+    m_save->setEnabled(m_model->rowCount() > 0);
     m_archive->setText(row && row->summary.archived ? tr("Bring back from the archive") : tr("Archive"));
 }
 

@@ -211,7 +211,7 @@ QWidget* SessionsScreen::buildActions() {
     m_void = add(QStringLiteral("void"), tr("Void …"), "", QStringLiteral("dialog-cancel"));
     m_reinstate = add(QStringLiteral("reinstate"), tr("Count it again …"), "", QStringLiteral("edit-undo"));
     m_archive = add(QStringLiteral("archive"), tr("Archive"), "", QStringLiteral("archive-insert"));
-    auto* save = add(QStringLiteral("export"), tr("Save the list …"), "quiet", QStringLiteral("document-save"));
+    m_save = add(QStringLiteral("export"), tr("Save the list …"), "quiet", QStringLiteral("document-save"));
     connect(m_open, &QPushButton::clicked, this, [this] { open(QStringLiteral("debrief")); });
     connect(m_play, &QPushButton::clicked, this, [this] { open(QStringLiteral("playback")); });
     connect(m_results, &QPushButton::clicked, this, &SessionsScreen::openResults);
@@ -221,7 +221,7 @@ QWidget* SessionsScreen::buildActions() {
         if (const SessionRow* row_ = selected())
             archive(row_->summary.id, !row_->summary.archived);
     });
-    connect(save, &QPushButton::clicked, this, &SessionsScreen::exportList);
+    connect(m_save, &QPushButton::clicked, this, &SessionsScreen::exportList);
     return bar;
 }
 

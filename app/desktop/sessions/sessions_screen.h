@@ -81,6 +81,7 @@ private:
     QPushButton* m_void = nullptr;
     QPushButton* m_reinstate = nullptr;
     QPushButton* m_archive = nullptr;
+    QPushButton* m_save = nullptr;
     database::SessionId m_wanted = 0; ///< to be selected once it is there
     bool m_complete = false;
     ExerciseTitles m_titles;
