@@ -82,6 +82,8 @@ core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, cons
     QJsonObject head{{"TaskName", recording.task}, {"TaskDescription", recording.taskDescription}, {"ProtocolSHA256", data.sha256()},
                      {"Participant", QString::fromStdString(participant.participant.code)}, {"Condition", run.label}, {"Instructions", english(data.design->instructions)}, {"Estimate", estimate}};
     if (!data.blinded) {
+        if (!run.condition->instructions.empty())
+            head.insert("ConditionInstructions", english(run.condition->instructions));
         const auto& stimulus = run.condition->stimulus;
         const std::string_view attribute = psychophysics::token(stimulus.attribute), unit = psychophysics::unitOf(stimulus.attribute);
         head.insert("Attribute", QString::fromUtf8(attribute.data(), static_cast<qsizetype>(attribute.size())));

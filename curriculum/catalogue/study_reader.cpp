@@ -95,11 +95,12 @@ Condition readCondition(const ObjectReader& json) {
     out.task = task.value_or(Task::rank3);
     out.scale = readWord(json, "scale", kScales, ProcedureScale::difference);
     out.criterion = readNumber(json, "criterion", 0.01, 0.99, out.criterion);
+    out.instructions = readStudyText(json, "instructions", false);
     const bool tableReads = json.problems().size() == before;
     json.eachObject("procedures", [&](const ObjectReader& one) { out.procedures.push_back(readProcedure(one)); });
     if (out.procedures.empty() || out.procedures.size() > 8)
         addProblem(json, "procedures", QString::number(out.procedures.size()), QStringLiteral("1 to 8 procedures"));
-    refuseUnknownKeys(json, {"id", "title", "stimulus", "task", "scale", "criterion", "procedures"},
+    refuseUnknownKeys(json, {"id", "title", "stimulus", "task", "scale", "criterion", "procedures", "instructions"},
                       QStringLiteral("a key of a condition"));
     if (json.problems().size() == before)
         checkCondition(out, json.path(), json.problems());

@@ -65,13 +65,16 @@ QJsonObject conditionJson(const Condition& condition) {
     QJsonArray procedures;
     for (const psychophysics::ProcedureSpec& spec : condition.procedures)
         procedures.append(writeProcedure(spec));
-    return {{"id", text(condition.id)},
-            {"title", textJson(condition.title)},
-            {"stimulus", stimulusJson(condition.stimulus)},
-            {"task", text(psychophysics::token(condition.task))},
-            {"scale", wordOf(kScales, condition.scale)},
-            {"criterion", condition.criterion},
-            {"procedures", procedures}};
+    QJsonObject json{{"id", text(condition.id)},
+                     {"title", textJson(condition.title)},
+                     {"stimulus", stimulusJson(condition.stimulus)},
+                     {"task", text(psychophysics::token(condition.task))},
+                     {"scale", wordOf(kScales, condition.scale)},
+                     {"criterion", condition.criterion},
+                     {"procedures", procedures}};
+    if (!condition.instructions.empty()) // designs without them keep their digest
+        json["instructions"] = textJson(condition.instructions);
+    return json;
 }
 
 QJsonObject itemJson(const QuestionnaireItem& item) {

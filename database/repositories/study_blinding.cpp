@@ -63,7 +63,7 @@ core::Result<Blinding> blindingOf(const std::string& designJson, bool unblinded)
     const QJsonObject first = conditions.first().toObject();
     const QJsonObject like = first["stimulus"].toObject();
     // Whatever else a condition has is how it asks, so that what is added to conditions later is compared, too.
-    const auto asking = [](const QJsonObject& each) { return without(each, {"id", "title", "task", "stimulus"}); };
+    const auto asking = [](const QJsonObject& each) { return without(each, {"id", "title", "task", "stimulus", "instructions"}); };
     for (const QJsonValue value : conditions) {
         const QJsonObject each = value.toObject();
         const QJsonObject stimulus = each["stimulus"].toObject();

@@ -61,6 +61,7 @@ core::Result<std::string> maskedDesign(const std::string& designJson, const Blin
             condition.id += std::isalnum(static_cast<unsigned char>(each)) != 0 ? static_cast<char>(std::tolower(static_cast<unsigned char>(each))) : '_';
         }
         condition.title = {{"en", code.sealedCode}};
+        condition.instructions.clear(); // "put the glove on" names a condition
         design->conditions.push_back(std::move(condition));
     }
     return catalogue::studyJson(*design).toStdString();

@@ -38,6 +38,8 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     column->addWidget(chooser());
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
+        if (page.draft.design().conditions.size() > 1 || !condition().instructions.empty())
+            column->addWidget(instructionsBox()); // of a study with one condition the study's own say everything
         if (!apex())
             column->addWidget(tableBox());
         column->addWidget(proceduresBox());
@@ -161,6 +163,7 @@ void ConditionsPage::addCondition() {
             copy.id = base + "_" + std::to_string(n);
         for (auto& [language, words] : copy.title)
             words = freeTitle(design, language, words);
+        copy.instructions.clear(); // what is different in the one is seldom so in the other
         design.conditions.push_back(std::move(copy));
     }, true);
     emit showAsked(static_cast<int>(m_page.draft.design().conditions.size()) - 1);
@@ -190,6 +193,21 @@ QWidget* ConditionsPage::stimulusBox() {
     box.layout->addWidget(grid);
     if (!m_page.readOnly)
         box.layout->addWidget(claimsNotice(m_page, FalseClaim::Where::title, m_shown));
+    return box.frame;
+}
+
+QWidget* ConditionsPage::instructionsBox() {
+    const Theme& theme = m_page.app.theme();
+    const kit::Box box = titledBox(theme, tr("What is different for the participant"));
+    auto* grid = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
+    const QString name = QStringLiteral("condition.instructions");
+    addStudyText(*grid, m_page, tr("Participants read before this condition"), name, 2,
+                 [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].instructions; }, true);
+    grid->explain(name, tr("What the settings do not say, such as \"Put on the glove.\" or \"Use your other hand.\" Leave it empty if nothing is different. "
+                           "Whoever reads it can tell this condition from the others."));
+    box.layout->addWidget(grid);
+    if (!m_page.readOnly)
+        box.layout->addWidget(claimsNotice(m_page, FalseClaim::Where::part, m_shown));
     return box.frame;
 }
 

@@ -27,6 +27,7 @@ private:
     QWidget* chooser();
     QWidget* stimulusBox();
     void addNames(FieldGrid& grid);
+    QWidget* instructionsBox();
     void addReference(FieldGrid& grid);
     void showNames(FieldGrid& grid) const;
     void addTask(FieldGrid& grid);

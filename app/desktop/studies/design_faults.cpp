@@ -75,6 +75,7 @@ constexpr Spot kSpots[] = {
 
 /// Fields of a condition by the end of its path.
 constexpr std::pair<const char*, const char*> kConditionSpots[] = {
+    {"instructions", "condition.instructions"},
     {"title", "condition.title"},          {"id", "condition.id"},
     {"stimulus.attribute", "condition.attribute"}, {"stimulus.reference", "condition.reference"},
     {"stimulus.differences", "differences.levels"}, {"task", "condition.task"},

@@ -71,9 +71,8 @@ FreezeCheck textsCheck(const StudyDesign& design, const QLocale& locale) {
     if (claims.empty())
         return found(checkOf("texts", CheckWords::tr("Texts"), StudyScreen::generalTab, "design.objective"), State::good, CheckWords::tr("Nothing in the aim, the instructions or the titles contradicts the settings."));
     const FalseClaim& first = claims.front();
-    const bool title = first.where == FalseClaim::Where::title, aim = first.where == FalseClaim::Where::aim;
-    FreezeCheck check = checkOf("texts", CheckWords::tr("Texts"), title ? StudyScreen::conditionsTab : aim ? StudyScreen::generalTab : StudyScreen::trialsTab,
-                                title ? "condition.title" : aim ? "design.objective" : "design.instructions");
+    const int tab = first.condition >= 0 ? StudyScreen::conditionsTab : first.where == FalseClaim::Where::aim ? StudyScreen::generalTab : StudyScreen::trialsTab;
+    FreezeCheck check = checkOf("texts", CheckWords::tr("Texts"), tab, qPrintable(fieldOf(first.where)));
     check.condition = first.condition;
     return found(check, State::advice, claimWords(first));
 }

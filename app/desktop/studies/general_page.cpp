@@ -15,15 +15,15 @@ namespace chiron::desktop {
 using namespace psychophysics;
 
 void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
-                  const std::function<StudyText&(StudyDesign&)>& text) {
+                  const std::function<StudyText&(StudyDesign&)>& text, bool mayBeAbsent) {
     StudyDesign now = page.draft.design();
     const StudyText& texts = text(now);
     const auto found = texts.find(page.language.toStdString());
     const QString value = found == texts.end() ? QString() : QString::fromStdString(found->second);
-    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text](const QString& words) {
+    const auto taken = [&draft = page.draft, language = page.language.toStdString(), name, text, mayBeAbsent](const QString& words) {
         draft.change(QCoreApplication::translate("StudyWords", "Text change"), name, [&](StudyDesign& design) {
             StudyText& changed = text(design);
-            if (words.isEmpty() && language != "en")
+            if (words.isEmpty() && (mayBeAbsent || language != "en"))
                 changed.erase(language);
             else
                 changed[language] = words.toStdString();

@@ -22,9 +22,10 @@ struct DesignPage {
     bool masked = false; ///< StudyRecord::masked: the design's conditions are codes, with what all of them share
 };
 
-/// Adds a field for a text in the page's language. `text` finds it in a design.
+/// Adds a field for a text in the page's language. `text` finds it in a design. A text that may be absent is so when its field is emptied;
+/// any other has an error then.
 void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
-                  const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text);
+                  const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text, bool mayBeAbsent = false);
 /// A card with a title.
 kit::Box titledBox(const Theme& theme, const QString& title);
 

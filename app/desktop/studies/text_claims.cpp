@@ -127,7 +127,7 @@ Counts countsOf(const StudyDesign& design) {
     return counts;
 }
 
-void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts, Where where) {
+void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, const StudyText& texts, Where where, int condition = -1) {
     static const QString kNumber = QStringLiteral("(?<!\\w)(\\d+|one|two|three|four|zweier|zwei|dreier|drei|vier|δύο|τρία|τρεις|τριών|τέσσερα|τέσσερις)\\s+");
     static const QRegularExpression objects = pattern(kNumber + QStringLiteral("(?:objects|tubes|surfaces|spheres|Objekten?|Schläuchen?|Oberflächen|Kugeln|αντικείμενα|αντικειμένων|σωλήνες|σωλήνων|επιφάνειες|επιφανειών)(?!\\w)"));
     static const QRegularExpression trials = pattern(kNumber + QStringLiteral("(?:trials|Durchgängen?|δοκιμές|δοκιμών)(?!\\w)"));
@@ -135,7 +135,7 @@ void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, 
     const Counts counts = countsOf(design);
     for (const auto& [language, words] : texts) {
         const QString text = QString::fromStdString(words);
-        const auto tell = [&](const QString& said, const QString& setting) { claims.push_back({where, -1, QString::fromStdString(language), said, setting}); };
+        const auto tell = [&](const QString& said, const QString& setting) { claims.push_back({where, condition, QString::fromStdString(language), said, setting}); };
         const auto count = [&](const QRegularExpression& says, const std::vector<double>& set, const QString& setting) {
             for (auto each = says.globalMatch(text); each.hasNext();) {
                 const QRegularExpressionMatch match = each.next();
@@ -165,8 +165,10 @@ std::vector<FalseClaim> falseClaims(const StudyDesign& design, const QLocale& lo
     std::vector<FalseClaim> claims;
     checkSentences(claims, design, design.objective, Where::aim);
     checkSentences(claims, design, ownSentences(design), Where::instructions);
-    for (std::size_t i = 0; i < design.conditions.size(); ++i)
+    for (std::size_t i = 0; i < design.conditions.size(); ++i) {
         checkTitle(claims, design.conditions[i], static_cast<int>(i), locale);
+        checkSentences(claims, design, design.conditions[i].instructions, Where::part, static_cast<int>(i));
+    }
     return claims;
 }
 
@@ -174,9 +176,19 @@ QString claimWords(const FalseClaim& claim) {
     return TextClaims::tr("The text says “%1” (%2), but %3. Change one of them.").arg(claim.said, languageName(claim.language), claim.setting);
 }
 
+QString fieldOf(Where where) {
+    switch (where) {
+    case Where::aim: return QStringLiteral("design.objective");
+    case Where::instructions: return QStringLiteral("design.instructions");
+    case Where::title: return QStringLiteral("condition.title");
+    case Where::part: return QStringLiteral("condition.instructions");
+    }
+    return {};
+}
+
 QWidget* claimsNotice(const DesignPage& page, Where where, int condition) {
     auto* words = kit::label(page.app.theme(), {}, TextStyle::small, "warning");
-    words->setObjectName(where == Where::aim ? QStringLiteral("design.objective.claims") : where == Where::instructions ? QStringLiteral("design.instructions.claims") : QStringLiteral("condition.title.claims"));
+    words->setObjectName(fieldOf(where) + QStringLiteral(".claims"));
     const auto show = [words, where, condition, &draft = page.draft, locale = page.app.locale()] {
         QStringList said;
         for (const FalseClaim& claim : falseClaims(draft.design(), locale))

@@ -34,6 +34,12 @@ namespace {
 constexpr int kFrame_ms = 16;
 constexpr int kOnePress_ms = 600;      // shorter than the time between two trials, longer than a double press takes
 constexpr double kFreeMinute_s = 60.0; // long enough to try every control, short enough not to tire
+
+QString paragraphs(QStringList texts) {
+    texts.removeAll(QString());
+    return texts.join(QStringLiteral("\n\n"));
+}
+
 }
 
 TrialsScreen::~TrialsScreen() {
@@ -101,12 +107,15 @@ void TrialsScreen::begin() {
 void TrialsScreen::showInstructions() {
     if (m_live->view().firstPart)
         return showWholeInstructions();
-    m_break->say(tr("The next part"), furtherPartText(), tr("Continue (Enter)"));
+    m_break->say(tr("The next part"), paragraphs({partText(), furtherPartText()}), tr("Continue (Enter)"));
     m_break->offer(tr("Read the whole instruction again"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();
 }
+
+/// The researcher's own words about this condition; empty: none.
+QString TrialsScreen::partText() const { return study_words::text(m_live->condition().instructions, context().language()); }
 
 /// What the design says of it: what is the same, and what may differ. What else a researcher does otherwise (a glove, another hand) the design does not know,
 /// and nothing here denies it.
@@ -118,7 +127,9 @@ QString TrialsScreen::furtherPartText() const {
     const bool differs = anyOther([](const session::PartView& a, const session::PartView& b) { return a.task == b.task && a.attribute == b.attribute; });
     const bool otherNumber = anyOther([](const session::PartView& a, const session::PartView& b) { return a.trialsAtMost == b.trialsAtMost && a.trialsFixed == b.trialsFixed; });
     QStringList said;
+    const bool own = !partText().isEmpty();
     said << (differs ? tr("What you do may differ from the part before: the next page shows the question and how you answer it.")
+             : own   ? tr("Apart from this, you explore and answer as in the part before.")
                      : tr("You explore and answer as in the part before, unless the experimenter tells you otherwise."));
     if (otherNumber)
         said << tr("The number of trials may be another.");
@@ -129,7 +140,7 @@ QString TrialsScreen::furtherPartText() const {
 }
 
 void TrialsScreen::showWholeInstructions() {
-    m_break->say(tr("Before you begin"), study_words::text(m_live->design().instructions, context().language()), tr("Continue (Enter)"));
+    m_break->say(tr("Before you begin"), paragraphs({study_words::text(m_live->design().instructions, context().language()), partText()}), tr("Continue (Enter)"));
     m_stage->setCurrentWidget(m_break);
     m_panel->showContent();
     m_break->focusButton();

@@ -109,6 +109,7 @@ private:
     void begin();
     void showInstructions();
     void showWholeInstructions();
+    QString partText() const;
     QString furtherPartText() const;
     void showCard();
     void go();

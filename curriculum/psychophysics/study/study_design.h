@@ -40,6 +40,7 @@ struct Condition {
     ProcedureScale scale = ProcedureScale::difference;
     std::vector<ProcedureSpec> procedures;
     double criterion = 0.75; ///< proportion correct that the threshold is given for
+    StudyText instructions;  ///< what participants read before this condition, beside the study's: a glove, the other hand; empty: nothing
 };
 
 /// What new studies begin with: three times the friction at the tip of the simulated device (0.1 N, models.md), which a hand cannot tell from an

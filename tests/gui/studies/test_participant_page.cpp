@@ -219,12 +219,17 @@ void TestParticipantPage::aFurtherPartIsShort() {
         design.conditions.push_back(design.conditions[0]);
         design.conditions[1].id = "second";
         design.conditions[1].title = {{"en", "Second"}};
+        design.conditions[0].instructions = {{"en", "Wear no glove."}};
+        design.conditions[1].instructions = {{"en", "Put on the glove."}};
     });
     desktop::TrialsScreen* screen = sit();
     QVERIFY(screen && screen->live()->view().firstPart);
+    const auto partText = [&] { return QString::fromStdString(screen->live()->condition().instructions.at("en")); };
     const auto said = [&](const char* name) { return page(screen)->findChild<QLabel*>(QLatin1String(name))->text(); };
     QCOMPARE(said("break.title"), QStringLiteral("Before you begin"));
     QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
+    QVERIFY2(said("break.text").endsWith(QStringLiteral("\n\n") + partText()), qPrintable(said("break.text")));
+    const QString first = partText();
     QVERIFY(tests::beginTrials(screen));
     QVERIFY(canAnswer(screen));
     QTRY_COMPARE_WITH_TIMEOUT(said("trials.strip"), QStringLiteral("Trial 1 of 1"), kPatience_ms); // neither more nor fewer
@@ -235,10 +240,11 @@ void TestParticipantPage::aFurtherPartIsShort() {
     screen = sit();
     QVERIFY(screen && !screen->live()->view().firstPart);
     QCOMPARE(said("break.title"), QStringLiteral("The next part"));
-    QVERIFY2(said("break.text").contains(QStringLiteral("as in the part before")), qPrintable(said("break.text")));
+    QVERIFY(partText() != first);
+    QVERIFY2(said("break.text").startsWith(partText() + QStringLiteral("\n\nApart from this, you explore and answer as in the part before")), qPrintable(said("break.text")));
     QVERIFY(!said("break.text").contains(QStringLiteral("The whole instruction")));
     tests::sittingButton(screen, "break.more")->click();
-    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")));
+    QVERIFY(said("break.text").contains(QStringLiteral("The whole instruction")) && said("break.text").contains(partText()));
     QVERIFY(tests::sittingButton(screen, "break.more")->isHidden());
     QVERIFY(tests::beginTrials(screen));
 }

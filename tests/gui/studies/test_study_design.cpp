@@ -4,6 +4,7 @@
 #include "catalogue/study_catalogue.h"
 #include "catalogue/study_reader.h"
 #include "desktop/studies/check_list.h"
+#include "desktop/studies/conditions_page.h"
 #include "desktop/studies/difference_table.h"
 #include "desktop/studies/field_grid.h"
 #include "desktop/studies/levels_table.h"
@@ -73,6 +74,7 @@ private slots:
     void aTableOfNumbersIsPasted();
     void numbersAreReadAsTheyWereMeant();
     void anUnreadNumberKeepsItsPage();
+    void aConditionHasItsOwnInstructions();
     void placeholdersAreNotFrozen();
     void aPreviewThatIsLeftIsTold();
     void whatIsRequiredIsMarked();
@@ -642,6 +644,33 @@ void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
 }
 
 /// What was typed and not taken is not left behind without a word: Next goes to it, and on from there.
+/// What is different in a condition is asked for once there are two; it stays with the one, and an emptied field is no text.
+void TestStudyDesign::aConditionHasItsOwnInstructions() {
+    openDraft(tests::smallStudy("glove"), StudyScreen::conditionsTab);
+    if (design().conditions.size() == 1) {
+        QVERIFY(!find<QPlainTextEdit>("condition.instructions"));
+        click("conditions.copy");
+        QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions"), kPatience_ms);
+    const int shown = screen()->findChild<desktop::ConditionsPage*>()->shown();
+    const auto own = [&](int at) { return design().conditions.at(static_cast<std::size_t>(at)).instructions; };
+    find<QPlainTextEdit>("condition.instructions")->setPlainText(QStringLiteral("Put on the glove. There are four objects."));
+    QTRY_COMPARE_WITH_TIMEOUT(own(shown), (psychophysics::StudyText{{"en", "Put on the glove. There are four objects."}}), kPatience_ms);
+    QVERIFY(own(1 - shown).empty());
+    QVERIFY2(text("condition.instructions.claims").contains(QStringLiteral("four objects")), qPrintable(text("condition.instructions.claims")));
+    find<QPlainTextEdit>("condition.instructions")->setPlainText(QStringLiteral("Put on the glove."));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("condition.instructions.claims")->isHidden(), kPatience_ms);
+    click("conditions.copy");
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{3}, kPatience_ms);
+    QVERIFY(own(2).empty() && !own(shown).empty());
+    click(qPrintable(QStringLiteral("conditions.%1").arg(shown)));
+    QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions") && find<QPlainTextEdit>("condition.instructions")->toPlainText() == QLatin1String("Put on the glove."), kPatience_ms);
+    find<QPlainTextEdit>("condition.instructions")->setPlainText({});
+    QTRY_VERIFY_WITH_TIMEOUT(own(shown).empty(), kPatience_ms);
+    QVERIFY(saved());
+}
+
 void TestStudyDesign::anUnreadNumberKeepsItsPage() {
     openDraft(tests::smallStudy("unread"), StudyScreen::conditionsTab);
     const double before = design().conditions.front().stimulus.reference;

@@ -13,7 +13,7 @@ inline QByteArray someStudy() {
     return R"({"id":"s","title":{"en":"T","de":"U"},"objective":{"en":"O"},"instructions":{"en":"I"},"consent":{"en":"C"},
 "conditions":[{"id":"a","title":{"en":"A"},"stimulus":{"attribute":"stiffness","reference":60,"differences":[0.01,0.02,0.1],
 "fixed":{"damping_Ns_per_m":1}},"task":"rank3","procedures":[{"kind":"descending","levels":[0.1,0.02],"repeats":3}]},
-{"id":"b","title":{"en":"B"},"stimulus":{"attribute":"mass","reference":0.05,"differences":[0.01,0.1]},"task":"2afc",
+{"id":"b","title":{"en":"B"},"instructions":{"en":"Put on the glove.","de":"Ziehen Sie den Handschuh an."},"stimulus":{"attribute":"mass","reference":0.05,"differences":[0.01,0.1]},"task":"2afc",
 "scale":"log_difference","criterion":0.8,"procedures":[{"kind":"staircase","start":-1,"minimum":-2,"maximum":-1},
 {"kind":"constant","levels":[-1.5,-1]}]}],
 "order":"latin_square","trial":{"feedback":true,"practice_trials":2},"fidelity":{"peak_force_N":3},

@@ -47,6 +47,7 @@ void TestStudyContent::everyKeyIsRead() {
     const Condition& second = study->conditions[1];
     QVERIFY(second.task == Task::twoAfc && second.scale == ProcedureScale::logDifference && second.criterion == 0.8);
     QVERIFY(std::holds_alternative<StaircaseSpec>(second.procedures[0]) && std::get<StaircaseSpec>(second.procedures[0]).start == -1.0);
+    QVERIFY(first.instructions.empty() && second.instructions.at("en") == "Put on the glove." && second.instructions.size() == 2);
     QVERIFY(study->order == OrderDesign::latinSquare && study->trial.feedback && study->trial.practiceTrials == 2);
     QCOMPARE(study->fidelity.peakForce_N, 3.0);
     QCOMPARE(study->fidelity.lateTicks, FidelityLimits{}.lateTicks);
@@ -65,6 +66,8 @@ void TestStudyContent::writingIsCanonical() {
     const auto again = readStudy(written, "again");
     QVERIFY2(again.has_value(), again ? "" : again.error().message.c_str());
     QCOMPARE(studyJson(*again), written);
+    const QJsonArray conditions = parsed(written)["conditions"].toArray();
+    QVERIFY(!conditions[0].toObject().contains("instructions") && conditions[1].toObject().contains("instructions")); // digests of older designs stay
     QCOMPARE(studySha256(written).size(), std::size_t{64});
     QVERIFY(studySha256(written) != studySha256(written + " "));
     // Order of keys and spaces do not matter, a value does.

@@ -17,8 +17,8 @@ inline constexpr const char* kConsent = "I agree to take part.";
 /// A small study of two conditions and a questionnaire with a question of each kind.
 inline std::string someDesign(const std::string& key) {
     const auto condition = [](const std::string& id, int reference) {
-        return R"({"id":")" + id + R"(","title":{"en":")" + id +
-               R"("},"stimulus":{"attribute":"stiffness","reference":)" + std::to_string(reference) +
+        return R"({"id":")" + id + R"(","title":{"en":")" + id + R"("},"instructions":{"en":"Take the )" + id +
+               R"( one."},"stimulus":{"attribute":"stiffness","reference":)" + std::to_string(reference) +
                R"(,"differences":[0.02,0.05,0.1]},"task":"rank3","procedures":[{"kind":"descending","levels":[0.1,0.05,0.02]}]})";
     };
     return R"({"id":")" + key + R"(","title":{"en":"Stiffness of )" + key +
