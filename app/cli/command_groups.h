@@ -7,6 +7,7 @@ namespace chiron::cli {
 
 // One function a file of commands/; each returns its rows of the table.
 std::vector<CommandSpec> initCommands();
+std::vector<CommandSpec> siteCommands();
 std::vector<CommandSpec> userCommands();
 std::vector<CommandSpec> personCommands();
 std::vector<CommandSpec> exerciseCommands();

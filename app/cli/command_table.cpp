@@ -15,6 +15,7 @@ std::vector<CommandSpec> makeTable() {
     std::vector<CommandSpec> table;
     for (const auto& group : {
              initCommands,
+             siteCommands,
              userCommands,
              personCommands,
              exerciseCommands,

@@ -12,6 +12,7 @@ class TestCliAccounts : public QObject {
 private slots:
     void initTestCase();
     void peopleComeAndChange();
+    void theSiteHasAName();
     void rolesDecide();
     void passwordsChange();
     void aForgottenPasswordIsRecovered();
@@ -102,6 +103,20 @@ void TestCliAccounts::peopleComeAndChange() {
              3); // taken but for case
     QCOMPARE(as("alice", kAlice, {"user", "disable", "nobody"}).exitCode, 3);
     QVERIFY(as("alice", kAlice, {"user", "disable", "alice"}).exitCode != 0); // the last administrator
+}
+
+void TestCliAccounts::theSiteHasAName() {
+    const auto told = [this] { return object(runCli({"site", "name", "--database", m_database, "--json"}))["name"].toString(); };
+    QCOMPARE(told(), QString());
+    QCOMPARE(object(as("alice", kAlice, {"site", "name", "  Klinik Größe  "}))["name"].toString(), QStringLiteral("Klinik Größe"));
+    QCOMPARE(told(), QStringLiteral("Klinik Größe")); // anybody may read it
+    QCOMPARE(as("bob", kBob, {"site", "name", "Bob's"}).exitCode, 2);
+    QCOMPARE(runCli({"site", "name", "Nobody's", "--database", m_database}).exitCode, 2);
+    QCOMPARE(as("alice", kAlice, {"site", "name", QString(81, 'x')}).exitCode, 3);
+    QCOMPARE(as("alice", kAlice, {"site", "name", "One", "--remove"}).exitCode, 2);
+    QCOMPARE(told(), QStringLiteral("Klinik Größe"));
+    QCOMPARE(as("alice", kAlice, {"site", "name", "--remove"}).exitCode, 0);
+    QCOMPARE(told(), QString());
 }
 
 void TestCliAccounts::rolesDecide() {
