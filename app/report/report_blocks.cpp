@@ -29,7 +29,7 @@ QString missedMark(const MetricRow& row, const QLocale& locale) {
     const QString gate = formatGate(row, locale);
     if (!row.value && !row.reason.isEmpty())
         return Words::tr("%1 has no value (%2), pass mark %3").arg(name, row.reason, gate);
-    return Words::tr("%1 was %2, pass mark %3").arg(name, formatValue(row.value, row.unit, locale), gate);
+    return Words::tr("%1: %2, pass mark %3").arg(name, formatValue(row.value, row.unit, locale), gate);
 }
 
 } // namespace

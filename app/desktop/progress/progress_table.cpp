@@ -5,10 +5,27 @@
 #include "desktop/sessions/plain_cell_delegate.h"
 #include "desktop/sessions/session_words.h"
 
+#include <QFontMetrics>
 #include <QHeaderView>
 #include <algorithm>
+#include <cstdlib>
 
 namespace chiron::desktop {
+
+namespace {
+
+/// Broken at the space next to the middle: in every language the columns of all exercises then fit the smallest window.
+QString inTwoLines(QString heading) {
+    qsizetype best = -1;
+    for (qsizetype at = heading.indexOf(u' '); at >= 0; at = heading.indexOf(u' ', at + 1))
+        if (best < 0 || std::abs(2 * at - heading.size()) < std::abs(2 * best - heading.size()))
+            best = at;
+    if (best >= 0)
+        heading[best] = u'\n';
+    return heading;
+}
+
+} // namespace
 
 ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent)
     : FittedTable(theme, firstExercise + static_cast<int>(catalogue.exercises().size()), parent), m_theme(theme), m_locale(std::move(locale)), m_titles(std::move(titles)) {
@@ -25,7 +42,13 @@ ProgressTable::ProgressTable(const Theme& theme, QLocale locale, const catalogue
         const QString id = QString::fromStdString(exercise.id);
         heads << m_titles.value(id, id);
     }
-    setHorizontalHeaderLabels(heads);
+    for (int column = 0; column < heads.size(); ++column) {
+        auto* head = new QTableWidgetItem(inTwoLines(heads[column]));
+        head->setData(Qt::AccessibleTextRole, heads[column]);
+        setHorizontalHeaderItem(column, head);
+    }
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setFixedHeight(2 * QFontMetrics(theme.font(TextStyle::strong)).lineSpacing() + theme.px(14));
     connect(this, &QTableWidget::activated, this, &ProgressTable::openAsked);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/scene2d/flat_panel.h"
 
+#include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
@@ -16,6 +17,11 @@ constexpr double kRight = 14.0;
 constexpr double kTop = 34.0;
 constexpr double kBottom = 40.0;
 constexpr double kTick_mm = 20.0;
+
+/// Every how many ticks a number has room.
+int numbered(double number_px, double tick_px) { return std::max(1, static_cast<int>(std::ceil(number_px / tick_px))); }
+
+bool isNumbered(double mm, int every) { return static_cast<int>(std::lround(mm / kTick_mm)) % every == 0; }
 
 } // namespace
 
@@ -81,11 +87,17 @@ void FlatPanel::paintTicks(QPainter& painter) const {
     painter.setFont(font(11, false));
     QColor grid = m_setup.colours.ink;
     grid.setAlphaF(0.14F);
+    const QFontMetricsF metrics(painter.font(), painter.device());
+    const QString widest = QLocale().toString(std::min(m_range_mm.left(), -m_range_mm.right()), 'f', 0);
+    const int across = numbered(metrics.horizontalAdvance(widest) + 4.0 * u, kTick_mm * m_scale);
+    const int up = numbered(metrics.height(), kTick_mm * m_scale);
     for (double mm = std::ceil(m_range_mm.left() / kTick_mm) * kTick_mm; mm <= m_range_mm.right();
          mm += kTick_mm) {
         const double x = at(mm, 0.0).x();
         painter.setPen(QPen(grid, u));
         painter.drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
+        if (!isNumbered(mm, across))
+            continue;
         painter.setPen(m_setup.colours.ink);
         painter.drawText(QRectF(x - 20.0 * u, m_plot.bottom() + 3.0 * u, 40.0 * u, 16.0 * u), Qt::AlignCenter,
                          QLocale().toString(mm, 'f', 0));
@@ -95,6 +107,8 @@ void FlatPanel::paintTicks(QPainter& painter) const {
         const double y = at(0.0, mm).y();
         painter.setPen(QPen(grid, u));
         painter.drawLine(QPointF(m_plot.left(), y), QPointF(m_plot.right(), y));
+        if (!isNumbered(mm, up))
+            continue;
         painter.setPen(m_setup.colours.ink);
         painter.drawText(QRectF(m_plot.left() - 34.0 * u, y - 8.0 * u, 29.0 * u, 16.0 * u),
                          Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(mm, 'f', 0));

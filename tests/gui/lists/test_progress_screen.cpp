@@ -9,6 +9,7 @@
 #include "support/patience.h"
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
@@ -87,14 +88,29 @@ private slots:
     }
 
     /// In the smallest window that the program is made for, no exercise is out of sight.
+    void everyExerciseIsSeenAtOnce_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "el"})
+            QTest::newRow(language) << QString::fromLatin1(language);
+    }
+
     void everyExerciseIsSeenAtOnce() {
+        QFETCH(QString, language);
         DesktopFixture desktop;
+        desktop.context.settings().setLanguage(language);
+        desktop.context.applyAppearance();
         tests::storeManySessions(desktop.database(), {desktop.actor("tina"), desktop.actor("theo")}, 12);
         desktop.logIn("tom");
         desktop.window->resize(1280, 720);
         Overview overview(desktop);
         QTRY_COMPARE_WITH_TIMEOUT(overview.table()->horizontalScrollBar()->maximum(), 0, kPatience_ms);
         QVERIFY(overview.table()->columnViewportPosition(overview.table()->columnCount() - 1) > 0);
+        QCOMPARE(overview.table()->viewport()->y(), overview.table()->horizontalHeader()->geometry().bottom() + 1); // no row begins behind it
+        const QHeaderView* head = overview.table()->horizontalHeader();
+        for (int column = 0; column < overview.table()->columnCount(); ++column) {
+            const QSize words = QFontMetrics(desktop.context.theme().font(TextStyle::strong)).size(0, overview.table()->horizontalHeaderItem(column)->text());
+            QVERIFY2(words.height() < head->height() && words.width() < head->sectionSize(column), qPrintable(overview.table()->horizontalHeaderItem(column)->text()));
+        }
     }
 
     void enterOpensThatPersonsSessions() {
