@@ -27,21 +27,6 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
     return out;
 }
 
-/// Where more is held than was put in.
-std::vector<report::TimeSpan> made(const std::vector<double>& t_s, const std::vector<double>& in, const std::vector<double>& held) {
-    std::vector<report::TimeSpan> spans;
-    bool open = false;
-    for (std::size_t i = 0; i < t_s.size(); ++i) {
-        const bool more = held[i] > in[i] + kNoise_J;
-        if (more && !open)
-            spans.push_back({t_s[i], t_s[i]});
-        if (more)
-            spans.back().end_s = t_s[i];
-        open = more;
-    }
-    return spans;
-}
-
 } // namespace
 
 double quantityAt(const session::PlaybackTrack& track, const session::PlaybackView& view, const std::string& id) {
@@ -86,13 +71,27 @@ QString graspReadout(const session::PlaybackView& view, const QString& held, con
                : PlaybackTexts::tr("Trial %1 · %2 · force %3 · speed %4").arg(trial, held, force, speed);
 }
 
+std::vector<report::TimeSpan> excessEnergy(const std::vector<double>& t_s, const std::vector<double>& in, const std::vector<double>& held) {
+    std::vector<report::TimeSpan> spans;
+    bool open = false;
+    for (std::size_t i = 0; i < t_s.size(); ++i) {
+        const bool more = held[i] > in[i] + kNoise_J;
+        if (more && !open)
+            spans.push_back({t_s[i], t_s[i]});
+        if (more)
+            spans.back().end_s = t_s[i];
+        open = more;
+    }
+    return spans;
+}
+
 void addEnergyPlot(PlaybackPlots& plots) {
     const session::PlaybackQuantity* in = plots.track().quantity("energy_supplied_J");
     const session::PlaybackQuantity* held = plots.track().quantity("energy_stored_J");
     if (!plots.books() || !in || !held || in->values.empty() || held->values.size() != in->values.size())
         return;
     auto view = plots.empty(PlaybackPlots::tr("Energy supplied by the hand and stored in the object"));
-    const std::vector<report::TimeSpan> excess = made(plots.series().t_s, in->values, held->values);
+    const std::vector<report::TimeSpan> excess = excessEnergy(plots.series().t_s, in->values, held->values);
     if (!excess.empty())
         view->addHatchedSpans(PlaybackPlots::tr("more stored than supplied"), excess);
     view->addLine(PlaybackPlots::tr("supplied"), plots.series().t_s, scaled(in->values, 1e3), report::PlotStyle::dashedB);

@@ -3,6 +3,7 @@
 
 #include "core/laparoscopy_cues.h"
 #include "desktop/scene3d/scene_state.h"
+#include "report/report_data.h"
 #include "session/playback_track.h"
 
 #include <QLocale>
@@ -26,6 +27,8 @@ core::LaparoscopyCues graspCuesAt(const session::PlaybackTrack& track, const ses
 void showGrasp(scene3d::SceneState& state, const core::LaparoscopyCues& cues);
 /// One line about a moment; `held`: with what the object is held ("squeeze 1.20 N").
 QString graspReadout(const session::PlaybackView& view, const QString& held, const QLocale& locale);
+/// Where more energy is held than was put in, beyond what recording rounds: from the first to the last such sample. J; all of one length.
+std::vector<report::TimeSpan> excessEnergy(const std::vector<double>& t_s, const std::vector<double>& in, const std::vector<double>& held);
 /// The books of energy: what was put in and what is held. None where they were not kept.
 void addEnergyPlot(PlaybackPlots& plots);
 

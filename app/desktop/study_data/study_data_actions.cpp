@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unblinding and exports.
+#include "desktop/study_data/replaced_folder.h"
 #include "desktop/study_data/study_data_screen.h"
 #include "desktop/study_data/unblind_dialog.h"
 
@@ -24,33 +25,6 @@
 #include <QTimer>
 
 namespace chiron::desktop {
-
-namespace {
-
-/// "study-csv-2", or the next that is free.
-QString freeFolder(const QString& folder) {
-    QString free = folder;
-    for (int n = 2; QFileInfo::exists(free); ++n)
-        free = QStringLiteral("%1-%2").arg(folder).arg(n);
-    return free;
-}
-
-/// The earlier export goes only once the new one is whole; until then it waits beside it.
-core::Result<void> inPlaceOf(const QString& folder, bool replaces, const std::function<core::Result<void>()>& write) {
-    if (!replaces)
-        return write();
-    const QString before = freeFolder(folder + QStringLiteral("-before"));
-    if (!QDir().rename(folder, before))
-        return core::fail(core::ErrorCode::storage, (folder + QStringLiteral(": the earlier export cannot be moved away")).toStdString());
-    auto done = write();
-    if (!done)
-        QDir().rename(before, folder);
-    else if (!QDir(before).removeRecursively())
-        return core::fail(core::ErrorCode::storage, (before + QStringLiteral(": the earlier export cannot be removed; the new one is whole")).toStdString());
-    return done;
-}
-
-} // namespace
 
 QWidget* StudyDataScreen::toolRow() {
     const Theme& theme = context().theme();

@@ -3,6 +3,7 @@
 #include "app/exercises/elastic_tube/desktop/tube_layer.h"
 #include "app/exercises/palpation/desktop/palpation_layer.h"
 #include "desktop/exercise_face.h"
+#include "desktop/playback/grasp_moment.h"
 #include "desktop/playback/mark_words.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/playback/playback_scene.h"
@@ -149,6 +150,17 @@ private slots:
         track.trials[0].failed = true;
         QVERIFY(sceneStateAt(track, nullptr, 1.5, replay.get()).exercise.of<core::LaparoscopyCues>().torn);
         QVERIFY(!sceneStateAt(track, nullptr, 0.5, replay.get()).exercise.of<core::LaparoscopyCues>().torn);
+    }
+
+    void excessEnergyHasItsSpans() {
+        const std::vector<double> t_s{0.0, 0.1, 0.2, 0.3, 0.4, 0.5}, in(6, 0.010);
+        const auto spans = desktop::excessEnergy(t_s, in, {0.012, 0.010005, 0.011, 0.012, 0.013, 0.009});
+        QCOMPARE(spans.size(), std::size_t{2}); // 5 µJ are rounding
+        QCOMPARE(spans[0].begin_s, 0.0);
+        QCOMPARE(spans[0].end_s, 0.0);
+        QCOMPARE(spans[1].begin_s, 0.2);
+        QCOMPARE(spans[1].end_s, 0.4);
+        QVERIFY(desktop::excessEnergy(t_s, in, in).empty());
     }
 
     void plotsOfTensionAndOfBothEnergies() {

@@ -13,6 +13,7 @@
 #include "desktop/studies/quantity_text.h"
 #include "desktop/studies/study_draft.h"
 #include "desktop/studies/study_words.h"
+#include "desktop/study_data/replaced_folder.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/widgets/flow_layout.h"
@@ -25,6 +26,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QTemporaryDir>
 #include <QVBoxLayout>
 #include <QRadioButton>
 
@@ -39,6 +41,7 @@ private slots:
     void plainStudyReads();
     void everyUsualProcedureReads_data();
     void everyUsualProcedureReads();
+    void anEarlierExportIsReplacedOrKept();
     void requiredItemsAreMissed();
     void previewKnowsItsObserver();
     void numbersWithUnits();
@@ -389,6 +392,40 @@ void TestStudyParts::soundAndForceAreCheckedBeforeFreezing() {
     QVERIFY(stateOf("probe", facts) == State::advice);
     design.trial.mustTouchAll = false;
     QVERIFY(!stateOf("probe", facts));
+}
+
+void TestStudyParts::anEarlierExportIsReplacedOrKept() {
+    const QTemporaryDir place;
+    const QString folder = place.filePath(QStringLiteral("tables"));
+    const auto writes = [&](const char* words) {
+        return [folder, words]() -> core::Result<void> {
+            QFile file(folder + QStringLiteral("/data"));
+            return QDir().mkpath(folder) && file.open(QIODevice::WriteOnly) && file.write(words) > 0 ? core::Result<void>() : core::fail(core::ErrorCode::storage, "not written");
+        };
+    };
+    const auto content = [](const QString& in) {
+        QFile file(in + QStringLiteral("/data"));
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    };
+    const auto folders = [&] { return QDir(place.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot); };
+    QVERIFY(desktop::inPlaceOf(folder, false, writes("first")));
+    QVERIFY(desktop::inPlaceOf(folder, true, writes("second")));
+    QCOMPARE(content(folder), QStringLiteral("second"));
+    QCOMPARE(folders(), QStringList{QStringLiteral("tables")});
+    const auto failed = desktop::inPlaceOf(folder, true, [] { return core::Result<void>(core::fail(core::ErrorCode::storage, "the disk is full")); });
+    QVERIFY(!failed && failed.error().message == "the disk is full");
+    QCOMPARE(content(folder), QStringLiteral("second")); // the earlier one is back
+    QCOMPARE(folders(), QStringList{QStringLiteral("tables")});
+    const auto half = desktop::inPlaceOf(folder, true, [&]() -> core::Result<void> {
+        (void)writes("half")();
+        return core::fail(core::ErrorCode::storage, "the disk is full");
+    });
+    QVERIFY(!half && half.error().message.find("the disk is full; the earlier export is now ") == 0 && half.error().message.find("tables-before") != std::string::npos);
+    QCOMPARE(content(place.filePath(QStringLiteral("tables-before"))), QStringLiteral("second")); // nothing is lost
+    QCOMPARE(desktop::freeFolder(folder), folder + QStringLiteral("-2"));
+    QCOMPARE(desktop::freeFolder(place.filePath(QStringLiteral("none"))), place.filePath(QStringLiteral("none")));
+    const auto missing = desktop::inPlaceOf(place.filePath(QStringLiteral("none")), true, writes("never"));
+    QVERIFY(!missing && missing.error().message.find("cannot be moved away") != std::string::npos);
 }
 
 QTEST_MAIN(TestStudyParts)

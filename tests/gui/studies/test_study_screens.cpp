@@ -17,6 +17,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QRadioButton>
 #include <QScrollBar>
 #include <QSlider>
@@ -451,11 +452,14 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     QVERIFY(!QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     told.clear();
     const QString tables = QDir(folder.path()).filePath(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).front());
-    const auto again = [&](const char* choice) { // it is there already: somebody is asked
+    const auto again = [&](const char* choice, bool mayReplace = true) { // it is there already: somebody is asked
         told.clear();
         screen->exportCsvTo(folder.path());
-        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QLatin1String(choice)), kPatience_ms);
-        m_site->find<QPushButton>(QLatin1String(choice))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QMessageBox>(QStringLiteral("data.there")), kPatience_ms);
+        auto* box = m_site->find<QMessageBox>(QStringLiteral("data.there"));
+        QCOMPARE(box->findChild<QPushButton*>(QStringLiteral("data.there.replace")) != nullptr, mayReplace);
+        box->findChild<QPushButton*>(QLatin1String(choice))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_site->find<QMessageBox>(QStringLiteral("data.there")), kPatience_ms); // the next one is not mistaken for it
     };
     QFile mark(QDir(tables).filePath(QStringLiteral("mark")));
     QVERIFY(mark.open(QIODevice::WriteOnly));
@@ -469,8 +473,7 @@ void TestStudyScreens::everyWayOutOfAnExportIsTold() {
     QVERIFY(QFileInfo::exists(tables + QStringLiteral("/trials.csv")) && !mark.exists());
     QCOMPARE(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 2);
     QVERIFY(QDir(tables).removeRecursively() && QDir().mkpath(tables)); // a folder that is nobody's export is never replaced
-    again("data.there.beside");
-    QVERIFY(!m_site->find<QPushButton>(QStringLiteral("data.there.replace")));
+    again("data.there.beside", false);
     QTRY_VERIFY2_WITH_TIMEOUT(hasTold("were written to"), qPrintable(told.join(QLatin1Char('|'))), kPatience_ms);
 
     const QTemporaryDir other;
@@ -512,8 +515,12 @@ void TestStudyScreens::theNextParticipantIsEnrolledWhereTheyAreRun() {
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QCheckBox>(QStringLiteral("consent.agreed")), kPatience_ms);
     m_site->find<QCheckBox>(QStringLiteral("consent.agreed"))->click();
     click("consent.accept");
+    const auto chosen = [this] {
+        const auto* participant = m_site->find<QComboBox>(QStringLiteral("run.participant"));
+        return participant ? participant->currentData().toString() : QString();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(chosen(), code, kPatience_ms); // the page behind the dialog shows somebody else until it is read again
     QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("run.begin")), kPatience_ms);
-    QCOMPARE(m_site->find<QComboBox>(QStringLiteral("run.participant"))->currentData().toString(), code);
 }
 
 /// Nothing is cut off or scrolled to at 1280 pixels, in any language; every heading says what it means.

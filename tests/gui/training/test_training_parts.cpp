@@ -107,6 +107,9 @@ void TestTrainingParts::traceIgnoresNonsense() {
     trace.add(100.0, 1.0);
     trace.add(1.0, 9.0); // long past
     QCOMPARE(trace.highest(), 1.0);
+    for (double old_s = 90.0; old_s > 89.9; old_s -= 0.001)
+        trace.add(old_s, 9.0); // a span back: its cell is the newest one's today
+    QCOMPARE(trace.highest(), 1.0);
 }
 
 /// Prints; the time is a machine's.
