@@ -4900,7 +4900,7 @@ Möchten Sie die Datei ersetzen?</translation>
     </message>
     <message>
         <source>Memory locked</source>
-        <translation>Speicher gesperrt</translation>
+        <translation>Arbeitsspeicher gesperrt</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -8061,6 +8061,18 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
     <message>
         <source>Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference.</source>
         <translation>Verhältnisse passen zu Schwellen: Von 2 % bis 4 % ist es so weit wie von 10 % bis 20 %. Unterschiede passen zu Tabellen auf beiden Seiten der Referenz.</translation>
+    </message>
+    <message>
+        <source>What is different for the participant</source>
+        <translation>Was für die Teilnehmenden anders ist</translation>
+    </message>
+    <message>
+        <source>Participants read before this condition</source>
+        <translation>Text vor dieser Bedingung</translation>
+    </message>
+    <message>
+        <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
+        <translation>Was die Einstellungen nicht sagen, zum Beispiel „Ziehen Sie den Handschuh an.“ oder „Nehmen Sie die andere Hand.“ Lassen Sie das Feld leer, wenn nichts anders ist. Wer den Text liest, kann diese Bedingung von den anderen unterscheiden.</translation>
     </message>
 </context>
 <context>
@@ -14940,11 +14952,11 @@ Mit Echtzeitpriorität bleibt die Schleife pünktlich, was immer der Computer so
     </message>
     <message>
         <source>Checking the storage …</source>
-        <translation>Speicher wird geprüft …</translation>
+        <translation>Daten und Sicherungen werden geprüft …</translation>
     </message>
     <message>
         <source>The storage could not be checked.</source>
-        <translation>Der Speicher konnte nicht geprüft werden.</translation>
+        <translation>Daten und Sicherungen konnten nicht geprüft werden.</translation>
     </message>
     <message>
         <source>Folder for the export</source>
@@ -16619,6 +16631,10 @@ F2 ist für die Versuchsleitung.</translation>
         <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung anzuhalten.</translation>
     </message>
+    <message>
+        <source>Apart from this, you explore and answer as in the part before.</source>
+        <translation>Sonst erkunden und antworten Sie wie im Teil davor.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>
@@ -17034,7 +17050,7 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>%1 hat keinen Wert (%2), Bestehensgrenze %3</translation>
     </message>
     <message>
-        <source>%1 was %2, pass mark %3</source>
+        <source>%1: %2, pass mark %3</source>
         <translation>%1: %2, Bestehensgrenze %3</translation>
     </message>
     <message>

@@ -8062,6 +8062,18 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <source>Ratios suit thresholds: from 2 % to 4 % is as far as from 10 % to 20 %. Differences suit tables on both sides of the reference.</source>
         <translation>Οι λόγοι ταιριάζουν σε κατώφλια: από 2 % έως 4 % η απόσταση είναι όση από 10 % έως 20 %. Οι διαφορές ταιριάζουν σε πίνακες και στις δύο πλευρές της αναφοράς.</translation>
     </message>
+    <message>
+        <source>What is different for the participant</source>
+        <translation>Τι διαφέρει για τον συμμετέχοντα</translation>
+    </message>
+    <message>
+        <source>Participants read before this condition</source>
+        <translation>Κείμενο πριν από αυτή τη συνθήκη</translation>
+    </message>
+    <message>
+        <source>What the settings do not say, such as &quot;Put on the glove.&quot; or &quot;Use your other hand.&quot; Leave it empty if nothing is different. Whoever reads it can tell this condition from the others.</source>
+        <translation>Ό,τι δεν λένε οι ρυθμίσεις, για παράδειγμα «Φορέστε το γάντι.» ή «Χρησιμοποιήστε το άλλο χέρι.» Αφήστε το κενό αν δεν αλλάζει τίποτα. Όποιος διαβάζει το κείμενο μπορεί να ξεχωρίσει αυτή τη συνθήκη από τις άλλες.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::ConsentDialog</name>
@@ -16619,6 +16631,10 @@ F2 is for the experimenter.</source>
         <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
+    <message>
+        <source>Apart from this, you explore and answer as in the part before.</source>
+        <translation>Κατά τα άλλα εξερευνάτε και απαντάτε όπως στο προηγούμενο μέρος.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::UnblindDialog</name>
@@ -17034,7 +17050,7 @@ F2 is for the experimenter.</source>
         <translation>%1: χωρίς τιμή (%2), όριο επιτυχίας %3</translation>
     </message>
     <message>
-        <source>%1 was %2, pass mark %3</source>
+        <source>%1: %2, pass mark %3</source>
         <translation>%1: %2, όριο επιτυχίας %3</translation>
     </message>
     <message>

@@ -3,74 +3,52 @@
 
 #include "database/accounts/account_service.h"
 #include "report/report_writer.h"
+#include "session/exercise_kind.h"
 #include "session_report/session_report.h"
 #include "session_report/study_report.h"
 
 #include <QDir>
 #include <algorithm>
+#include <span>
 
 namespace chiron::cli {
 
 namespace {
 
-constexpr int kFeltAloneLevel = 2; // P2's condition: no visible object
-constexpr int kCystoscopyLevel = 3; // P1's procedure, whole, in normal tissue
-constexpr double kBendMark_deg = 15.0; // of the levels that have a bend (content/README.md)
-
-const session::DemoResult* expertOf(const std::vector<session::DemoResult>& results, const char* exercise, int level) {
+const session::DemoResult* expertOf(const std::vector<session::DemoResult>& results, const std::string& exercise, int level) {
     const auto found = std::find_if(results.begin(), results.end(), [&](const session::DemoResult& r) {
         return r.asked.exercise == exercise && r.asked.operatorName == "expert" && r.asked.level == level;
     });
     return found != results.end() ? &*found : nullptr;
 }
 
-std::vector<double> trialErrors(const scoring::ScoreCard& card) {
-    std::vector<double> values;
-    for (const auto& trial : card.trials) {
-        for (const scoring::MetricValue& metric : trial) {
-            if (metric.id == "apex_error_mean" && metric.value)
-                values.push_back(*metric.value);
-        }
-    }
-    return values;
+void addValues(std::span<const scoring::MetricValue> metrics, const std::string& id, std::vector<double>& values) {
+    for (const scoring::MetricValue& metric : metrics)
+        if (metric.id == id && metric.value)
+            values.push_back(*metric.value);
 }
 
-report::ComparisonData apexErrors(const std::vector<session::DemoResult>& results) {
+/// Points are the trials of one level, or the levels.
+report::ComparisonData operatorsOf(const std::vector<session::DemoResult>& results, const std::string& exercise, const session::OperatorComparison& shown) {
     report::ComparisonData data;
-    data.title = QStringLiteral("Apex error by operator, by touch alone");
-    data.metricName = QStringLiteral("Apex error");
-    data.unit = QStringLiteral("% of R");
-    data.pointLabel = QStringLiteral("trial");
-    data.reference = 14.2;
-    data.referenceLabel = QStringLiteral("published mean of five people, 14.2 %");
+    data.title = QString::fromStdString(shown.title);
+    data.metricName = QString::fromStdString(shown.metricName);
+    data.unit = QString::fromStdString(shown.unit);
+    data.pointLabel = shown.level > 0 ? QStringLiteral("trial") : QStringLiteral("level");
+    data.reference = shown.reference;
+    data.referenceLabel = QString::fromStdString(shown.referenceLabel);
     for (const session::DemoResult& result : results) {
-        const bool shown = result.asked.exercise == "sphere_apex" && result.asked.level == kFeltAloneLevel;
-        if (shown && result.person == "simulated")
-            data.groups.push_back({QString::fromStdString(result.asked.operatorName), trialErrors(result.result.scores)});
-    }
-    return data;
-}
-
-/// One point a level that has a bend.
-report::ComparisonData bendAlignment(const std::vector<session::DemoResult>& results) {
-    report::ComparisonData data;
-    data.title = QStringLiteral("Urethra insertion: alignment round the bend by operator");
-    data.metricName = QStringLiteral("Alignment round the bend");
-    data.unit = QStringLiteral("°");
-    data.pointLabel = QStringLiteral("level");
-    data.reference = kBendMark_deg;
-    data.referenceLabel = QStringLiteral("pass mark, 15°");
-    for (const session::DemoResult& result : results) {
-        if (result.asked.exercise != "urethra_insertion" || result.person != "simulated")
+        if (result.asked.exercise != exercise || result.person != "simulated" || (shown.level > 0 && result.asked.level != shown.level))
             continue;
         const QString name = QString::fromStdString(result.asked.operatorName);
         auto group = std::find_if(data.groups.begin(), data.groups.end(), [&](const auto& g) { return g.name == name; });
         if (group == data.groups.end())
             group = data.groups.insert(data.groups.end(), {name, {}});
-        for (const scoring::MetricValue& metric : result.result.scores.metrics) {
-            if (metric.id == "curve_alignment" && metric.value)
-                group->values.push_back(*metric.value);
-        }
+        if (shown.level == 0)
+            addValues(result.result.scores.metrics, shown.metric, group->values);
+        else
+            for (const auto& trial : result.result.scores.trials)
+                addValues(trial, shown.metric, group->values);
     }
     return data;
 }
@@ -130,25 +108,40 @@ core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& datab
 
 } // namespace
 
+std::vector<std::string> exercisesOf(const std::vector<session::DemoResult>& results) {
+    std::vector<std::string> exercises;
+    for (const session::DemoResult& result : results)
+        if (std::find(exercises.begin(), exercises.end(), result.asked.exercise) == exercises.end())
+            exercises.push_back(result.asked.exercise);
+    return exercises;
+}
+
 core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder) {
     const std::vector<session::DemoResult>& results = made.sessions;
     DemoPictures drawn;
     const report::PlotTheme theme = report::lightTheme(QLocale(QLocale::English, QLocale::UnitedKingdom));
     if (!QDir().mkpath(folder))
         return core::fail(core::ErrorCode::storage, folder.toStdString() + ": the folder cannot be made");
-    const auto file = [&](const char* name) { return QDir(folder).filePath(QLatin1String(name)); };
-    if (auto added = addComparison(drawn, file("operators.png"), apexErrors(results), theme); !added)
-        return tl::unexpected(added.error());
-    if (auto added = addComparison(drawn, file("operators_urethra_insertion.png"), bendAlignment(results), theme); !added)
-        return tl::unexpected(added.error());
-    if (const auto* apex = expertOf(results, "sphere_apex", kFeltAloneLevel)) {
-        if (auto added = addReport(drawn, database, *apex, folder, theme, true); !added)
-            return tl::unexpected(added.error());
+    const auto file = [&](const std::string& name) { return QDir(folder).filePath(QString::fromStdString(name)); };
+    struct Shown {
+        std::string exercise;
+        session::Demonstration how;
+    };
+    std::vector<Shown> exercises;
+    for (const std::string& exercise : exercisesOf(results)) {
+        auto kind = session::exerciseKind(exercise);
+        if (!kind)
+            return tl::unexpected(kind.error());
+        exercises.push_back({exercise, (*kind)->demonstration()});
     }
-    if (const auto* cystoscopy = expertOf(results, "urethra_insertion", kCystoscopyLevel)) {
-        if (auto added = addReport(drawn, database, *cystoscopy, folder, theme, false); !added)
-            return tl::unexpected(added.error());
-    }
+    for (const auto& [exercise, how] : exercises)
+        if (how.comparison)
+            if (auto added = addComparison(drawn, file(how.comparison->file), operatorsOf(results, exercise, *how.comparison), theme); !added)
+                return tl::unexpected(added.error());
+    for (const auto& [exercise, how] : exercises)
+        if (const auto* expert = how.report ? expertOf(results, exercise, how.report->level) : nullptr)
+            if (auto added = addReport(drawn, database, *expert, folder, theme, how.report->plots); !added)
+                return tl::unexpected(added.error());
     if (auto added = addStudyReport(drawn, database, made.study, folder, theme); !added)
         return tl::unexpected(added.error());
     return drawn;

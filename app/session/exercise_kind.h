@@ -9,6 +9,7 @@
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 #include "scoring/trace.h"
+#include "session/demonstration.h"
 #include "session/trial_surfaces.h"
 #include "simulation/scene.h"
 #include "simulation/yield.h"
@@ -62,14 +63,6 @@ struct FingersOfHand {
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
-/// Who does a level in the demonstration site (demo_site.h).
-struct DemoPart {
-    bool learned = false;      ///< trainees repeat it, and get better: short sessions that say much
-    bool ofWhoCan = false;     ///< those trainees have done it who can do the exercise
-    bool ofWhoLearns = false;  ///< ... and those who learn
-    bool ofOperators = true;   ///< every scripted operator does it
-};
-
 /// How one kind of exercise is run: its scene, its operators and its truth. A new
 /// kind adds a class and one line in app/exercises/session_catalogue.cpp. Stateless.
 class ExerciseKind {
@@ -85,8 +78,8 @@ public:
     virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
     /// All on which it can be done, the usual one (mechanism()) first.
     virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
-    /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it
-    /// does not, and the trial stays without its end.
+    /// Whether a mark answers a trial and ends it: then a trace without numbers of trials ends at its first mark, and one that ends within a trial
+    /// means its last position as the answer. Where a mark answers nothing by itself the trial stays without its end.
     virtual bool traceEndIsMark() const noexcept { return true; }
     /// SafetySettings::capKnee of its sessions. 0: a force is cut at the cap, so that all below it is felt as it is.
     virtual double capKnee() const noexcept { return 0.0; }
@@ -159,6 +152,8 @@ public:
     virtual void fillRowOfSample(const scoring::TrialTrace&, scoring::TraceRow&) const {}
     /// Who does this level in the demonstration site.
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
+    /// What the demonstration's tables, pictures and reports show of it.
+    virtual Demonstration demonstration() const { return {}; }
 };
 
 /// Where the bases of a level's tools stand when nobody mounts them elsewhere.

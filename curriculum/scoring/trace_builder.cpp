@@ -173,9 +173,8 @@ std::map<std::int32_t, RowList> rowsByTrial(const TraceRows& rows, bool endsAtMa
 
 } // namespace
 
-core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
-                                             double defaultForceLimit_N) {
-    const auto byTrial = rowsByTrial(rows, exercise == "sphere_apex");
+core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise, double defaultForceLimit_N, MarkMeaning mark) {
+    const auto byTrial = rowsByTrial(rows, mark == MarkMeaning::endsTheTrial);
     if (byTrial.empty())
         return core::fail(core::ErrorCode::badInput,
                           rows.source + ": no row of a running trial: expected at least one to score");

@@ -11,17 +11,20 @@
 
 namespace chiron::scoring {
 
+/// What the button of a mark does in an exercise.
+enum class MarkMeaning { oneOfSeveral, endsTheTrial };
+
 /// A session as metrics see it, from a trace file's rows.
 ///
-/// Trials: the `trial` column, rows whose phase is running only; without it the file is one trial, which for
-/// `sphere_apex` ends at the first mark. Mark: the mark columns, else the first row of tool 0 whose button
+/// Trials: the `trial` column, rows whose phase is running only; without it the file is one trial, which ends at
+/// the first mark where that is what a mark does. Mark: the mark columns, else the first row of tool 0 whose button
 /// bit 0 is newly down; without one the last position is scored and `marked` stays false. Contact at the
 /// mark: the column, else tissue force over 0.02 N at that row, else (no forces in the file) not judged and
 /// taken as contact. Apex truth: the target columns. Canal: the insertion columns, from the rows of tool 0; a
 /// landmark was seen at the first row that has its bit. Quantities: from the rows of tool 0; truth: from the trial's. Limit: `force_limit_N`, else `defaultForceLimit_N`.
 /// Failure (badInput): no row left to score; a column of the trial that changes inside it.
 core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_view exercise,
-                                             double defaultForceLimit_N = 4.0);
+                                             double defaultForceLimit_N = 4.0, MarkMeaning mark = MarkMeaning::oneOfSeveral);
 
 /// The rows of a session's trials in time order, with every column it has; buildSessionTrace gives the same
 /// scores.

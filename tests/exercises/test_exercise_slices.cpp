@@ -45,15 +45,23 @@ bool mayNameExercises(const QString& path) {
     static const QRegularExpression own(
         QStringLiteral("^(app|curriculum|modules)/exercises/%1/").arg(anyExercise()));
     static const QRegularExpression catalogue(
-        QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents|curriculum/scoring/metric_catalogue)\\.cpp$"));
+        QStringLiteral("^((app|modules)/exercises/[a-z0-9_]+_catalogue|curriculum/catalogue/exercise_contents|curriculum/scoring/(metric|critical_error)_catalogue)\\.cpp$"));
     return own.match(path).hasMatch() || catalogue.match(path).hasMatch();
 }
 
-bool includesAnExercise(const SourceText& source) {
+/// The psychophysics laboratory presents its objects as sessions of `comparison`, which is made for it alone.
+bool isOfTheLaboratory(const QString& path) {
+    return path.startsWith(QStringLiteral("app/session/study/")) || path.startsWith(QStringLiteral("app/desktop/study_run/"));
+}
+
+bool includesAnExercise(const SourceText& source, bool butComparison) {
     static const QRegularExpression include(
         QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]*\"([^\"]*/)?exercises/%1/").arg(anyExercise()),
         QRegularExpression::MultilineOption);
-    return include.match(source.code).hasMatch();
+    for (auto each = include.globalMatch(source.code); each.hasNext();)
+        if (const auto match = each.next(); !butComparison || match.captured(2) != QStringLiteral("comparison"))
+            return true;
+    return false;
 }
 
 bool namesAnExercise(const SourceText& source) {
@@ -66,9 +74,9 @@ bool namesAnExercise(const SourceText& source) {
 }
 
 /// "includes", "names", "both", or empty.
-QString whatItDoes(const QString& text) {
+QString whatItDoes(const QString& text, const QString& path = {}) {
     const SourceText source = readSource(text);
-    const bool includes = includesAnExercise(source), names = namesAnExercise(source);
+    const bool includes = includesAnExercise(source, isOfTheLaboratory(path)), names = namesAnExercise(source);
     if (includes && names)
         return QStringLiteral("both");
     return includes ? QStringLiteral("includes") : names ? QStringLiteral("names") : QString();
@@ -137,6 +145,10 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QCOMPARE(whatItDoes(QStringLiteral("// ") + include), QString());
     QCOMPARE(whatItDoes(QStringLiteral("id == \"palpation\"")), QStringLiteral("names"));
     QCOMPARE(whatItDoes(QStringLiteral("// \"palpation\"\n\"palpation_hits\" \"comparison\"")), QString());
+    const QString comparison = QStringLiteral("#include \"modules/exercises/comparison/simulation/a.h\"\n"), laboratory = QStringLiteral("app/session/study/a.cpp");
+    QCOMPARE(whatItDoes(comparison), QStringLiteral("includes"));
+    QCOMPARE(whatItDoes(comparison, laboratory), QString());
+    QCOMPARE(whatItDoes(comparison + include, laboratory), QStringLiteral("includes"));
     QCOMPARE(whatItDoes(include + QStringLiteral("QStringLiteral(\"sphere_apex\")")), QStringLiteral("both"));
     QVERIFY(mayNameExercises("modules/exercises/palpation/operators/a.cpp") && mayNameExercises("app/exercises/flat_catalogue.cpp"));
     QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") && !mayNameExercises("app/session/exercise_kind.h"));
@@ -162,7 +174,7 @@ void TestExerciseSlices::nothingElseNamesAnExercise() {
         if (mayNameExercises(path))
             continue;
         ++read;
-        const QString does = whatItDoes(contentOf(path)), listed = kept.take(path);
+        const QString does = whatItDoes(contentOf(path), path), listed = kept.take(path);
         if (does == listed)
             continue;
         if (does.isEmpty())

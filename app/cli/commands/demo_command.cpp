@@ -6,6 +6,7 @@
 #include "cli/session_output.h"
 #include "cli/site_access.h"
 #include "cli/text_table.h"
+#include "session/exercise_kind.h"
 #include "session/integrity_check.h"
 
 #include <QDir>
@@ -17,7 +18,7 @@ namespace chiron::cli {
 
 namespace {
 
-QString valueOf(const scoring::ScoreCard& card, const char* id, int decimals) {
+QString valueOf(const scoring::ScoreCard& card, const std::string& id, int decimals) {
     for (const scoring::MetricValue& metric : card.metrics) {
         if (metric.id == id && metric.value)
             return QString::number(*metric.value, 'f', decimals);
@@ -25,67 +26,34 @@ QString valueOf(const scoring::ScoreCard& card, const char* id, int decimals) {
     return QStringLiteral("-");
 }
 
-struct Column {
-    const char* heading;
-    const char* metric;
-    int decimals;
-};
-
-/// What an exercise's table shows beside who, how long and how hard, and the words that explain it.
-struct ExerciseColumns {
-    const char* exercise;
-    std::vector<Column> columns;
-    const char* legend;
-};
-
-const std::vector<ExerciseColumns>& exerciseColumns() {
-    static const std::vector<ExerciseColumns> kColumns{
-        {"sphere_apex",
-         {{">apex error %", "apex_error_mean", 1}, {">SD %", "apex_error_sd", 1}, {">misses", "apex_misses", 0}},
-         "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
-         "trials; misses: marked off the sphere, without touching, or not in time\n"},
-        {"urethra_insertion",
-         {{">off mm", "offset_rms", 2}, {">bend °", "curve_alignment", 1}, {">trauma", "trauma_events", 0},
-          {">seen %", "landmarks_seen", 0}, {">max mN·m", "torque_max", 0}},
-         "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal round the bend; trauma: pushes\n"
-         "against the wall over the level's limit; seen: landmarks of the bladder inspected; max mN·m: the largest torque\n"}};
-    return kColumns;
-}
-
 const QString kLegend = QStringLiteral("max N: the largest force of the tissue; passed: every pass mark of the level met; replay: forces simulated again from the\n"
                                        "recording; rescored: scores computed again from it\n");
 
-QString resultsTable(const std::vector<session::DemoResult>& results, const ExerciseColumns& shown) {
+QString resultsTable(const std::vector<session::DemoResult>& results, const std::string& exercise, const session::Demonstration& shown) {
     QStringList headings{">session", "person", ">level", "operator"};
-    for (const Column& column : shown.columns)
-        headings << QString::fromUtf8(column.heading);
+    for (const session::DemoColumn& column : shown.columns)
+        headings << QString::fromStdString(column.heading);
     TextTable table(headings + QStringList{">time s", ">max N", "passed", "replay", "rescored"});
     for (const session::DemoResult& r : results) {
-        if (r.asked.exercise != shown.exercise)
+        if (r.asked.exercise != exercise)
             continue;
         const scoring::ScoreCard& card = r.result.scores;
         QStringList cells{QString::number(r.result.session), QString::fromStdString(r.person), QString::number(r.asked.level),
                           QString::fromStdString(r.asked.operatorName)};
-        for (const Column& column : shown.columns)
+        for (const session::DemoColumn& column : shown.columns)
             cells << valueOf(card, column.metric, column.decimals);
         table.add(cells + QStringList{valueOf(card, "time", 0), valueOf(card, "force_max", 2), card.passed ? "yes" : "no",
                                       r.replayIdentical ? "identical" : "DIFFERS", r.scoreSame ? "same" : "DIFFERS"});
     }
-    return QLatin1String(shown.exercise) + QLatin1String("\n") + table.toText() + QLatin1Char('\n') +
-           QString::fromUtf8(shown.legend) + QLatin1Char('\n');
+    return QString::fromStdString(exercise) + QLatin1Char('\n') + table.toText() + QLatin1Char('\n') + QString::fromStdString(shown.legend) + QLatin1Char('\n');
 }
 
 /// One table an exercise, in the order in which they were done.
 QString resultsTables(const std::vector<session::DemoResult>& results) {
     QString text;
-    std::vector<std::string> done;
-    for (const session::DemoResult& r : results) {
-        if (std::find(done.begin(), done.end(), r.asked.exercise) != done.end())
-            continue;
-        done.push_back(r.asked.exercise);
-        const auto& known = exerciseColumns();
-        const auto columns = std::find_if(known.begin(), known.end(), [&](const auto& c) { return r.asked.exercise == c.exercise; });
-        text += resultsTable(results, columns != known.end() ? *columns : ExerciseColumns{r.asked.exercise.c_str(), {}, ""});
+    for (const std::string& exercise : exercisesOf(results)) {
+        const auto kind = session::exerciseKind(exercise);
+        text += resultsTable(results, exercise, kind ? (*kind)->demonstration() : session::Demonstration{});
     }
     return text;
 }

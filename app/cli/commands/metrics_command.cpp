@@ -8,6 +8,7 @@
 #include "scoring/score_calculator.h"
 #include "scoring/trace_builder.h"
 #include "scoring/trace_csv.h"
+#include "session/exercise_kind.h"
 
 namespace chiron::cli {
 
@@ -39,6 +40,17 @@ core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& argu
     return wanted;
 }
 
+/// Of a file without an exercise: one that says where the answer should have been has one answer a trial.
+core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const scoring::TraceColumns& columns) {
+    const auto meaning = [](bool ends) { return ends ? scoring::MarkMeaning::endsTheTrial : scoring::MarkMeaning::oneOfSeveral; };
+    if (exercise.empty())
+        return meaning(columns.target);
+    const auto kind = session::exerciseKind(exercise);
+    if (!kind)
+        return badInput(QStringLiteral("--exercise: %1").arg(QString::fromStdString(kind.error().message)));
+    return meaning((*kind)->traceEndIsMark());
+}
+
 core::Result<CommandOutput> metrics(const Arguments& arguments) {
     const auto wanted = requests(arguments);
     if (!wanted)
@@ -49,12 +61,11 @@ core::Result<CommandOutput> metrics(const Arguments& arguments) {
     const auto rows = scoring::readTraceCsvFile(arguments.operand(0).toStdString());
     if (!rows)
         return tl::unexpected(rows.error());
-    // A file that says where the apex was is one of that exercise.
-    const QString exercise = arguments.has(QStringLiteral("exercise"))
-                                 ? arguments.value(QStringLiteral("exercise"))
-                             : rows->columns.target ? QStringLiteral("sphere_apex")
-                                                    : QString();
-    const auto trace = scoring::buildSessionTrace(*rows, exercise.toStdString(), *limit);
+    const std::string exercise = arguments.value(QStringLiteral("exercise")).toStdString();
+    const auto mark = markOf(exercise, rows->columns);
+    if (!mark)
+        return tl::unexpected(mark.error());
+    const auto trace = scoring::buildSessionTrace(*rows, exercise, *limit, *mark);
     if (!trace)
         return tl::unexpected(trace.error());
     const auto card = scoring::calculateScore(*trace, *wanted, {}, true);
@@ -80,7 +91,7 @@ std::vector<CommandSpec> metricsCommands() {
     command.options = {
         {QStringLiteral("metric"), QStringLiteral("ID,..."), QStringLiteral("which metrics; default: all")},
         {QStringLiteral("exercise"), QStringLiteral("ID"),
-         QStringLiteral("how trials end; default: sphere_apex where the file has target columns")},
+         QStringLiteral("how trials end; default: at the mark where the file has target columns")},
         {QStringLiteral("force-limit"), QStringLiteral("N"),
          QStringLiteral("limit for 'over the limit' where the file has none; default: 4")}};
     command.example = QStringLiteral("chiron-cli metrics TRACE.csv --metric sparc,ldlj,path_length --json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/contact_bits.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+#include "scoring/critical_error_catalogue.h"
 #include "scoring/metric.h"
 #include "scoring/metrics/metric_rows.h"
 #include "scoring/prepared_trial.h"
@@ -53,14 +53,13 @@ Measurement measureCriticalErrors(std::span<const PreparedTrial> trials) {
     return Measurement::of(static_cast<double>(count));
 }
 
-/// Trauma that is no slip any more, and tissue that gave way outside of such.
+/// Critical spans, and tissue that gave way outside of such.
 std::size_t errorsOf(const TrialTrace& trial) {
-    std::vector<InsertionEvent> grave = insertionEvents(trial).trauma;
-    std::erase_if(grave, [](const InsertionEvent& e) { return !isCritical(e); });
-    std::size_t count = grave.size();
+    const std::vector<CriticalSpan> spans = criticalSpans(trial);
+    std::size_t count = spans.size();
     for (const ToolTrace& tool : trial.tools)
         for (const double t_s : yieldsOf(tool))
-            count += std::none_of(grave.begin(), grave.end(), [&](const InsertionEvent& e) { return e.begin_s <= t_s && t_s <= e.end_s; });
+            count += std::none_of(spans.begin(), spans.end(), [&](const CriticalSpan& span) { return span.begin_s <= t_s && t_s <= span.end_s; });
     return count;
 }
 
@@ -104,7 +103,7 @@ std::vector<MetricDefinition> outcomeMetrics() {
                              "torque its yield torque), or was pressed aside in a canal, over the lateral limit, for more than 1 s or with more "
                              "than 4 N.",
                .measure = measureCriticalErrors2});
-    static_assert(kTraumaIsCriticalFrom == 2); // this row: playback marks trauma from it on
+    static_assert(kCriticalSpansCountFrom == 2); // this row: playback marks critical spans from it on
     return rows.take();
 }
 

@@ -227,6 +227,8 @@ private slots:
     void pictureIsPainted();
     void gatesAreOnMetricsAndHaveAdvice_data() { addLevels(); }
     void gatesAreOnMetricsAndHaveAdvice();
+    void demonstrationShowsItsOwn_data() { addLevels(); }
+    void demonstrationShowsItsOwn();
     void operatorComesToTheEnd_data() { addLevels(); }
     void operatorComesToTheEnd();
     void everyTrialHasItsTruth_data() { addLevels(); }
@@ -414,6 +416,24 @@ void TestConformance::gatesAreOnMetricsAndHaveAdvice() {
         const QStringList lacking = lackingIn(advice == all.end() ? catalogue::Translated() : advice->text, QString::fromStdString(gate.metric));
         QVERIFY2(lacking.isEmpty(), qPrintable(lacking.join(QLatin1Char('\n'))));
     }
+}
+
+/// What it shows of itself in the demonstration are metrics that some level of it has, and levels that there are.
+void TestConformance::demonstrationShowsItsOwn() {
+    const auto hasMetric = [this](const std::string& id) {
+        const auto& levels = exercise().levels;
+        return std::any_of(levels.begin(), levels.end(), [&](const catalogue::ExerciseLevel& each) {
+            return std::any_of(each.metrics.begin(), each.metrics.end(), [&](const auto& metric) { return metric.id == id; });
+        });
+    };
+    const session::Demonstration shown = kind().demonstration();
+    QCOMPARE(shown.columns.empty(), shown.legend.empty());
+    for (const session::DemoColumn& column : shown.columns)
+        QVERIFY2(hasMetric(column.metric) && !column.heading.empty(), column.metric.c_str());
+    const int levels = static_cast<int>(exercise().levels.size());
+    if (shown.comparison)
+        QVERIFY2(hasMetric(shown.comparison->metric) && shown.comparison->level <= levels && shown.comparison->file.ends_with(".png"), shown.comparison->metric.c_str());
+    QVERIFY(!shown.report || (shown.report->level >= 1 && shown.report->level <= levels));
 }
 
 void TestConformance::operatorComesToTheEnd() {

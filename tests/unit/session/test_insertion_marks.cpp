@@ -186,7 +186,7 @@ void TestInsertionMarks::longOrHardTraumaIsACriticalError() {
             const auto card = scoring::calculateScore(session, wanted, {}, true);
             QVERIFY(card);
             auto made = track();
-            QVERIFY(session::addInsertionMarks(made, session, {}, version >= scoring::kTraumaIsCriticalFrom));
+            QVERIFY(session::addInsertionMarks(made, session, {}, version >= scoring::kCriticalSpansCountFrom));
             const auto marked = std::count_if(made.marks.begin(), made.marks.end(), [](const PlaybackMark& mark) { return mark.critical; });
             QCOMPARE(static_cast<double>(marked), *card->metrics[0].value);
             QCOMPARE(int(marked), version == 1 ? 0 : critical);

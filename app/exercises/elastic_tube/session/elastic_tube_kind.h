@@ -36,6 +36,7 @@ public:
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     /// Who can do it has done the one that takes two hands (level 4) as well.
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
+    Demonstration demonstration() const override;
 };
 
 } // namespace chiron::session

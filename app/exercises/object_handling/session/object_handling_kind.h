@@ -30,6 +30,7 @@ public:
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
     /// The object of a trial is its target on the bed; what moves is in the recorded quantities.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
+    Demonstration demonstration() const override;
 };
 
 } // namespace chiron::session

@@ -242,4 +242,11 @@ void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const data
             events.addAt(record.lastTick, "lump_missed", trial.trial);
 }
 
+Demonstration PalpationKind::demonstration() const {
+    return {.columns = {{">found", "palpation_hits", 0}, {">missed", "palpation_misses", 0}, {">false", "palpation_false_alarms", 0}, {">off mm", "localisation_error", 1},
+                        {">covered %", "coverage", 0}},
+            .legend = "found, missed, false: lumps found and missed, and marks where there is none; off: mean distance between mark and lump;\n"
+                      "covered: share of the area that was pressed\n"};
+}
+
 } // namespace chiron::session

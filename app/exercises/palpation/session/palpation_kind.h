@@ -49,6 +49,7 @@ public:
     void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
     /// A session lasts ten minutes and more: nobody who learns does one, and no operator all levels.
     DemoPart demoPart(int level) const override { return {.ofWhoCan = level <= 2, .ofOperators = level <= 2}; }
+    Demonstration demonstration() const override;
 };
 
 } // namespace chiron::session

@@ -19,6 +19,8 @@ namespace chiron::session {
 
 namespace {
 
+constexpr int kFeltAloneLevel = 2; // P2's condition: no visible object
+
 const simulation::SphereApexParameters& parametersOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.as<simulation::SphereApexParameters>();
 }
@@ -171,6 +173,21 @@ void SphereApexKind::fillRowOfTrial(const scoring::TrialTrace& trial, scoring::T
         return;
     row.target_m = {trial.apex->x_m, trial.apex->y_m, 0.0};
     row.targetRadius_m = trial.apex->radius_m;
+}
+
+Demonstration SphereApexKind::demonstration() const {
+    return {.columns = {{">apex error %", "apex_error_mean", 1}, {">SD %", "apex_error_sd", 1}, {">misses", "apex_misses", 0}},
+            .legend = "apex error: mean distance between mark and true highest point, in % of the sphere's radius; SD: its spread over the\n"
+                      "trials; misses: marked off the sphere, without touching, or not in time\n",
+            .comparison = OperatorComparison{.file = "operators.png",
+                                             .title = "Apex error by operator, by touch alone",
+                                             .metric = "apex_error_mean",
+                                             .metricName = "Apex error",
+                                             .unit = "% of R",
+                                             .level = kFeltAloneLevel,
+                                             .reference = 14.2,
+                                             .referenceLabel = "published mean of five people, 14.2 %"},
+            .report = DemoReport{.level = kFeltAloneLevel, .plots = true}};
 }
 
 } // namespace chiron::session

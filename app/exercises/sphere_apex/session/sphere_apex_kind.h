@@ -31,6 +31,7 @@ public:
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     /// Who can do it has done the organs (levels from 5 on) as well.
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }
+    Demonstration demonstration() const override;
 };
 
 } // namespace chiron::session

@@ -22,6 +22,9 @@ namespace chiron::session {
 
 namespace {
 
+constexpr int kCystoscopyLevel = 3;     // P1's procedure, whole, in normal tissue
+constexpr double kBendMark_deg = 15.0; // of the levels that have a bend (content/README.md)
+
 const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.as<simulation::UrethraInsertionParameters>();
 }
@@ -107,7 +110,7 @@ std::unique_ptr<TrialSurfaces> UrethraInsertionKind::makeSurfaces(const catalogu
 core::Result<void> UrethraInsertionKind::addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
     const auto& metrics = setup.level.metrics;
     const bool traumaIsCritical = std::any_of(metrics.begin(), metrics.end(), [](const catalogue::MetricChoice& metric) {
-        return metric.id == "critical_errors" && metric.version >= scoring::kTraumaIsCriticalFrom;
+        return metric.id == "critical_errors" && metric.version >= scoring::kCriticalSpansCountFrom;
     });
     if (auto done = addInsertionMarks(track, *trace, setup.level.gates, traumaIsCritical); !done)
         return done;
@@ -149,6 +152,21 @@ void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, sco
     const auto sample = std::lower_bound(t_s.begin(), t_s.end(), row.t_s);
     if (sample != t_s.end() && *sample == row.t_s)
         scoring::setSampleOfCanal(row.insertion, *trial.insertion, static_cast<std::size_t>(sample - t_s.begin()), row.t_s);
+}
+
+Demonstration UrethraInsertionKind::demonstration() const {
+    return {.columns = {{">off mm", "offset_rms", 2}, {">bend °", "curve_alignment", 1}, {">trauma", "trauma_events", 0},
+                        {">seen %", "landmarks_seen", 0}, {">max mN·m", "torque_max", 0}},
+            .legend = "off: RMS distance from the middle of the canal; bend: RMS angle between instrument and canal round the bend; trauma: pushes\n"
+                      "against the wall over the level's limit; seen: landmarks of the bladder inspected; max mN·m: the largest torque\n",
+            .comparison = OperatorComparison{.file = "operators_urethra_insertion.png",
+                                             .title = "Urethra insertion: alignment round the bend by operator",
+                                             .metric = "curve_alignment",
+                                             .metricName = "Alignment round the bend",
+                                             .unit = "°",
+                                             .reference = kBendMark_deg,
+                                             .referenceLabel = "pass mark, 15°"},
+            .report = DemoReport{.level = kCystoscopyLevel}};
 }
 
 } // namespace chiron::session

@@ -35,6 +35,7 @@ public:
     void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< of the canal
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
+    Demonstration demonstration() const override;
 };
 
 } // namespace chiron::session

@@ -146,4 +146,12 @@ InsertionEvents insertionEvents(const TrialTrace& trial) {
     return events;
 }
 
+std::vector<CriticalSpan> criticalTrauma(const TrialTrace& trial) {
+    std::vector<CriticalSpan> spans;
+    for (const InsertionEvent& trauma : insertionEvents(trial).trauma)
+        if (isCritical(trauma))
+            spans.push_back({trauma.begin_s, trauma.end_s});
+    return spans;
+}
+
 } // namespace chiron::scoring

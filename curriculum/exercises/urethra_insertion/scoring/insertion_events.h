@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scoring/critical_error_catalogue.h"
 #include "scoring/trace.h"
 
 #include <vector>
@@ -18,7 +19,6 @@ struct InsertionEvent {
 /// it as one). 4 N is the cap of the site (models.md §5); 1 s an assumption.
 inline constexpr double kLongTrauma_s = 1.0;
 inline constexpr double kHardTrauma_N = 4.0;
-inline constexpr int kTraumaIsCriticalFrom = 2; ///< version of critical_errors
 inline bool isCritical(const InsertionEvent& trauma) noexcept {
     return trauma.end_s - trauma.begin_s > kLongTrauma_s || trauma.value > kHardTrauma_N;
 }
@@ -42,5 +42,8 @@ struct InsertionEvents {
 ///
 /// `trial` must be on the stored grids (trace_grid.h). Empty without an insertion series. Pure.
 InsertionEvents insertionEvents(const TrialTrace& trial);
+
+/// Where trauma was no slip any more (isCritical). The same conditions.
+std::vector<CriticalSpan> criticalTrauma(const TrialTrace& trial);
 
 } // namespace chiron::scoring

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is a critical error beside tissue that gave way: a line for each exercise that knows such.
+#include "scoring/critical_error_catalogue.h"
+
+#include "curriculum/exercises/urethra_insertion/scoring/insertion_events.h"
+
+namespace chiron::scoring {
+
+std::vector<CriticalSpan> criticalSpans(const TrialTrace& trial) {
+    std::vector<CriticalSpan> all;
+    for (const auto spansOf : {criticalTrauma})
+        for (const CriticalSpan& span : spansOf(trial))
+            all.push_back(span);
+    return all;
+}
+
+} // namespace chiron::scoring
