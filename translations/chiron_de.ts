@@ -14364,6 +14364,10 @@ Tippen Sie in das Suchfeld oder wählen Sie aus den Listen daneben, um die Liste
 
 Die Eingabetaste oder ein Doppelklick öffnet die Auswertung der gewählten Sitzung, Strg+P gibt sie wieder. „Ergebnisse dieser Person“ zeigt, wie sich die Person in dieser Übung und Stufe entwickelt. „Für ungültig erklären“ fragt nach einem Grund und nimmt eine Sitzung aus jeder Zählung; die Aufzeichnung bleibt erhalten, und „Wieder zählen“ nimmt die Entscheidung zurück. „Archivieren“ nimmt sie aus den üblichen Listen und kann rückgängig gemacht werden.</translation>
     </message>
+    <message>
+        <source>The list is empty, so there is nothing to save.</source>
+        <translation>Die Liste ist leer, es gibt also nichts zu speichern.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SettingsScreen</name>

@@ -14364,6 +14364,10 @@ Press Return or double-click to open the debrief of the selected session, Ctrl+P
 
 Με Enter ή διπλό κλικ ανοίγει ο απολογισμός της επιλεγμένης συνεδρίας, με Ctrl+P η αναπαραγωγή της. Τα «Αποτελέσματα αυτού του ατόμου» δείχνουν την εξέλιξή του στην άσκηση και το επίπεδό της. Η «Ακύρωση συνεδρίας» ζητά αιτιολογία και αφαιρεί μια συνεδρία από κάθε μέτρηση· η καταγραφή διατηρείται, και το «Να μετράει ξανά» αναιρεί την απόφαση. Η «Αρχειοθέτηση» την αφαιρεί από τις συνηθισμένες λίστες και μπορεί να αναιρεθεί.</translation>
     </message>
+    <message>
+        <source>The list is empty, so there is nothing to save.</source>
+        <translation>Η λίστα είναι κενή, οπότε δεν υπάρχει τίποτα να αποθηκευτεί.</translation>
+    </message>
 </context>
 <context>
     <name>chiron::desktop::SettingsScreen</name>

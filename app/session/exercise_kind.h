@@ -78,9 +78,11 @@ public:
     virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
     /// All on which it can be done, the usual one (mechanism()) first.
     virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
-    /// Whether a mark answers a trial and ends it: then a trace without numbers of trials ends at its first mark, and one that ends within a trial
-    /// means its last position as the answer. Where a mark answers nothing by itself the trial stays without its end.
+    /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it
+    /// does not, and the trial stays without its end.
     virtual bool traceEndIsMark() const noexcept { return true; }
+    /// Whether the mark of a trial ends it, so that a trace file without numbers of trials ends at its first mark.
+    virtual bool markEndsTrial() const noexcept { return false; }
     /// SafetySettings::capKnee of its sessions. 0: a force is cut at the cap, so that all below it is felt as it is.
     virtual double capKnee() const noexcept { return 0.0; }
     /// How many instruments a level is done with, 1..core::kMaxTools.
@@ -152,7 +154,7 @@ public:
     virtual void fillRowOfSample(const scoring::TrialTrace&, scoring::TraceRow&) const {}
     /// Who does this level in the demonstration site.
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
-    /// What the demonstration's tables, pictures and reports show of it.
+    /// What the demonstration site shows of it: columns of its table, a picture of its operators, a report.
     virtual Demonstration demonstration() const { return {}; }
 };
 

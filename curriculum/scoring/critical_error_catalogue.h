@@ -13,10 +13,11 @@ struct CriticalSpan {
     double end_s = 0.0;
 };
 
-/// From this version on, critical_errors counts critical spans.
+/// The first version of the metric critical_errors that counts critical spans.
 inline constexpr int kCriticalSpansCountFrom = 2;
 
-/// Of every exercise that has some, in the order of time within each. `trial` must be on the stored grids (trace_grid.h). Pure.
+/// The critical spans of a trial by the rule of each exercise that has one; those of one rule are in the order of time. `trial` must be
+/// on the stored grids (trace_grid.h). Pure.
 std::vector<CriticalSpan> criticalSpans(const TrialTrace& trial);
 
 } // namespace chiron::scoring

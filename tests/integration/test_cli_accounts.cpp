@@ -114,6 +114,8 @@ void TestCliAccounts::theSiteHasAName() {
     QCOMPARE(runCli({"site", "name", "Nobody's", "--database", m_database}).exitCode, 2);
     QCOMPARE(as("alice", kAlice, {"site", "name", QString(81, 'x')}).exitCode, 3);
     QCOMPARE(as("alice", kAlice, {"site", "name", "One", "--remove"}).exitCode, 2);
+    for (const char* blank : {"", "  "}) // a script's empty variable neither shows nor removes
+        QCOMPARE(as("alice", kAlice, {"site", "name", QString::fromLatin1(blank)}).exitCode, 2);
     QCOMPARE(told(), QStringLiteral("Klinik Größe"));
     QCOMPARE(as("alice", kAlice, {"site", "name", "--remove"}).exitCode, 0);
     QCOMPARE(told(), QString());

@@ -199,6 +199,7 @@ void TestCliRefuses::oneByOne_data() {
         file("good.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,1,0,0\n0.02,2,0,0\n0.03,3,0,0\n");
     row("unknown metric", {"metrics", good, "--metric", "sparkle"}, 3, {"--metric", "\"sparkle\"", "sparc"});
     row("second metric unknown", {"metrics", good, "--metric", "sparc,sparkle"}, 3, {"\"sparkle\""});
+    row("unknown exercise", {"metrics", good, "--exercise", "juggling"}, 3, {"--exercise", "\"juggling\"", "sphere_apex"});
     row("metric twice", {"metrics", good, "--metric", "sparc,sparc"}, 2, {"--metric", "item 2"});
     row("metric list with a hole", {"metrics", good, "--metric", "sparc,,ldlj"}, 2, {"--metric", "item 2"});
     row("metric list ends open", {"metrics", good, "--metric", "sparc,"}, 2, {"--metric", "item 2"});

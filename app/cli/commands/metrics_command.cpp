@@ -40,7 +40,7 @@ core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& argu
     return wanted;
 }
 
-/// Of a file without an exercise: one that says where the answer should have been has one answer a trial.
+/// Without an exercise the file decides: one that says where the answer should have been has one answer per trial.
 core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const scoring::TraceColumns& columns) {
     const auto meaning = [](bool ends) { return ends ? scoring::MarkMeaning::endsTheTrial : scoring::MarkMeaning::oneOfSeveral; };
     if (exercise.empty())
@@ -48,7 +48,7 @@ core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const sco
     const auto kind = session::exerciseKind(exercise);
     if (!kind)
         return badInput(QStringLiteral("--exercise: %1").arg(QString::fromStdString(kind.error().message)));
-    return meaning((*kind)->traceEndIsMark());
+    return meaning((*kind)->markEndsTrial());
 }
 
 core::Result<CommandOutput> metrics(const Arguments& arguments) {

@@ -28,9 +28,11 @@ core::Result<CommandOutput> showName(const Arguments& arguments) {
 }
 
 core::Result<CommandOutput> name(const Arguments& arguments) {
-    const bool removes = arguments.has(QStringLiteral("remove")), gives = !arguments.operand(0).trimmed().isEmpty();
+    const bool removes = arguments.has(QStringLiteral("remove")), gives = !arguments.operand(0).isEmpty();
     if (removes && gives)
         return wrongUse(QStringLiteral("--remove and a NAME were given; expected one of them"));
+    if (gives && arguments.operand(0).trimmed().isEmpty())
+        return wrongUse(QStringLiteral("NAME is blank; expected a name, or --remove to take the name away"));
     if (!removes && !gives)
         return showName(arguments);
     const auto wanted = database::checkedSiteName(arguments.operand(0).toStdString());

@@ -14,7 +14,7 @@ bool saysOutcome(const database::SessionSummary& session) {
     return session.state == SessionState::completed || (session.familiarisation && session.state == SessionState::stopped);
 }
 
-/// Where it was recorded; invalid where the label cannot be read.
+/// The start in the local time of the place of recording; invalid where the stored text cannot be read.
 QDateTime localStart(const database::SessionSummary& session) {
     const QDateTime time = SessionWords::timeOf(session.startedUtc);
     return time.isValid() ? time.toOffsetFromUtc(session.utcOffset_min * 60) : time;

@@ -190,8 +190,10 @@ void SessionsScreen::reload(database::SessionId session) {
 }
 
 void SessionsScreen::exportList() {
-    if (m_model->rowCount() == 0)
+    if (m_model->rowCount() == 0) { // by its key: the button is disabled
+        context().messages().information(tr("The list is empty, so there is nothing to save."));
         return;
+    }
     auto* dialog = new QFileDialog(this, tr("Save the list"), QString(), tr("Comma-separated values (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -38,8 +38,9 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     column->addWidget(chooser());
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
-        if (page.draft.design().conditions.size() > 1 || !condition().instructions.empty())
-            column->addWidget(instructionsBox()); // of a study with one condition the study's own say everything
+        // In a study with one condition, the study's own instructions say everything.
+        if (!condition().instructions.empty() || (!page.readOnly && page.draft.design().conditions.size() > 1))
+            column->addWidget(instructionsBox());
         if (!apex())
             column->addWidget(tableBox());
         column->addWidget(proceduresBox());

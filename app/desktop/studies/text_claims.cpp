@@ -166,8 +166,11 @@ std::vector<FalseClaim> falseClaims(const StudyDesign& design, const QLocale& lo
     checkSentences(claims, design, design.objective, Where::aim);
     checkSentences(claims, design, ownSentences(design), Where::instructions);
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
-        checkTitle(claims, design.conditions[i], static_cast<int>(i), locale);
-        checkSentences(claims, design, design.conditions[i].instructions, Where::part, static_cast<int>(i));
+        const int condition = static_cast<int>(i);
+        checkTitle(claims, design.conditions[i], condition, locale);
+        StudyDesign alone = design; // what is true of another condition is no excuse
+        alone.conditions = {design.conditions[i]};
+        checkSentences(claims, alone, design.conditions[i].instructions, Where::part, condition);
     }
     return claims;
 }

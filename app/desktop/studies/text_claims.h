@@ -24,7 +24,7 @@ struct FalseClaim {
     QString setting;      ///< what is set instead, as a phrase: "the reference is 120 N/m"
 };
 
-/// Numbers with units in titles, and in aim and the researcher's own sentences the number of objects and trials, seconds, the criterion, and whether objects are
+/// Numbers with units in titles; and in the aim, the researcher's own sentences and those of a condition the number of objects and trials, seconds, the criterion, and whether objects are
 /// seen, against the settings; in each language of a text. What it does not understand it lets stand. `locale`: of the phrases.
 std::vector<FalseClaim> falseClaims(const psychophysics::StudyDesign& design, const QLocale& locale);
 

@@ -53,7 +53,7 @@ Measurement measureCriticalErrors(std::span<const PreparedTrial> trials) {
     return Measurement::of(static_cast<double>(count));
 }
 
-/// Critical spans, and tissue that gave way outside of such.
+/// The number of critical spans, and of times that tissue gave way outside of them.
 std::size_t errorsOf(const TrialTrace& trial) {
     const std::vector<CriticalSpan> spans = criticalSpans(trial);
     std::size_t count = spans.size();

@@ -418,7 +418,7 @@ void TestConformance::gatesAreOnMetricsAndHaveAdvice() {
     }
 }
 
-/// What it shows of itself in the demonstration are metrics that some level of it has, and levels that there are.
+/// The demonstration names only metrics that some level of the exercise has, and levels that exist.
 void TestConformance::demonstrationShowsItsOwn() {
     const auto hasMetric = [this](const std::string& id) {
         const auto& levels = exercise().levels;

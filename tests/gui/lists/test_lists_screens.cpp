@@ -365,6 +365,13 @@ private slots:
         desktop.logIn("tom");
         QVERIFY(openSessions(desktop));
         QCOMPARE(panel(desktop)->state(), StatePanel::State::empty); // nothing recorded yet
+        QVERIFY(!desktop.find<QPushButton>(QStringLiteral("sessions.export"))->isEnabled());
+        QSignalSpy told(&desktop.context.messages(), &Messages::told);
+        for (const ScreenCommand& command : desktop.window->screen()->commands())
+            if (command.keys == QKeySequence(QKeySequence::Save))
+                command.act();
+        QCOMPARE(told.size(), 1); // its key says why nothing comes
+        QVERIFY(told.front().front().value<Message>().text.contains(QStringLiteral("list is empty")));
         QVERIFY(desktop.find<QPushButton>(QStringLiteral("state.action"))->isHidden());
         tests::storeManySessions(desktop.database(), {desktop.actor("tina")}, 20);
         auto* screen = openSessions(desktop, {{QStringLiteral("text"), QStringLiteral("nobody")}});

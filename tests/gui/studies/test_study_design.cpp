@@ -646,12 +646,12 @@ void TestStudyDesign::numbersAreReadAsTheyWereMeant() {
 /// What was typed and not taken is not left behind without a word: Next goes to it, and on from there.
 /// What is different in a condition is asked for once there are two; it stays with the one, and an emptied field is no text.
 void TestStudyDesign::aConditionHasItsOwnInstructions() {
-    openDraft(tests::smallStudy("glove"), StudyScreen::conditionsTab);
-    if (design().conditions.size() == 1) {
-        QVERIFY(!find<QPlainTextEdit>("condition.instructions"));
-        click("conditions.copy");
-        QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
-    }
+    psychophysics::StudyDesign one = tests::smallStudy("glove");
+    one.conditions.resize(1);
+    openDraft(one, StudyScreen::conditionsTab);
+    QVERIFY(find<QWidget>("condition.title") && !find<QPlainTextEdit>("condition.instructions"));
+    click("conditions.copy");
+    QTRY_COMPARE_WITH_TIMEOUT(design().conditions.size(), std::size_t{2}, kPatience_ms);
     QTRY_VERIFY_WITH_TIMEOUT(find<QPlainTextEdit>("condition.instructions"), kPatience_ms);
     const int shown = screen()->findChild<desktop::ConditionsPage*>()->shown();
     const auto own = [&](int at) { return design().conditions.at(static_cast<std::size_t>(at)).instructions; };

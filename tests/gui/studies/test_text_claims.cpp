@@ -50,6 +50,7 @@ private slots:
     void anotherTaskIsFound();
     void whatIsSeenIsFound();
     void anotherCriterionIsFound();
+    void aConditionIsMeasuredByItsOwnSettings();
     void timeAndTrialsAreFound();
     void otherTextsStand();
     void freezingSaysSo();
@@ -106,6 +107,23 @@ void TestTextClaims::whatIsSeenIsFound() {
     StudyDesign mass = of("mass");
     mass.trial.visibleObjects = false;
     QVERIFY(languagesOf(desktop::falseClaims(mass, kEnglish), FalseClaim::Where::instructions) == kAll);
+}
+
+/// What is read before one condition is not excused by another that it would be true of.
+void TestTextClaims::aConditionIsMeasuredByItsOwnSettings() {
+    StudyDesign design = of("surgeons"); // three objects in every condition
+    QVERIFY(design.conditions.size() > 1);
+    design.conditions[1].task = Task::twoAfc;
+    design.ownInstructions = psychophysics::StudyText{{"en", "Guess."}};
+    design.objective = {{"en", "To see."}};
+    design.conditions[0].instructions = {{"en", "You have three objects."}};
+    design.conditions[1].instructions = {{"en", "You have two objects."}};
+    QVERIFY2(desktop::falseClaims(design, kEnglish).empty(), qPrintable(told(desktop::falseClaims(design, kEnglish))));
+    std::swap(design.conditions[0].instructions, design.conditions[1].instructions);
+    const auto claims = desktop::falseClaims(design, kEnglish);
+    QCOMPARE(claims.size(), std::size_t{2});
+    for (std::size_t i = 0; i < 2; ++i)
+        QVERIFY(claims[i].where == FalseClaim::Where::part && claims[i].condition == static_cast<int>(i));
 }
 
 void TestTextClaims::anotherCriterionIsFound() {

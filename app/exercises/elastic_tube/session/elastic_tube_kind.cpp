@@ -144,8 +144,8 @@ std::unique_ptr<TrialSurfaces> ElasticTubeKind::makeSurfaces(const catalogue::Ex
 
 Demonstration ElasticTubeKind::demonstration() const {
     return {.columns = {{">error N", "tension_error_rms", 2}, {">in band %", "retraction_time_in_band", 0}, {">over", "over_stretches", 0}, {">drops", "drops", 0}},
-            .legend = "error: RMS distance of the tension from its target; in band: share of the time in which the fold was held back rightly;\n"
-                      "over: times the tube was stretched too far; drops: times it was let go\n"};
+            .legend = "error: RMS distance of the tension from its target; in band: share of the time, once the fold was held back, in\n"
+                      "which its pull was in its band; over: times the tube was stretched too far; drops: times it was let go\n"};
 }
 
 } // namespace chiron::session

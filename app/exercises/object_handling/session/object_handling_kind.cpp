@@ -135,7 +135,7 @@ std::unique_ptr<TrialSurfaces> ObjectHandlingKind::makeSurfaces(const catalogue:
 Demonstration ObjectHandlingKind::demonstration() const {
     return {.columns = {{">squeeze N", "squeeze_max", 2}, {">too hard s", "squeeze_time_over_limit", 1}, {">placed mm", "placement_error", 1}, {">weighed %", "weighing_correct", 0}},
             .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: mean distance from the middle of the\n"
-                      "target; weighed: weighings that were right\n"};
+                      "target; weighed: weighings that were answered rightly\n"};
 }
 
 } // namespace chiron::session

@@ -43,7 +43,7 @@ struct InsertionEvents {
 /// `trial` must be on the stored grids (trace_grid.h). Empty without an insertion series. Pure.
 InsertionEvents insertionEvents(const TrialTrace& trial);
 
-/// Where trauma was no slip any more (isCritical). The same conditions.
+/// The trauma events that are critical errors (isCritical), in the order of time. `trial`: as for insertionEvents().
 std::vector<CriticalSpan> criticalTrauma(const TrialTrace& trial);
 
 } // namespace chiron::scoring
