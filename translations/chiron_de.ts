@@ -8067,7 +8067,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Was für die Teilnehmenden anders ist</translation>
     </message>
     <message>
-        <source>Participants read before this condition</source>
+        <source>What participants read before this condition</source>
         <translation>Text vor dieser Bedingung</translation>
     </message>
     <message>

@@ -8067,7 +8067,7 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Τι διαφέρει για τον συμμετέχοντα</translation>
     </message>
     <message>
-        <source>Participants read before this condition</source>
+        <source>What participants read before this condition</source>
         <translation>Κείμενο πριν από αυτή τη συνθήκη</translation>
     </message>
     <message>

@@ -202,7 +202,7 @@ QWidget* ConditionsPage::instructionsBox() {
     const kit::Box box = titledBox(theme, tr("What is different for the participant"));
     auto* grid = new FieldGrid(theme, m_page.app.locale(), m_page.readOnly);
     const QString name = QStringLiteral("condition.instructions");
-    addStudyText(*grid, m_page, tr("Participants read before this condition"), name, 2,
+    addStudyText(*grid, m_page, tr("What participants read before this condition"), name, 2,
                  [at = static_cast<std::size_t>(m_shown)](StudyDesign& design) -> StudyText& { return design.conditions[at].instructions; }, true);
     grid->explain(name, tr("What the settings do not say, such as \"Put on the glove.\" or \"Use your other hand.\" Leave it empty if nothing is different. "
                            "Whoever reads it can tell this condition from the others."));
