@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What came of a condition in which an apex was looked for: bias and sd an axis, errors, P2's figure 4.
-#include "app/exercises/sphere_apex/session_report/apex_study_plots.h"
+#include "session_report/apex_study_plots.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"

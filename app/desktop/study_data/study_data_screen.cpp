@@ -2,7 +2,7 @@
 #include "desktop/study_data/study_data_screen.h"
 
 #include "desktop/studies/study_words.h"
-#include "app/exercises/sphere_apex/desktop/apex_page.h"
+#include "desktop/study_data/apex_page.h"
 #include "desktop/study_data/comparison_page.h"
 #include "desktop/study_data/group_page.h"
 #include "desktop/study_data/person_page.h"

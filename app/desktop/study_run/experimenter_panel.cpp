@@ -5,7 +5,7 @@
 #include "desktop/studies/study_words.h"
 #include "desktop/widgets/kit.h"
 #include "report/plot_view.h"
-#include "app/exercises/sphere_apex/session_report/apex_study_plots.h"
+#include "session_report/apex_study_plots.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include "catalogue/exercise.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/study_run/answer_panel.h"
-#include "app/exercises/sphere_apex/desktop/apex_stage.h"
+#include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/experimenter_panel.h"
 #include "desktop/study_run/places_view.h"

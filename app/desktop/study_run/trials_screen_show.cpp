@@ -5,7 +5,7 @@
 #include "desktop/frame/app_context.h"
 #include "desktop/studies/study_words.h"
 #include "desktop/study_run/answer_panel.h"
-#include "app/exercises/sphere_apex/desktop/apex_stage.h"
+#include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/break_panel.h"
 #include "desktop/study_run/places_view.h"
 #include "desktop/study_run/study_controls.h"

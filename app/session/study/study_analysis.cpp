@@ -3,7 +3,7 @@
 
 #include "catalogue/study_reader.h"
 #include "core/random.h"
-#include "app/exercises/sphere_apex/session/apex_analysis.h"
+#include "session/study/apex_analysis.h"
 #include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/rendered_run.h"
 #include "session/study/study_setup.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person looks for an apex on the screen: to the end by keys and mouse, stopped and gone on with at the trial, a spoiled trial again; what the
 // picture shows; and the data screen's analysis of it. CHIRON_KEEP_PICTURES=<folder> keeps pictures.
-#include "app/exercises/sphere_apex/desktop/apex_stage.h"
+#include "desktop/study_run/apex_stage.h"
 #include "desktop/study_run/trials_screen.h"
 #include "session/study/study_analysis.h"
 #include "session/study/study_store.h"

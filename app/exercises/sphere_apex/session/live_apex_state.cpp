@@ -5,7 +5,7 @@
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "core/random.h"
 #include "core/units.h"
-#include "app/exercises/sphere_apex/session/apex_analysis.h"
+#include "session/study/apex_analysis.h"
 #include "app/exercises/sphere_apex/session/apex_sitting.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "catalogue/study_reader.h"
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
-#include "app/exercises/sphere_apex/session/apex_analysis.h"
+#include "session/study/apex_analysis.h"
 #include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/study_runner.h"
 #include "session/study/study_store.h"

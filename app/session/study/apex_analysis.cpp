@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/sphere_apex/session/apex_analysis.h"
+#include "session/study/apex_analysis.h"
 
 #include <algorithm>
 #include <map>

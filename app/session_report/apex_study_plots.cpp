@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/sphere_apex/session_report/apex_study_plots.h"
+#include "session_report/apex_study_plots.h"
 
 #include "session_report/study_report_text.h"
 

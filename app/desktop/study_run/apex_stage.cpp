@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/sphere_apex/desktop/apex_stage.h"
+#include "desktop/study_run/apex_stage.h"
 
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/training/scene_feed.h"

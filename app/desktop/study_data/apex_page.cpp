@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/sphere_apex/desktop/apex_page.h"
+#include "desktop/study_data/apex_page.h"
 
 #include "desktop/plots/fitted_table.h"
 #include "desktop/plots/plot_theme_of.h"
@@ -8,7 +8,7 @@
 #include "desktop/study_data/run_choice.h"
 #include "desktop/widgets/flow_layout.h"
 #include "desktop/widgets/kit.h"
-#include "app/exercises/sphere_apex/session_report/apex_study_plots.h"
+#include "session_report/apex_study_plots.h"
 #include "session_report/study_warning_words.h"
 
 #include <QComboBox>
