@@ -12,7 +12,7 @@
 
 namespace chiron::session {
 
-core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
+std::span<const ExerciseKind* const> exerciseKinds() {
     static const SphereApexKind sphereApex;
     static const UrethraInsertionKind urethraInsertion;
     static const ElasticTubeKind elasticTube;
@@ -21,13 +21,7 @@ core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     static const ComparisonKind comparison; // of studies
     static const auto kinds =
         std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
-    std::string known;
-    for (const ExerciseKind* kind : kinds) {
-        if (kind->id() == id)
-            return kind;
-        known += (known.empty() ? "" : ", ") + std::string(kind->id());
-    }
-    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
+    return kinds;
 }
 
 } // namespace chiron::session

@@ -3,6 +3,24 @@
 
 namespace chiron::session {
 
+core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
+    std::string known;
+    for (const ExerciseKind* kind : exerciseKinds()) {
+        if (kind->id() == id)
+            return kind;
+        known += (known.empty() ? "" : ", ") + std::string(kind->id());
+    }
+    return core::fail(core::ErrorCode::notFound, "exercise \"" + std::string(id) + "\": expected one of " + known);
+}
+
+std::string idsOfKinds(bool (*holds)(const ExerciseKind&)) {
+    std::string ids;
+    for (const ExerciseKind* kind : exerciseKinds())
+        if (holds(*kind))
+            ids += (ids.empty() ? "" : ", ") + std::string(kind->id());
+    return ids;
+}
+
 std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level) {
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < kind.toolCount(level); ++tool)

@@ -102,6 +102,8 @@ public:
     virtual bool recordsEnergy(const catalogue::ExerciseLevel&) const { return false; }
     /// How a mouse and a keyboard move the tool: a point, or an endoscope that is advanced along its axis and turned.
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
+    /// Where the tip of an endoscope begins, m, W: of a mouse and keyboard, and of a simulated mechanism that holds one.
+    virtual core::Vec3 endoscopeStart_W() const noexcept { return core::Vec3::Zero(); }
     /// From what is stored with the session alone, its devices' data included, so that a replay makes the same scene.
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
     /// When what is touched gives way; as it stands here: never.
@@ -160,6 +162,11 @@ public:
 
 /// Where the bases of a level's tools stand when nobody mounts them elsewhere.
 std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
+
+/// All that can be run, those of studies included.
+std::span<const ExerciseKind* const> exerciseKinds();
+/// The ids of those for which `holds`, in that order, as in "a, b, c".
+std::string idsOfKinds(bool (*holds)(const ExerciseKind&));
 
 /// The kind with this id. Failure: notFound naming the kinds that exist.
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id);

@@ -40,8 +40,6 @@ PlaybackView PlaybackTrack::at(double t_s) const {
     view.moment.t_s = std::clamp(t_s, moments.front().t_s, moments.back().t_s);
     if (const PlaybackTrial* shown = trial(view.moment.trial))
         view.object = shown->object;
-    if (insertion)
-        view.insertion = insertion->moments[i];
     for (const PlaybackQuantity& each : quantities)
         view.quantities.push_back(each.values[i]);
     return view;

@@ -5,12 +5,11 @@
 #include "core/session_state.h"
 #include "core/tool_state.h"
 #include "database/actor.h"
-#include "curriculum/exercises/urethra_insertion/scoring/insertion_moments.h"
-#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "session/playback_mark.h"
 #include "session/trial_surfaces.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,13 +55,33 @@ struct PlaybackTrial {
     std::optional<TrialObject> object;      ///< the truth
 };
 
-/// Where a quantity of an insertion was largest in a trial, among the samples that its metrics take: exact, at the recording's own
-/// rate, where `insertion` has one sample in four.
+/// Where what some metrics measure sample by sample was largest in a trial, among the samples that they take: exact, at the recording's
+/// own rate, where a track has one sample in four.
 struct PlaybackPeak {
-    scoring::InsertionQuantity quantity = scoring::InsertionQuantity::offset;
+    std::vector<std::string> metrics; ///< ids
     int trial = 0;
     double t_s = 0.0;
-    double value = 0.0; ///< SI, as the quantity says
+    double value = 0.0; ///< in `unit`, that of the metrics
+    std::string unit;
+};
+
+/// How an instrument lay in a canal, one value a moment of the track, not a number outside of a trial. Empty: there is no canal, or the
+/// recording does not tell how the instrument was turned.
+struct PlaybackCanal {
+    std::vector<double> offset_m;      ///< of the tip from the centre-line
+    std::vector<double> alignment_rad; ///< between instrument and centre-line
+    bool empty() const noexcept { return offset_m.empty(); }
+};
+
+/// What an exercise makes of a whole recording for its own screens and reports. Never changed once it is in a track, whose copies share it.
+class PlaybackOfExercise {
+public:
+    virtual ~PlaybackOfExercise() = default;
+
+protected:
+    PlaybackOfExercise() = default;
+    PlaybackOfExercise(const PlaybackOfExercise&) = default;
+    PlaybackOfExercise& operator=(const PlaybackOfExercise&) = default;
 };
 
 /// One of the scene's quantities as recorded (ExerciseKind::quantities, and "energy_supplied_J", "energy_stored_J" where the
@@ -83,7 +102,6 @@ struct PlaybackView {
     PlaybackMoment moment;
     std::vector<PlaybackTool> tools;
     std::optional<TrialObject> object; ///< of the trial at that time
-    std::optional<PlaybackInsertionMoment> insertion; ///< exercises with an endoscope
     std::vector<double> quantities; ///< as PlaybackTrack::quantities, of the earlier sample
 };
 
@@ -105,12 +123,15 @@ public:
     std::vector<PlaybackTrial> trials;
     std::vector<PlaybackSpan> paused; ///< left out of every metric
     std::vector<PlaybackMark> marks;  ///< by time
-    std::vector<PlaybackPeak> peaks;  ///< of trials through a canal
+    std::vector<PlaybackPeak> peaks;  ///< of those metrics for which the exercise tells it
     std::vector<PlaybackQuantity> quantities; ///< those that were recorded; none for exercises without
     double duration_s = 0.0;          ///< device time of the last frame
-    std::optional<PlaybackInsertion> insertion; ///< exercises with an endoscope whose recording tells how it was turned
+    PlaybackCanal canal;
+    std::shared_ptr<const PlaybackOfExercise> own; ///< null: the exercise has nothing of its own, or the recording does not tell it
 
     bool empty() const noexcept { return moments.empty(); }
+    /// `own`, for those who know what it is; null where it is nothing of the kind.
+    template <class Own> const Own* of() const noexcept { return dynamic_cast<const Own*>(own.get()); }
     /// Index of the last sample at or before `t_s`; 0 before the first. Undefined on an empty track.
     std::size_t indexAt(double t_s) const noexcept;
     const PlaybackTool& tool(std::size_t moment, int tool) const noexcept {

@@ -3,7 +3,6 @@
 
 #include "core/random.h"
 #include "haptics/friction_compensation.h"
-#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@
 namespace chiron::session {
 
 namespace {
-core::Vec3 endoscopeStart_W() {
-    return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -simulation::kStartBeforeEntrance_m});
-}
-
 /// Asks the driver for a device for each tool of the request.
 core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRequest request) {
     Station station;
@@ -42,6 +37,8 @@ tl::unexpected<core::Error> differingHands(const ExerciseKind& kind, std::size_t
                                                      std::to_string(tools) + " instruments");
 }
 
+bool knowsItsPlace(const ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }
+
 WorkspaceChoice mountingOf(const catalogue::ExerciseLevel& level, int tool, const WorkspaceChoice& chosen) {
     const auto index = static_cast<std::size_t>(tool);
     return index < level.mounting.size() ? chosen.over(level.mounting[index]) : chosen;
@@ -65,8 +62,8 @@ core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind
     const bool any = chosen.turned() || chosen.leftHanded || chosen.scale != unchanged.scale || chosen.origin_m != unchanged.origin_m;
     if (any && !kind.operatorsKnowTheirPlace())
         return core::fail(core::ErrorCode::wrongUse, "exercise " + std::string(kind.id()) +
-                                                         ": its scripted hands hold a device that stands as it is built; only those of "
-                                                         "elastic_tube, object_handling and palpation can be mounted otherwise");
+                                                         ": its scripted hands hold a device that stands as it is built; it can be "
+                                                         "mounted otherwise for " + idsOfKinds(knowsItsPlace));
     std::vector<devices::WorkspaceMapping> places;
     for (int tool = 0; tool < tools; ++tool) {
         const auto mounted = mappingOf(mountingOf(level, tool, chosen));
@@ -148,13 +145,11 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 
 namespace {
 /// What a session asks of a driver whose devices a person moves, without its tools.
-devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool, double widestJaw_rad) {
+devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool) {
     devices::DriverRequest request;
     request.shape = tool;
     request.scale = choice.scale;
     request.middle_m = choice.origin_m;
-    request.widestJaw_rad = widestJaw_rad;
-    request.endoscopeStart_W = endoscopeStart_W();
     return request;
 }
 
@@ -204,12 +199,12 @@ devices::EndoscopeMailbox* Station::endoscope() const noexcept {
     return nullptr;
 }
 
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given, PointerTool tool, double widestJaw_rad) {
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& given) {
     const WorkspaceChoice choice = ofPointer(given);
     const auto mapping = mappingOf(choice);
     if (!mapping)
         return tl::unexpected(mapping.error());
-    devices::DriverRequest request = requestOf(choice, tool == PointerTool::point ? tool : PointerTool::endoscope, widestJaw_rad);
+    devices::DriverRequest request = requestOf(choice, PointerTool::point);
     request.tools.push_back({*mapping, {}, nullptr, {}});
     return stationOf(devices::usualDriver(devices::MovedBy::person), std::move(request));
 }
@@ -236,7 +231,9 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
             return tl::unexpected(mapping.error());
         places = {*mapping};
     }
-    devices::DriverRequest request = requestOf(choice, tool, tool == PointerTool::point ? kind.fingerJaw_rad(level) : 0.0);
+    devices::DriverRequest request = requestOf(choice, tool);
+    request.widestJaw_rad = tool == PointerTool::point ? kind.fingerJaw_rad(level) : 0.0;
+    request.endoscopeStart_W = kind.endoscopeStart_W();
     for (const devices::WorkspaceMapping& place : places)
         request.tools.push_back({place, tool == PointerTool::point ? startOf(kind, level, place) : std::nullopt, nullptr, {}});
     return stationOf(driver, std::move(request));
@@ -262,7 +259,7 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
         return differingHands(kind, trainee->strategies.size(), hands);
     devices::DriverRequest request;
     request.shape = kind.pointerTool();
-    request.endoscopeStart_W = endoscopeStart_W();
+    request.endoscopeStart_W = kind.endoscopeStart_W();
     request.mechanism = std::string(chosen);
     request.hand = trainee->hand;
     request.seed = core::Random::mix(seed, "hand");

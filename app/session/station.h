@@ -45,12 +45,11 @@ using WorkspaceChoice = core::BaseMounting;
 /// The mapping of a choice. Failure: badInput naming the value and its range.
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice);
 
-/// A mouse and a keyboard (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale makes the
-/// hand's part of it smaller. `tool`: the kind's pointerTool(). An endoscope begins before the entrance, looking in.
-/// Failure: badInput.
-core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {}, PointerTool tool = PointerTool::point, double widestJaw_rad = 0.0);
+/// A mouse and a keyboard that move one point (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale
+/// makes the hand's part of it smaller. Failure: badInput.
+core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 
-/// The same for a level of an exercise. Several points (fingers): one tool each, at the kind's places, every one with the same
+/// The same for a level of an exercise. An endoscope begins at the kind's endoscopeStart_W(), looking in. Several points (fingers): one tool each, at the kind's places, every one with the same
 /// box round its own place, so that the fingers of a hand stay side by side at an edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry
 /// points; all reach the same box of W, whose middle is the choice's origin. Failure: badInput; wrongUse for a level without
 /// 1..kMaxTools instruments.

@@ -130,19 +130,19 @@ std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, const cha
     return worst;
 }
 
-/// Where a quantity was largest in any trial, in its metrics' unit.
-std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, scoring::InsertionQuantity quantity) {
+/// Where what the metric measures was largest in any trial, if the exercise says so.
+std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::string& metric) {
     const PlaybackPeak* found = nullptr;
     for (const PlaybackPeak& peak : track.peaks)
-        if (peak.quantity == quantity && (found == nullptr || peak.value > found->value))
+        if (std::find(peak.metrics.begin(), peak.metrics.end(), metric) != peak.metrics.end() && (found == nullptr || peak.value > found->value))
             found = &peak;
     if (found == nullptr)
         return std::nullopt;
     WorstMoment worst;
     worst.t_s = found->t_s;
     worst.trial = found->trial;
-    worst.value = scoring::inMetricUnit(quantity, found->value);
-    worst.unit = scoring::metricUnitOf(quantity);
+    worst.value = found->value;
+    worst.unit = found->unit;
     return worst;
 }
 
@@ -177,9 +177,7 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         return firstOf(track, {falseAlarm}, metric);
     if (startsWith(id, "squeeze_"))
         return largestQuantity(track, "squeeze_N", "N");
-    if (const auto quantity = scoring::insertionQuantityOf(id))
-        return largestPeak(track, *quantity);
-    return std::nullopt;
+    return largestPeak(track, id);
 }
 
 /// What a gate on a metric that is spread over a trial is led to: the trial that tore, or that did worst, at its end.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session_report/track_series.h"
 
+#include "session/exercise_kind.h"
 #include "session_report/mark_words.h"
 #include "session_report/exercise_words.h"
 
@@ -32,15 +33,20 @@ report::ToolSamples samplesOf(const PlaybackTrack& track, int tool) {
     return samples;
 }
 
+bool hasSeveralTrials(const catalogue::ExerciseLevel& level) {
+    const auto kind = session::exerciseKind(level.exercise);
+    return !kind || (*kind)->trialCount(level) > 1;
+}
+
 } // namespace
 
 report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale) {
     report::SampleSeries series;
     for (std::size_t i = 0; i < track.moments.size() && track.toolCount > 0; ++i) {
         series.t_s.push_back(track.moments[i].t_s);
-        if (track.insertion) {
-            series.offset_mm.push_back(track.insertion->moments[i].offset_m * 1e3);
-            series.alignment_deg.push_back(track.insertion->moments[i].alignment_rad * kDegrees);
+        if (!track.canal.empty()) {
+            series.offset_mm.push_back(track.canal.offset_m[i] * 1e3);
+            series.alignment_deg.push_back(track.canal.alignment_rad[i] * kDegrees);
         }
     }
     for (int tool = 0; tool < track.toolCount; ++tool) {
@@ -50,7 +56,7 @@ report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::Exerc
     for (const session::PlaybackSpan& span : track.paused)
         series.paused.push_back({span.begin_s, span.end_s});
     for (const session::PlaybackTrial& trial : track.trials)
-        if (track.trials.size() > 1 || !track.insertion) // of one procedure there is nothing to number
+        if (track.trials.size() > 1 || hasSeveralTrials(level)) // of one procedure there is nothing to number
             series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.critical)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/looked_back.h"
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "session/session_view.h"
 #include "session/worst_moment.h"
 #include "session_report/mark_words.h"
@@ -70,7 +71,8 @@ private:
         for (const session::PlaybackSpan& span : m_track.paused)
             m_lines << QStringLiteral("paused %1 to %2").arg(milli(span.begin_s), milli(span.end_s));
         for (const session::PlaybackPeak& peak : m_track.peaks)
-            m_lines << QStringLiteral("peak %1 in trial %2 at %3: %4").arg(static_cast<int>(peak.quantity)).arg(peak.trial).arg(milli(peak.t_s), milli(peak.value));
+            m_lines << QStringLiteral("peak %1 in trial %2 at %3: %4 %5").arg(QString::fromStdString(peak.metrics.front())).arg(peak.trial)
+                           .arg(milli(peak.t_s), milli(peak.value), QString::fromStdString(peak.unit));
     }
     void addMarks(const catalogue::ExerciseLevel& level) {
         for (const session::PlaybackMark& mark : m_track.marks)
@@ -99,9 +101,10 @@ private:
         m_lines << line;
         for (const session::PlaybackQuantity& quantity : m_track.quantities)
             m_lines << QStringLiteral("quantity %1 \"%2\" %3").arg(QString::fromStdString(quantity.id), QString::fromStdString(quantity.unit), summed(quantity.values));
-        if (!m_track.insertion)
+        const auto* own = m_track.of<session::PlaybackInsertion>();
+        if (!own)
             return;
-        const session::PlaybackInsertion& insertion = *m_track.insertion;
+        const session::PlaybackInsertion& insertion = *own;
         m_lines << QStringLiteral("canal %1, bend %2, goal %3, %4 of %5 landmarks").arg(milli(insertion.length_m), milli(insertion.bend_m), milli(insertion.goal_m))
                        .arg(insertion.landmarksSeen()).arg(insertion.landmarkSeen_s.size());
         std::vector<double> depth, offset, alignment, stage;

@@ -5,6 +5,7 @@
 #include "cli/site_access.h"
 #include "database/accounts/account_service.h"
 #include "core/units.h"
+#include "session/exercise_kind.h"
 #include "session/site.h"
 
 #include <QJsonArray>
@@ -159,6 +160,7 @@ core::Result<CommandOutput> train(const Arguments& arguments) {
 } // namespace
 
 std::vector<CommandSpec> trainCommands() {
+    const auto kindsWith = [](bool (*holds)(const session::ExerciseKind&)) { return QString::fromStdString(session::idsOfKinds(holds)); };
     CommandSpec command;
     command.group = QStringLiteral("train");
     command.summary = QStringLiteral("run one session with a scripted hand or a trace; recorded and scored");
@@ -172,10 +174,11 @@ std::vector<CommandSpec> trainCommands() {
         {QStringLiteral("force-map"), QStringLiteral("WORD"),
          QStringLiteral("how the simulated gimbal makes torques of a force: exact (power is conserved) or as-published; default: exact")},
         {QStringLiteral("base-turn"), QStringLiteral("H,T,R"),
-         QStringLiteral("how the device's base is mounted, in degrees: turned to the left, tilted away, rolled to the right (elastic_tube, "
-                        "object_handling, palpation); default: 0,0,0")},
+         QStringLiteral("how the device's base is mounted, in degrees: turned to the left, tilted away, rolled to the right (%1); default: 0,0,0")
+             .arg(kindsWith([](const session::ExerciseKind& kind) { return kind.operatorsKnowTheirPlace(); }))},
         {QStringLiteral("mechanism"), QStringLiteral("ID"),
-         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (palpation); default: the exercise's usual one")}};
+         QStringLiteral("what the scripted hand holds: fingertip_arm or gimbal_hprd (%1); default: the exercise's usual one")
+             .arg(kindsWith([](const session::ExerciseKind& kind) { return kind.mechanisms().size() > 1; }))}};
     command.example = QStringLiteral("chiron-cli train sphere_apex --level 2 --operator expert --seed 7 --json");
     command.run = train;
     return {command};

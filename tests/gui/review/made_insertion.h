@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/playback_track.h"
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 
 #include <cmath>
 
@@ -39,21 +39,19 @@ inline session::PlaybackTrack madeTrack() {
     track.toolCount = 1;
     track.forceLimit_N = 4.0;
     track.exercise = "urethra_insertion";
-    std::vector<double> times_s;
     for (int i = 0; i < 2375; ++i) {
         session::PlaybackMoment moment;
         moment.t_s = 4e-3 * i;
         moment.tick = static_cast<std::uint64_t>(4 * i);
         track.moments.push_back(moment);
         track.tools.emplace_back();
-        times_s.push_back(moment.t_s);
     }
     session::PlaybackTrial trial;
     trial.start_s = 2.0;
     trial.end_s = 9.0;
     track.trials.push_back(trial);
     track.duration_s = track.moments.back().t_s;
-    track.insertion = session::playbackInsertionOf(madeTrace(), times_s);
+    session::addInsertion(track, madeTrace());
     return track;
 }
 

@@ -23,20 +23,20 @@ private slots:
 
 void TestInsertionProfile::momentsAreTheSeriesAtTheirTime() {
     const session::PlaybackTrack track = madeTrack();
-    QVERIFY(std::isnan(track.at(1.0).insertion->depth_m)); // before the trial
-    QVERIFY(track.at(1.0).insertion->stage == ProcedureStage::outside);
-    QVERIFY(std::abs(track.at(4.0).insertion->depth_m - 0.04) < 1e-4);
-    QVERIFY(track.at(5.5).insertion->stage == ProcedureStage::inspection);
-    QCOMPARE(track.at(8.0).insertion->offset_m, 0.002);
-    QVERIFY(std::isnan(track.at(9.4).insertion->depth_m)); // after its end
-    QVERIFY(track.at(9.4).insertion->stage == ProcedureStage::withdrawal); // and where it stood
+    QVERIFY(std::isnan(session::insertionAt(track, 1.0)->depth_m)); // before the trial
+    QVERIFY(session::insertionAt(track, 1.0)->stage == ProcedureStage::outside);
+    QVERIFY(std::abs(session::insertionAt(track, 4.0)->depth_m - 0.04) < 1e-4);
+    QVERIFY(session::insertionAt(track, 5.5)->stage == ProcedureStage::inspection);
+    QCOMPARE(session::insertionAt(track, 8.0)->offset_m, 0.002);
+    QVERIFY(std::isnan(session::insertionAt(track, 9.4)->depth_m)); // after its end
+    QVERIFY(session::insertionAt(track, 9.4)->stage == ProcedureStage::withdrawal); // and where it stood
 }
 
 void TestInsertionProfile::landmarksUpToAMoment() {
     const session::PlaybackTrack track = madeTrack();
-    QCOMPARE(track.insertion->landmarksSeenAt(5.49), 0u);
-    QCOMPARE(track.insertion->landmarksSeenAt(5.51), 1u);
-    QCOMPARE(track.insertion->landmarksSeen(), 1);
+    QCOMPARE(track.of<session::PlaybackInsertion>()->landmarksSeenAt(5.49), 0u);
+    QCOMPARE(track.of<session::PlaybackInsertion>()->landmarksSeenAt(5.51), 1u);
+    QCOMPARE(track.of<session::PlaybackInsertion>()->landmarksSeen(), 1);
 }
 
 void TestInsertionProfile::theProfileIsTheLargestOfEachMillimetre() {

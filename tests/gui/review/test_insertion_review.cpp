@@ -103,8 +103,9 @@ void TestInsertionReview::theGhostHasItsOwnLines() {
 void TestInsertionReview::withoutASeriesNothingIsAdded() {
     desktop::InsertionLayer layer(true);
     session::PlaybackTrack track = madeTrack();
-    track.insertion.reset();
-    QVERIFY(!track.at(4.0).insertion);
+    track.own.reset();
+    track.canal = {};
+    QVERIFY(!session::insertionAt(track, 4.0));
     QVERIFY(session_report::seriesOf(track, insertionLevel(), QLocale::c()).offset_mm.empty());
     QVERIFY(!desktop::sceneStateAt(track, nullptr, 4.0, &layer).exercise.of<simulation::EndoscopeCues>().present);
     const desktop::Theme theme = desktop::Theme::load(desktop::ThemeName::light, 1.0).value();

@@ -71,7 +71,7 @@ void TestDeviceFriction::countAtTheTip() {
     for (auto& axis : coarse.axes)
         axis.resolution *= 3.0;
     QVERIFY(std::abs(session::tipCount_m(coarse) - 3.0 * count) < 0.01 * count);
-    const auto pointer = session::keyboardMouseStation({}, session::PointerTool::endoscope);
+    const auto pointer = session::keyboardMouseStation({}, kind(), {});
     QVERIFY(pointer.has_value());
     const devices::DeviceDescriptor& mouse = pointer->tools[0].device->descriptor();
     QVERIFY(std::abs(session::tipCount_m(mouse) - mouse.axes[0].resolution) < 1e-15);

@@ -107,8 +107,9 @@ private slots:
     void aMouseMovesWhatTheExerciseHolds() {
         auto point = session::keyboardMouseStation();
         QVERIFY(point && point->pointers().size() == 1 && point->endoscope() == nullptr);
+        const auto& urethra = **session::exerciseKind("urethra_insertion");
         for (const double scale : {0.25, 1.0, 4.0}) {
-            auto station = session::keyboardMouseStation({.scale = scale, .origin_m = {}}, PointerTool::endoscope);
+            auto station = session::keyboardMouseStation({.scale = scale, .origin_m = {}}, urethra, {});
             QVERIFY(station && station->pointers().empty() && station->endoscope() != nullptr);
             QVERIFY(station->tools[0].device->open().has_value());
             const core::ToolState tool = poseOf(*station);
@@ -117,7 +118,7 @@ private slots:
             station->endoscope()->move({.advance_m = 0.010 / scale});
             QVERIFY((poseOf(*station, 300).p_WT - kBeforeTheEntrance - Vec3(0.0, 0.010, 0.0)).norm() < 6e-6);
         }
-        QVERIFY(!session::keyboardMouseStation({.scale = 9.0, .origin_m = {}}, PointerTool::endoscope));
+        QVERIFY(!session::keyboardMouseStation({.scale = 9.0, .origin_m = {}}, urethra, {}));
     }
 
     /// P2's flexible mounting: the base stands turned, and what the device reads there is where it was in W.

@@ -34,6 +34,7 @@ private slots:
     void everyPartIsContinuous();
     void tipPushesItAlong();
     void closedJawsCannotTakeHold();
+    void heldAgainstAnotherItIsStiffer();
 };
 
 void TestObjectHandlingForces::liesAtRestWhereTheBedCarriesIt() {
@@ -178,6 +179,33 @@ void TestObjectHandlingForces::closedJawsCannotTakeHold() {
     d.jawTo(0.0, 0.2);
     QVERIFY((d.events & bits::kGrasped) == 0);
     QVERIFY(d.force().norm() > 0.05); // it presses on it instead
+}
+
+/// The passivity credit needs the stiffness that the hand feels: of two bodies, where either is the one in the jaws.
+void TestObjectHandlingForces::heldAgainstAnotherItIsStiffer() {
+    for (const std::size_t held : {std::size_t{0}, std::size_t{1}}) {
+        ObjectHandlingParameters p = oneOvary();
+        p.task = HandlingTask::weigh;
+        p.objects = 2;
+        p.object.friction = 0.4;
+        p.massLow_kg = 0.010;
+        p.massHigh_kg = 0.012;
+        p.placesRadius_m = 0.040;
+        p.squeezeLimit_N = 3.0;
+        HandlingDriver d(p);
+        d.startRunning();
+        d.graspObject(held, 0.003);
+        QCOMPARE(d.q(q::kHeld), 1.0);
+        d.moveBy(Vec3(0.0, 0.0, 0.040), 0.5);
+        const double inAir = d.out.contactStiffness_N_per_m;
+        const double bedAlone = d.force().z();
+        const Vec3 above = d.body(1 - held).p_W + Vec3(0.0, 0.0, 2.0 * p.radius_m + 0.005);
+        d.moveBy(above - d.body(held).p_W, 0.5);
+        QCOMPARE(d.out.contactStiffness_N_per_m, inAir);
+        d.moveBy(Vec3(0.0, 0.0, -0.007), 0.2);
+        QVERIFY(d.force().z() > bedAlone + 0.1);
+        QVERIFY(isNear(d.out.contactStiffness_N_per_m, inAir + 0.5 * p.object.stiffness_N_per_m, 1e-9));
+    }
 }
 
 QTEST_APPLESS_MAIN(TestObjectHandlingForces)

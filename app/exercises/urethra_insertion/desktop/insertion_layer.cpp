@@ -2,6 +2,7 @@
 #include "app/exercises/urethra_insertion/desktop/insertion_layer.h"
 
 #include "app/exercises/urethra_insertion/desktop/stage_words.h"
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "desktop/playback/playback_plots.h"
 #include "desktop/plots/plot_theme_of.h"
 #include "report/report_text.h"
@@ -17,15 +18,15 @@ namespace {
 constexpr char kDepthOfField[] = "depth_of_field";
 
 /// The procedure at a moment, as far as a recording tells it.
-simulation::EndoscopeCues endoscopeOf(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) {
+simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertion, const session::PlaybackInsertionMoment& moment, double t_s) {
     simulation::EndoscopeCues cues;
     cues.present = true;
     cues.pictureShown = true;
     cues.guided = true;
-    cues.stage = view.insertion->stage;
-    cues.depth_m = std::isfinite(view.insertion->depth_m) ? view.insertion->depth_m : 0.0;
-    cues.landmarks = static_cast<int>(track.insertion->landmarkSeen_s.size());
-    cues.landmarksSeen = track.insertion->landmarksSeenAt(t_s);
+    cues.stage = moment.stage;
+    cues.depth_m = std::isfinite(moment.depth_m) ? moment.depth_m : 0.0;
+    cues.landmarks = static_cast<int>(insertion.landmarkSeen_s.size());
+    cues.landmarksSeen = insertion.landmarksSeenAt(t_s);
     return cues;
 }
 
@@ -43,22 +44,24 @@ void InsertionLayer::turn(std::string_view key, bool on) {
 
 void InsertionLayer::setUp(scene3d::SceneSetup& setup) const { setup.depthOfField = m_depthOfField; }
 
-void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view,
+void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView&,
                             double t_s) {
-    if (!view.insertion)
+    const auto moment = session::insertionAt(track, t_s);
+    if (!moment)
         return;
     state.objectShown = true; // the endoscope's picture
-    state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(track, view, t_s);
+    state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(*track.of<session::PlaybackInsertion>(), *moment, t_s);
 }
 
-QString InsertionLayer::readout(const session::PlaybackTrack&, const session::PlaybackView& view, double, const QLocale& locale) const {
-    if (!view.insertion)
+QString InsertionLayer::readout(const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s, const QLocale& locale) const {
+    const auto moment = session::insertionAt(track, t_s);
+    if (!moment)
         return trialReadout(view, locale);
     const session::PlaybackTool& tool = view.tools.front();
     const QString force = report::formatValue(tool.tissue_N.norm(), QStringLiteral("N"), locale);
     const QString speed = report::formatValue(1e3 * tool.speed_m_per_s, QStringLiteral("mm/s"), locale);
-    const QString stage = stageTitle(view.insertion->stage);
-    const QString depth = report::formatValue(1e3 * view.insertion->depth_m, QStringLiteral("mm"), locale);
+    const QString stage = stageTitle(moment->stage);
+    const QString depth = report::formatValue(1e3 * moment->depth_m, QStringLiteral("mm"), locale);
     return view.moment.paused
                ? PlaybackTexts::tr("%1 · %2 · depth %3 · force %4 · speed %5").arg(stage, stillWords(view.moment), depth, force, speed)
                : PlaybackTexts::tr("%1 · depth %2 · force %3 · speed %4").arg(stage, depth, force, speed);

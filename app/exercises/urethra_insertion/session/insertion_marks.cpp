@@ -93,11 +93,12 @@ void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::s
 }
 
 void addPeaks(PlaybackTrack& track, const scoring::TrialTrace& trial) {
-    using scoring::InsertionQuantity;
-    for (const InsertionQuantity quantity : {InsertionQuantity::offset, InsertionQuantity::alignment,
-                                             InsertionQuantity::bendAlignment, InsertionQuantity::curveAlignment, InsertionQuantity::torque})
-        if (const auto largest = scoring::largestOf(trial, quantity))
-            track.peaks.push_back({quantity, trial.trial, largest->begin_s, largest->value});
+    for (const scoring::InsertionQuantity quantity : scoring::insertionQuantities())
+        if (const auto largest = scoring::largestOf(trial, quantity)) {
+            const auto metrics = scoring::metricsOf(quantity);
+            track.peaks.push_back({{metrics.begin(), metrics.end()}, trial.trial, largest->begin_s, scoring::inMetricUnit(quantity, largest->value),
+                                   scoring::metricUnitOf(quantity)});
+        }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace chiron::session {
 
@@ -60,6 +61,28 @@ PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::s
             addMoment(insertion.moments[i], trial, times_s[i]);
     }
     return insertion;
+}
+
+void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
+    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
+    if (!any)
+        return;
+    std::vector<double> times_s;
+    times_s.reserve(track.moments.size());
+    for (const PlaybackMoment& moment : track.moments)
+        times_s.push_back(moment.t_s);
+    auto own = std::make_shared<PlaybackInsertion>(playbackInsertionOf(trace, times_s));
+    track.canal = {};
+    for (const PlaybackInsertionMoment& moment : own->moments) {
+        track.canal.offset_m.push_back(moment.offset_m);
+        track.canal.alignment_rad.push_back(moment.alignment_rad);
+    }
+    track.own = std::move(own);
+}
+
+std::optional<PlaybackInsertionMoment> insertionAt(const PlaybackTrack& track, double t_s) {
+    const auto* insertion = track.of<PlaybackInsertion>();
+    return insertion && !track.empty() ? std::optional(insertion->moments[track.indexAt(t_s)]) : std::nullopt;
 }
 
 } // namespace chiron::session

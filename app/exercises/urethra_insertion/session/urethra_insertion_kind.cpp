@@ -8,8 +8,10 @@
 #include "app/exercises/urethra_insertion/session/device_friction.h"
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
 #include "session/session_setup.h"
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
+#include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
 #include "modules/exercises/urethra_insertion/simulation/urethra_insertion_scene.h"
 
 #include <QJsonArray>
@@ -45,18 +47,11 @@ private:
     simulation::DrawnTip m_drawn;
 };
 
-void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace) {
-    const bool any = std::any_of(trace.trials.begin(), trace.trials.end(), [](const auto& trial) { return trial.insertion.has_value(); });
-    if (!any)
-        return; // its device could not be turned, or nothing was begun
-    std::vector<double> times_s;
-    times_s.reserve(track.moments.size());
-    for (const PlaybackMoment& moment : track.moments)
-        times_s.push_back(moment.t_s);
-    track.insertion = playbackInsertionOf(trace, times_s);
-}
-
 } // namespace
+
+core::Vec3 UrethraInsertionKind::endoscopeStart_W() const noexcept {
+    return simulation::AnatomyPose{}.pointToW({0.0, 0.0, -simulation::kStartBeforeEntrance_m});
+}
 
 std::unique_ptr<simulation::IScene> UrethraInsertionKind::makeScene(const SessionSetup& setup) const {
     simulation::UrethraInsertionParameters felt = parametersOf(setup.level);

@@ -13,6 +13,7 @@ public:
     /// A stricture is stiffer (4 kN/m) than a hand can press without trembling: at the cap of 4 N 3.7 N are felt, up to 3.2 N all.
     double capKnee() const noexcept override { return 0.2; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
+    core::Vec3 endoscopeStart_W() const noexcept override; ///< on the straight line before the entrance
     /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/urethra_insertion/session_report/insertion_profile.h"
 
+#include "app/exercises/urethra_insertion/session/playback_insertion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,10 +79,11 @@ std::optional<report::InsertionProfile> insertionProfileOf(const scoring::Sessio
 }
 
 std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track) {
-    if (!track.insertion)
+    const auto* own = track.of<session::PlaybackInsertion>();
+    if (!own)
         return std::nullopt;
     ProfileMaker maker;
-    const session::PlaybackInsertion& insertion = *track.insertion;
+    const session::PlaybackInsertion& insertion = *own;
     addFacts(maker.profile(), insertion.bend_m, insertion.length_m, insertion.goal_m, insertion.landmarkSeen_s);
     for (std::size_t i = 0; i < insertion.moments.size(); ++i) {
         const session::PlaybackInsertionMoment& moment = insertion.moments[i];

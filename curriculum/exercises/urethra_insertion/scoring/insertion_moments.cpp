@@ -40,17 +40,29 @@ std::size_t samplesOf(const TrialTrace& trial) {
 
 } // namespace
 
+std::span<const InsertionQuantity> insertionQuantities() noexcept {
+    using enum InsertionQuantity;
+    static constexpr InsertionQuantity kAll[] = {offset, alignment, bendAlignment, curveAlignment, torque};
+    return kAll;
+}
+
+std::span<const std::string_view> metricsOf(InsertionQuantity quantity) noexcept {
+    static constexpr std::string_view kOffset[] = {"offset_rms", "offset_max"}, kAlignment[] = {"alignment_rms"}, kBend[] = {"bend_alignment"},
+                                      kCurve[] = {"curve_alignment"}, kTorque[] = {"torque_max", "torque_rms"};
+    switch (quantity) {
+    case InsertionQuantity::offset: return kOffset;
+    case InsertionQuantity::alignment: return kAlignment;
+    case InsertionQuantity::bendAlignment: return kBend;
+    case InsertionQuantity::curveAlignment: return kCurve;
+    case InsertionQuantity::torque: return kTorque;
+    }
+    return {};
+}
+
 std::optional<InsertionQuantity> insertionQuantityOf(std::string_view metric) noexcept {
-    if (metric == "offset_rms" || metric == "offset_max")
-        return InsertionQuantity::offset;
-    if (metric == "alignment_rms")
-        return InsertionQuantity::alignment;
-    if (metric == "bend_alignment")
-        return InsertionQuantity::bendAlignment;
-    if (metric == "curve_alignment")
-        return InsertionQuantity::curveAlignment;
-    if (metric == "torque_max" || metric == "torque_rms")
-        return InsertionQuantity::torque;
+    for (const InsertionQuantity quantity : insertionQuantities())
+        if (const auto metrics = metricsOf(quantity); std::find(metrics.begin(), metrics.end(), metric) != metrics.end())
+            return quantity;
     return std::nullopt;
 }
 

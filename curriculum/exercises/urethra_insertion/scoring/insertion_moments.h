@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@ enum class InsertionQuantity : std::uint8_t {
     torque,        ///< N·m, everywhere: torque_max, torque_rms
 };
 
+/// All of them, in this order.
+std::span<const InsertionQuantity> insertionQuantities() noexcept;
+/// The metrics that measure a quantity.
+std::span<const std::string_view> metricsOf(InsertionQuantity quantity) noexcept;
 /// Nothing for a metric of another kind.
 std::optional<InsertionQuantity> insertionQuantityOf(std::string_view metric) noexcept;
 /// A value in the unit that the quantity's metrics have (mm, °, mN·m), by the very product that they use.
