@@ -29,6 +29,10 @@ namespace chiron::database {
 struct TrialRecord;
 }
 
+namespace chiron::psychophysics {
+struct Condition;
+}
+
 namespace chiron::scoring {
 struct TraceColumns;
 struct TraceRow;
@@ -37,6 +41,7 @@ struct TraceRow;
 namespace chiron::session {
 
 class AnswerEvents;
+class MarkSessions;
 struct SessionSetup;
 class PlaybackTrack;
 
@@ -158,6 +163,8 @@ public:
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
     /// What the demonstration site shows of it: columns of its table, a picture of its operators, a report.
     virtual Demonstration demonstration() const { return {}; }
+    /// How it serves studies whose answers are marks; null: it does not, or not this condition.
+    virtual const MarkSessions* markSessions(const psychophysics::Condition&) const { return nullptr; }
 };
 
 /// Where the bases of a level's tools stand when nobody mounts them elsewhere.

@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
-#include <QMap>
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -15,7 +14,6 @@ using namespace chiron::test;
 namespace {
 
 const QString kRoot = QStringLiteral(CHIRON_SOURCE_DIR);
-const QString kKept = QStringLiteral("tests/exercises/still_name_an_exercise.txt");
 
 /// Empty where it cannot be read; `path` is relative to the root, as everywhere here.
 QString contentOf(const QString& path) {
@@ -92,10 +90,6 @@ QStringList productSources() {
     return files;
 }
 
-QStringList keptLines() {
-    return contentOf(kKept).split(u'\n', Qt::SkipEmptyParts);
-}
-
 /// A module that exercises add to, and the list that must then have a line for them.
 struct Listed {
     const char* floor;
@@ -113,14 +107,12 @@ constexpr Listed kLists[]{
 
 } // namespace
 
-/// What belongs to one exercise stands in its folders (docs/exercises-as-slices.md); what still stands elsewhere is listed, and the list
-/// may only shrink.
+/// What belongs to one exercise stands in its folders (docs/exercises-as-slices.md).
 class TestExerciseSlices : public QObject {
     Q_OBJECT
 private slots:
     void codeIsReadWithoutComments();
     void whatAFileDoesIsFound();
-    void keptListIsSorted();
     void nothingElseNamesAnExercise();
     void noSceneOrOperatorKnowsAnotherExercise();
     void everyExerciseIsOnEachFloor();
@@ -154,40 +146,18 @@ void TestExerciseSlices::whatAFileDoesIsFound() {
     QVERIFY(!mayNameExercises("modules/operators/laparoscopy/a.cpp") && !mayNameExercises("app/session/exercise_kind.h"));
 }
 
-void TestExerciseSlices::keptListIsSorted() {
-    QStringList paths;
-    for (const QString& line : keptLines())
-        paths << line.section(u' ', 0, 0);
-    QStringList sorted = paths;
-    sorted.sort();
-    sorted.removeDuplicates();
-    QCOMPARE(paths, sorted);
-}
-
 void TestExerciseSlices::nothingElseNamesAnExercise() {
-    QMap<QString, QString> kept;
-    for (const QString& line : keptLines())
-        kept.insert(line.section(u' ', 0, 0), line.section(u' ', 1));
     QStringList wrong;
     int read = 0;
     for (const QString& path : productSources()) {
         if (mayNameExercises(path))
             continue;
         ++read;
-        const QString does = whatItDoes(contentOf(path), path), listed = kept.take(path);
-        if (does == listed)
-            continue;
-        if (does.isEmpty())
-            wrong << QStringLiteral("%1: names no exercise any more: remove its line from %2").arg(path, kKept);
-        else if (listed == QLatin1String("both"))
-            wrong << QStringLiteral("%1: does less than it did: let its line in %2 say \"%3\"").arg(path, kKept, does);
-        else
+        if (const QString does = whatItDoes(contentOf(path), path); !does.isEmpty())
             wrong << QStringLiteral("%1: %2: what belongs to one exercise stands in its folder "
                                     "(includes: a header from there; names: its id)")
                          .arg(path, does);
     }
-    for (auto gone = kept.constBegin(); gone != kept.constEnd(); ++gone)
-        wrong << QStringLiteral("%1: no such file, or one that may name exercises: remove its line from %2").arg(gone.key(), kKept);
     QVERIFY(read > 500);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/live_sitting.h"
 
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/begun_run.h"
-#include "app/exercises/sphere_apex/session/live_apex.h"
 #include "session/study/live_study.h"
+#include "session/study/mark_sessions.h"
 
 namespace chiron::session {
 
@@ -13,8 +12,8 @@ SittingResult<std::unique_ptr<LiveSitting>> LiveSitting::start(database::Databas
     const auto sitting = conductSitting(database, actor, request);
     if (!sitting)
         return tl::unexpected(sitting.error());
-    if (looksForApex(*sitting->condition()))
-        return LiveApex::start(database, actor, *sitting, std::move(request));
+    if (const MarkSessions* marks = markSessionsOf(*sitting->condition()))
+        return marks->begin(database, actor, *sitting, std::move(request));
     return LiveStudy::start(database, actor, *sitting, std::move(request));
 }
 

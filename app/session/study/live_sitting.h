@@ -134,7 +134,7 @@ using SittingResult = tl::expected<T, SittingError>;
 /// the run stays open and is resumed at the trial by another sitting.
 class LiveSitting {
 public:
-    /// Begins one, or goes on with one: of comparisons (LiveStudy) or of the apex (LiveApex), as the condition has it. Failure: notFound
+    /// Begins one, or goes on with one: of comparisons (LiveStudy) or of marks (MarkSessions), as the condition has it. Failure: notFound
     /// (study, participant, condition), notAllowed, wrongUse (not frozen, completed, withdrawn, no consent), badInput (what cannot be
     /// made, or not be rendered by the device).
     static SittingResult<std::unique_ptr<LiveSitting>> start(database::Database& database, const database::Actor& actor,

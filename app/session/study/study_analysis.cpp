@@ -4,7 +4,7 @@
 #include "catalogue/study_reader.h"
 #include "core/random.h"
 #include "session/study/apex_analysis.h"
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "session/study/mark_sessions.h"
 #include "session/study/rendered_run.h"
 #include "session/study/study_setup.h"
 #include "session/study/study_store.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_check.h"
 
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "session/study/mark_sessions.h"
 #include "session/study/simulated_limits.h"
 #include "session/study/study_setup.h"
 
@@ -13,11 +13,11 @@ namespace {
 
 /// Whether the condition can be put before its simulated participant at all.
 core::Result<void> checkStation(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
-    if (looksForApex(condition)) {
-        auto level = apexStudyLevel(design, condition, 1);
+    if (const MarkSessions* marks = markSessionsOf(condition)) {
+        auto level = marks->level(design, condition, 1, {});
         if (!level)
             return tl::unexpected(level.error());
-        const auto station = apexStation(*level, trainee, 1);
+        const auto station = marks->scripted(*level, trainee, 1);
         return station ? core::Result<void>() : tl::unexpected(station.error());
     }
     auto level = studyLevel(design, condition);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study/study_runner.h"
 
-#include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "core/random.h"
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "session/study/mark_sessions.h"
 #include "session/study/rendered_run.h"
 #include "session/study/run_seed.h"
 #include "session/study/study_check.h"
@@ -82,17 +81,17 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     return result->session;
 }
 
-/// Sessions of the sphere-apex exercise, until the run is done: spoiled trials come again in a further one, and no session holds more than
-/// the exercise does. Gives the last.
-core::Result<database::SessionId> runApex(Sitting& sitting, const OpenedStudy& study) {
+/// Sessions of the exercise whose marks are asked for, until the run is done: spoiled trials come again in a further one, and no session
+/// holds more than the exercise does. Gives the last.
+core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& sitting, const OpenedStudy& study) {
     database::SessionId last = 0;
     while (!sitting.progress.done() && !sitting.interrupted()) {
         const int before = sitting.presented;
-        const int wanted = std::clamp(sitting.progress.toCome(), 1, catalogue::kApexTrialsAtMost);
+        const int wanted = std::clamp(sitting.progress.toCome(), 1, marks.trialsAtMost());
         const int most = sitting.request.trialsAtMost > 0 ? sitting.request.trialsAtMost - sitting.presented : wanted;
         const std::uint64_t seed = core::Random::mix(sitting.runSeed, "sitting " + std::to_string(sitting.before + sitting.presented)) >> 1;
-        auto session = runApexSitting(sitting.database, sitting.actor,
-                                      {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode, sitting.request.observer.trainee, seed,
+        auto session = marks.run(sitting.database, sitting.actor,
+                                 {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode, sitting.request.observer.trainee, seed,
                                        std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
                                        [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
         if (!session)
@@ -127,7 +126,7 @@ void runQuick(Sitting& sitting) {
             sitting.progress.breakTaken();
         const StudyPresentation shown = sitting.progress.next();
         const StudyAnswer answer = looksForApex(sitting.condition)
-                                       ? plannedApexAnswer(sitting.condition.stimulus.reference, sitting.runSeed, shown.ordinal)
+                                       ? plannedMark(sitting.condition.stimulus.reference, sitting.runSeed, shown.ordinal)
                                        : toldAnswer(sitting, shown);
         auto trial = sitting.progress.record(answer);
         if (!trial) {
@@ -206,7 +205,8 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     if (request.quick) {
         runQuick(sitting);
     } else if (!run->progress.done()) {
-        auto session = looksForApex(*found) ? runApex(sitting, study) : runRecorded(sitting, study, seed >> 1);
+        const MarkSessions* marks = markSessionsOf(*found);
+        auto session = marks ? runMarks(*marks, sitting, study) : runRecorded(sitting, study, seed >> 1);
         if (!session)
             return tl::unexpected(session.error());
         summary.session = *session;

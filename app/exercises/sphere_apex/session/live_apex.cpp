@@ -2,7 +2,7 @@
 // How a sitting of the apex is begun, and what a window asks of it. What it does from tick to tick: live_apex_state.cpp.
 #include "app/exercises/sphere_apex/session/live_apex_state.h"
 
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sessions.h"
 #include "session/study/study_setup.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Con
     for (const psychophysics::Condition& each : study.design.conditions) {
         if (each.id != condition.id && !(study.blind() && looksForApex(each)))
             continue;
-        const auto level = apexStudyLevel(study.design, each, 1);
+        const auto level = ApexSessions().level(study.design, each, 1, {});
         if (!level)
             return tl::unexpected(level.error());
         stiffness = std::max(stiffness, level->parameters.as<simulation::SphereApexParameters>().stiffnessHigh_N_per_m);

@@ -6,7 +6,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "session/study/apex_analysis.h"
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sessions.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +26,7 @@ constexpr std::uint64_t kSummarySeed = 1; // of intervals alone
 core::Result<void> LiveApex::State::beginSession(Station station) {
     const bool free = tryFor_s > 0.0;
     const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
-    auto made = apexStudyLevel(study.design, *condition, wanted, sessionLabel(study, sealedCode));
+    auto made = ApexSessions().level(study.design, *condition, wanted, sessionLabel(study, sealedCode));
     if (!made)
         return tl::unexpected(made.error());
     const std::uint64_t seed = core::Random::mix(runSeed, free ? std::string("free minute") : "sitting " + std::to_string(trials.size())) >> 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/sphere_apex/session/sphere_apex_kind.h"
 
+#include "app/exercises/sphere_apex/session/apex_sessions.h"
 #include "database/repositories/session_types.h"
 #include "modules/exercises/sphere_apex/operators/sphere_apex_operator.h"
 #include "curriculum/exercises/sphere_apex/scoring/apex_answer.h"
@@ -188,6 +189,11 @@ Demonstration SphereApexKind::demonstration() const {
                                              .reference = 14.2,
                                              .referenceLabel = "published mean of five people, 14.2 %"},
             .report = DemoReport{.level = kFeltAloneLevel, .plots = true}};
+}
+
+const MarkSessions* SphereApexKind::markSessions(const psychophysics::Condition& condition) const {
+    static const ApexSessions sessions;
+    return looksForApex(condition) ? &sessions : nullptr;
 }
 
 } // namespace chiron::session

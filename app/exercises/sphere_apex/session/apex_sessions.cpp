@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
+#include "app/exercises/sphere_apex/session/apex_sessions.h"
 
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
 #include "core/random.h"
-#include "psychophysics/study/apex_study.h"
 #include "app/exercises/sphere_apex/session/apex_director.h"
+#include "app/exercises/sphere_apex/session/live_apex.h"
+#include "session/exercise_kind.h"
 #include "session/study/study_setup.h"
 #include "session/training_run.h"
 
-#include <cmath>
+#include <atomic>
+#include <utility>
 
 namespace chiron::session {
 
@@ -18,33 +20,31 @@ constexpr std::string_view kExercise = "sphere_apex";
 
 } // namespace
 
-bool looksForApex(const psychophysics::Condition& condition) noexcept {
-    return condition.stimulus.attribute == psychophysics::Attribute::apex;
-}
+int ApexSessions::trialsAtMost() const noexcept { return catalogue::kApexTrialsAtMost; }
 
-core::Result<catalogue::ExerciseLevel> apexStudyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
-                                                      int trials, const std::string& sealedCode) {
+core::Result<catalogue::ExerciseLevel> ApexSessions::level(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
+                                                           int trials, const std::string& label) const {
     const auto parameters = catalogue::apexOf(condition, design.trial, trials);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    return catalogue::apexLevel(*parameters, design.id, sealedCode.empty() ? condition.id : sealedCode);
+    return catalogue::apexLevel(*parameters, design.id, label.empty() ? condition.id : label);
 }
 
-core::Result<Station> apexStation(const catalogue::ExerciseLevel& level, const std::string& trainee, std::uint64_t seed) {
+core::Result<Station> ApexSessions::scripted(const catalogue::ExerciseLevel& level, const std::string& trainee, std::uint64_t seed) const {
     const auto kind = exerciseKind(kExercise);
     if (!kind)
         return tl::unexpected(kind.error());
     return scriptedStation(**kind, level, trainee.empty() ? kUsualTrainee : trainee, seed);
 }
 
-core::Result<database::SessionId> runApexSitting(database::Database& database, const database::Actor& actor, const ApexSitting& sitting) {
-    auto level = apexStudyLevel(sitting.study.design, sitting.condition, sitting.trials, sessionLabel(sitting.study, sitting.sealedCode));
+core::Result<database::SessionId> ApexSessions::run(database::Database& database, const database::Actor& actor, const MarkSitting& sitting) const {
+    auto level = this->level(sitting.study.design, sitting.condition, sitting.trials, sessionLabel(sitting.study, sitting.sealedCode));
     if (!level)
         return tl::unexpected(level.error());
     TrainingRequest request;
     request.level = *level;
     request.seed = sitting.seed;
-    auto station = apexStation(*level, sitting.trainee, core::Random::mix(sitting.seed, "participant"));
+    auto station = scripted(*level, sitting.trainee, core::Random::mix(sitting.seed, "participant"));
     if (!station)
         return tl::unexpected(station.error());
     request.station = std::move(*station);
@@ -69,19 +69,9 @@ core::Result<database::SessionId> runApexSitting(database::Database& database, c
     return result->session;
 }
 
-StudyAnswer plannedApexAnswer(double radius_m, std::uint64_t seed, int ordinal) {
-    auto random = core::Random::stream(seed, "study.apex " + std::to_string(ordinal));
-    const double sd_m = psychophysics::ApexObserver{}.sdPercent / 100.0 * radius_m;
-    ApexMark mark;
-    mark.errorX_m = sd_m * random.normal();
-    mark.errorY_m = sd_m * random.normal();
-    mark.radius_m = radius_m;
-    mark.planned = true;
-    StudyAnswer answer;
-    answer.answer = 0;
-    answer.value = std::hypot(mark.errorX_m, mark.errorY_m);
-    answer.fidelity.apex = mark;
-    return answer;
+SittingResult<std::unique_ptr<LiveSitting>> ApexSessions::begin(database::Database& database, const database::Actor& actor,
+                                                               const ConductedSitting& sitting, LiveStudyRequest request) const {
+    return LiveApex::start(database, actor, sitting, std::move(request));
 }
 
 } // namespace chiron::session
