@@ -101,11 +101,14 @@ void TestOperatorsAreKept::doesWhatWasStored_data() {
     QTest::addColumn<QString>("who");
     // Everybody at the first level of each exercise, and by turns at the others.
     const QStringList names{QStringLiteral("expert"), QStringLiteral("novice"), QStringLiteral("intermediate"), QStringLiteral("unsafe")};
-    for (const catalogue::Exercise& exercise : m_catalogue.exercises())
+    for (const catalogue::Exercise& exercise : m_catalogue.exercises()) {
+        const auto there = (**session::exerciseKind(exercise.id)).operatorNames(); // an exercise need not have all four
+        const auto isThere = [&](const QString& name) { return std::find(there.begin(), there.end(), name.toStdString()) != there.end(); };
         for (const catalogue::ExerciseLevel& level : exercise.levels)
             for (qsizetype i = 0; i < names.size(); ++i)
-                if (level.number == 1 || i == level.number % names.size())
+                if (isThere(names[i]) && (level.number == 1 || i == level.number % names.size()))
                     QTest::addRow("%s %d %s", exercise.id.c_str(), level.number, qPrintable(names[i])) << QString::fromStdString(exercise.id) << level.number << names[i];
+    }
 }
 
 void TestOperatorsAreKept::doesWhatWasStored() {

@@ -6,7 +6,6 @@
 #include "database/repositories/study_reader.h"
 #include "database/repositories/study_repository.h"
 #include "session/study/apex_analysis.h"
-#include "app/exercises/sphere_apex/session/apex_sitting.h"
 #include "session/study/study_runner.h"
 #include "session/study/study_store.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
