@@ -139,8 +139,8 @@ private:
                            .arg(trial ? trial->index : -1).arg(m_track.pausedAt(t_s)).arg(view.object.has_value()).arg(milli(m_track.timeOfTick(m_track.tickAt(t_s))));
             for (const session::PlaybackTool& tool : view.tools)
                 m_lines << QStringLiteral("  %1; %2 mN, %3").arg(micro(tool.p_WT), milli(tool.tissue_N.norm()), milli(tool.q_WT.w()));
-            if (view.insertion)
-                m_lines << QStringLiteral("  depth %1, offset %2, stage %3").arg(milli(view.insertion->depth_m), milli(view.insertion->offset_m)).arg(static_cast<int>(view.insertion->stage));
+            if (const auto insertion = session::insertionAt(m_track, t_s))
+                m_lines << QStringLiteral("  depth %1, offset %2, stage %3").arg(milli(insertion->depth_m), milli(insertion->offset_m)).arg(static_cast<int>(insertion->stage));
         }
     }
 

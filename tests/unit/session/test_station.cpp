@@ -18,6 +18,8 @@ using session::PointerTool;
 
 namespace {
 
+const Vec3 kBeforeTheEntrance(0.0, -0.069, 0.0); // 25 mm before A at y = −44 mm
+
 /// A hand that stays where it is.
 class Stayer final : public mechanisms::HandStrategy {
 public:
@@ -35,6 +37,7 @@ public:
     explicit AnyKind(std::string_view mechanism) : m_mechanism(mechanism) {}
     std::string_view id() const noexcept override { return "any"; }
     std::string_view mechanism() const noexcept override { return m_mechanism; }
+    Vec3 endoscopeStart_W() const noexcept override { return kBeforeTheEntrance; }
     std::unique_ptr<simulation::IScene> makeScene(const session::SessionSetup&) const override { return nullptr; }
     core::Result<session::ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel&, const std::string& name,
                                                         std::uint64_t) const override {
@@ -96,8 +99,6 @@ core::ToolState poseOf(session::Station& station, int ticks = 1, std::size_t ind
     }
     return tool;
 }
-
-const Vec3 kBeforeTheEntrance(0.0, -0.069, 0.0); // 25 mm before A at y = −44 mm
 
 } // namespace
 

@@ -195,7 +195,7 @@ void TestObjectHandlingForces::heldAgainstAnotherItIsStiffer() {
         HandlingDriver d(p);
         d.startRunning();
         d.graspObject(held, 0.003);
-        QCOMPARE(d.q(q::kHeld), 1.0);
+        QCOMPARE(d.q(q::kHeld), 1.0 + static_cast<double>(held));
         d.moveBy(Vec3(0.0, 0.0, 0.040), 0.5);
         const double inAir = d.out.contactStiffness_N_per_m;
         const double bedAlone = d.force().z();
