@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/exercise_kind.h"
 
+#include "session/moment_rule.h"
+
 namespace chiron::session {
+
+std::vector<MomentRule> ExerciseKind::momentRules() const { return {}; }
 
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id) {
     std::string known;

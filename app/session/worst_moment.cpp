@@ -2,18 +2,18 @@
 #include "session/worst_moment.h"
 
 #include "scoring/prepared_trial.h"
+#include "session/exercise_kind.h"
+#include "session/moment_rule.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace chiron::session {
 
 namespace {
-
-bool startsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
 
 /// Horizontal distance of the answer from the truth, m; 0 where there is no truth.
 double missOf(const PlaybackTrial& trial) {
@@ -83,7 +83,7 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
 
 /// The mark with the largest value of its kind, of those with this detail.
 std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
-                                       const char* unit, bool onlyCritical = false, const char* detail = "") {
+                                       std::string_view unit, bool onlyCritical = false, const char* detail = "") {
     const PlaybackMark* found = nullptr;
     for (const PlaybackMark& mark : track.marks)
         if (mark.kind == kind && mark.value && mark.detail == detail && (mark.critical || !onlyCritical) && (found == nullptr || *mark.value > *found->value))
@@ -99,7 +99,7 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
 }
 
 /// Where it first happened, of what is counted; the session's count is the value.
-std::optional<WorstMoment> firstOf(const PlaybackTrack& track, std::initializer_list<PlaybackMarkKind> kinds, const scoring::MetricValue& metric) {
+std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector<PlaybackMarkKind>& kinds, const scoring::MetricValue& metric) {
     for (const PlaybackMarkKind kind : kinds)
         for (const PlaybackMark& mark : track.marks)
             if (mark.kind == kind && metric.value) {
@@ -114,7 +114,7 @@ std::optional<WorstMoment> firstOf(const PlaybackTrack& track, std::initializer_
 }
 
 /// Where one of the scene's quantities was largest within a trial.
-std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, const char* id, const char* unit) {
+std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::string_view id, std::string_view unit) {
     const PlaybackQuantity* quantity = track.quantity(id);
     std::optional<WorstMoment> worst;
     for (std::size_t i = 0; quantity != nullptr && i < std::min(quantity->values.size(), track.moments.size()); ++i) {
@@ -146,19 +146,23 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::st
     return worst;
 }
 
+std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule, const scoring::MetricValue& metric) {
+    switch (rule.by) {
+    case MomentRule::By::largestMark: return largestMark(track, rule.marks.front(), rule.factor, rule.unit);
+    case MomentRule::By::firstMark: return firstOf(track, rule.marks, metric);
+    case MomentRule::By::largestQuantity: return largestQuantity(track, rule.quantity, rule.unit);
+    case MomentRule::By::farthestAnswer: return farthestAnswer(track);
+    }
+    return std::nullopt;
+}
+
 /// Where a gate on a metric was missed, if it has a place in time of its own: a force, an event, a largest value. Nothing for what
 /// is spread over a trial.
 std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::MetricValue& metric) {
     using enum PlaybackMarkKind;
     const std::string& id = metric.id;
-    if (startsWith(id, "force_"))
+    if (id.starts_with("force_"))
         return largestForce(track);
-    if (startsWith(id, "apex_"))
-        return farthestAnswer(track);
-    if (startsWith(id, "trauma_") || id == "lateral_max")
-        return largestMark(track, trauma, 1.0, "N");
-    if (id == "reversals")
-        return largestMark(track, reversal, 1e3, "mm");
     if (id == "critical_errors") {
         if (auto broken = largestMark(track, yielded, 1.0, "N"))
             return broken;
@@ -167,16 +171,10 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         auto spoiled = firstOf(track, {failed, damaged}, metric);
         return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true); // too long or too hard against a wall that held
     }
-    if (id == "over_stretches")
-        return firstOf(track, {damaged, failed}, metric);
-    if (id == "drops")
-        return firstOf(track, {slipped}, metric);
-    if (id == "palpation_misses")
-        return firstOf(track, {lumpMissed}, metric);
-    if (id == "palpation_false_alarms")
-        return firstOf(track, {falseAlarm}, metric);
-    if (startsWith(id, "squeeze_"))
-        return largestQuantity(track, "squeeze_N", "N");
+    if (const auto kind = exerciseKind(track.exercise))
+        for (const MomentRule& rule : (*kind)->momentRules())
+            if (rule.isOf(id))
+                return byRule(track, rule, metric);
     return largestPeak(track, id);
 }
 

@@ -22,10 +22,8 @@ struct WorstMoment {
 };
 
 /// Where what failed was worst. Of the gates that did not hold, broken tissue goes first, then the first one that has a moment of its
-/// own: for a force metric the largest tissue force; for an apex metric the answer of the trial that was farthest off; for trauma events
-/// and reversals the largest one's beginning; for counted events (over-stretches, drops, lumps missed, false alarms) the first one; for a
-/// squeeze its largest; for offset, alignment and torque of an insertion the sample where it was largest, of means too. Only where
-/// none has one: the trial that tore, or the end of the trial with the worst value. Without a failed gate the largest tissue force
+/// own: for a force metric the largest tissue force; for others as the exercise says (ExerciseKind::momentRules, PlaybackTrack::peaks).
+/// Only where none has one: the trial that tore, or the end of the trial with the worst value. Without a failed gate the largest tissue force
 /// of all trials. Pauses and the time between trials do not count. Nothing on a track without a trial, and where
 /// nothing was touched and no gate has a moment. Pure.
 std::optional<WorstMoment> worstMoment(const PlaybackTrack& track, const scoring::ScoreCard& card,

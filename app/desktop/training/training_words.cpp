@@ -82,27 +82,6 @@ QString keysInWords(bool ownHand, session::PointerTool tool, int tools) {
                      "Enter. Space: pause, frees the pointer. Esc: stop force. F5: start again.");
 }
 
-QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) {
-    if (!ownHand)
-        return keysInWords(false);
-    QStringList all{Words::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
-                              "Mark a finding: click or Enter.")};
-    if (rates)
-        all << Words::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
-    if (pinches)
-        all << Words::tr("Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
-    all << Words::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
-    all << Words::tr("Use the mouse in the panel: T. A click in the scene brings it back.");
-    if (hands > 1)
-        all << Words::tr("Other hand: H.");
-    all << Words::tr("Space: pause, frees the pointer. Esc: stop force. F5: start again.");
-    return all.join(QLatin1Char(' '));
-}
-
-QString activeHandInWords(int hand) {
-    return hand == 0 ? Words::tr("You move the right hand (H for the left)") : Words::tr("You move the left hand (H for the right)");
-}
-
 QString activeToolInWords(int tool, int tools) {
     if (tools == 2)
         return tool == 0 ? Words::tr("You move the right instrument (1)") : Words::tr("You move the left instrument (2)");

@@ -15,10 +15,6 @@ QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
 QString deviceIcon(devices::MovedBy movedBy);   ///< Breeze name
 /// How the tool is moved, marked, paused, stopped.
 QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1);
-/// The same of a palpation, with how findings are told; `rates`: a level asks for more than the place.
-QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches = false);
-/// Which hand the mouse and the keyboard move: 0 the right one.
-QString activeHandInWords(int hand);
 /// Which of several instruments the mouse and the keyboard move: `tool` from 0.
 QString activeToolInWords(int tool, int tools);
 

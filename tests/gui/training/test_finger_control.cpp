@@ -3,7 +3,7 @@
 #include "core/tool_state.h"
 #include "desktop/training/finger_control.h"
 #include "desktop/training/scene_pointer.h"
-#include "desktop/training/training_words.h"
+#include "app/exercises/palpation/desktop/palpation_words.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>

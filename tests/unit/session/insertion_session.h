@@ -61,6 +61,7 @@ inline session::PlaybackTrack track(std::uint32_t lastEvent = core::event_bits::
     frames[2000].header.events |= lastEvent;
     session::MarkExtractor marks(4.0, 1);
     session::PlaybackTrack track;
+    track.exercise = "urethra_insertion";
     track.toolCount = 1;
     for (const core::HapticFrame& frame : frames) {
         const double t_s = 1e-3 * static_cast<double>(frame.header.index);

@@ -152,6 +152,7 @@ private slots:
 
     void theWorstMomentIsWhereItHappenedNotWhereTheTrialEnded() {
         PlaybackTrack track = quietEnd();
+        track.exercise = "elastic_tube";
         track.marks = {markAt(4.0, PlaybackMarkKind::slipped), markAt(6.0, PlaybackMarkKind::yielded, 9.0), markAt(5.0, PlaybackMarkKind::yielded, 8.0)};
         const std::vector<scoring::Gate> gates{{"procedure_completed", 100.0, {}}, {"drops", {}, 0.0}, {"critical_errors", {}, 0.0}};
         const auto broken = worstMoment(track, failed({{"procedure_completed", 0.0}, {"drops", 1.0}, {"critical_errors", 2.0}}), gates);
@@ -228,18 +229,21 @@ private slots:
     }
 
     void eachCountedEventOfATaskHasItsMoment_data() {
+        QTest::addColumn<QString>("exercise");
         QTest::addColumn<QString>("metric");
         QTest::addColumn<int>("kind");
-        QTest::newRow("over-stretches") << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
-        QTest::newRow("drops") << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
-        QTest::newRow("lumps missed") << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
-        QTest::newRow("false alarms") << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
-        QTest::newRow("torn") << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
+        QTest::newRow("over-stretches") << "elastic_tube" << "over_stretches" << static_cast<int>(PlaybackMarkKind::damaged);
+        QTest::newRow("drops") << "elastic_tube" << "drops" << static_cast<int>(PlaybackMarkKind::slipped);
+        QTest::newRow("lumps missed") << "palpation" << "palpation_misses" << static_cast<int>(PlaybackMarkKind::lumpMissed);
+        QTest::newRow("false alarms") << "palpation" << "palpation_false_alarms" << static_cast<int>(PlaybackMarkKind::falseAlarm);
+        QTest::newRow("torn") << "elastic_tube" << "procedure_completed" << static_cast<int>(PlaybackMarkKind::failed);
     }
     void eachCountedEventOfATaskHasItsMoment() {
+        QFETCH(QString, exercise);
         QFETCH(QString, metric);
         QFETCH(int, kind);
         PlaybackTrack track = quietEnd();
+        track.exercise = exercise.toStdString();
         track.marks = {markAt(3.5, static_cast<PlaybackMarkKind>(kind))};
         const std::string id = metric.toStdString();
         const scoring::Gate gate{id, {}, 0.0};
@@ -250,6 +254,7 @@ private slots:
 
     void theLargestSqueezeIsInTheRunningTimeOfATrial() {
         PlaybackTrack track = quietEnd();
+        track.exercise = "object_handling";
         PlaybackQuantity squeeze{"squeeze_N", "N", std::vector<double>(track.moments.size(), 0.5)};
         squeeze.values[700] = 2.5;
         squeeze.values[800] = 9.0;

@@ -2,6 +2,7 @@
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 
 #include "modules/exercises/elastic_tube/operators/elastic_tube_operator.h"
+#include "session/moment_rule.h"
 #include "session/session_setup.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_plan.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_scene.h"
@@ -146,6 +147,11 @@ Demonstration ElasticTubeKind::demonstration() const {
     return {.columns = {{">error N", "tension_error_rms", 2}, {">in band %", "retraction_time_in_band", 0}, {">over", "over_stretches", 0}, {">drops", "drops", 0}},
             .legend = "error: RMS distance of the tension from its target; in band: share of the time, once the fold was held back, in\n"
                       "which its pull was in its band; over: times the tube was stretched too far; drops: times it was let go\n"};
+}
+
+std::vector<MomentRule> ElasticTubeKind::momentRules() const {
+    using enum PlaybackMarkKind;
+    return {{.metric = "over_stretches", .marks = {damaged, failed}}, {.metric = "drops", .marks = {slipped}}};
 }
 
 } // namespace chiron::session

@@ -37,6 +37,7 @@ public:
     /// Who can do it has done the one that takes two hands (level 4) as well.
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
     Demonstration demonstration() const override;
+    std::vector<MomentRule> momentRules() const override;
 };
 
 } // namespace chiron::session

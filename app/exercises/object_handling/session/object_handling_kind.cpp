@@ -3,6 +3,7 @@
 
 #include "modules/exercises/object_handling/operators/object_handling_operator.h"
 #include "session/level_cues.h"
+#include "session/moment_rule.h"
 #include "session/session_setup.h"
 #include "modules/exercises/object_handling/simulation/object_handling_plan.h"
 #include "modules/exercises/object_handling/simulation/object_handling_scene.h"
@@ -136,6 +137,11 @@ Demonstration ObjectHandlingKind::demonstration() const {
     return {.columns = {{">squeeze N", "squeeze_max", 2}, {">too hard s", "squeeze_time_over_limit", 1}, {">placed mm", "placement_error", 1}, {">weighed %", "weighing_correct", 0}},
             .legend = "squeeze: the largest; too hard: time over the squeeze that the object bears; placed: mean distance from the middle of the\n"
                       "target; weighed: weighings that were answered rightly\n"};
+}
+
+std::vector<MomentRule> ObjectHandlingKind::momentRules() const {
+    using enum PlaybackMarkKind;
+    return {{.metric = "squeeze_*", .by = MomentRule::By::largestQuantity, .quantity = "squeeze_N", .unit = "N"}};
 }
 
 } // namespace chiron::session

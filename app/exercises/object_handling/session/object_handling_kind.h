@@ -31,6 +31,7 @@ public:
     /// The object of a trial is its target on the bed; what moves is in the recorded quantities.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     Demonstration demonstration() const override;
+    std::vector<MomentRule> momentRules() const override;
 };
 
 } // namespace chiron::session

@@ -2,9 +2,9 @@
 #include "app/exercises/palpation/desktop/palpation_part.h"
 
 #include "app/exercises/palpation/desktop/palpation_panel.h"
+#include "app/exercises/palpation/desktop/palpation_words.h"
 #include "app/exercises/palpation/scene/palpation_overlay.h"
 #include "desktop/training/finger_control.h"
-#include "desktop/training/training_words.h"
 
 namespace chiron::desktop {
 

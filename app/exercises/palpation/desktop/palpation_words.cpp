@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exercises/palpation/desktop/palpation_words.h"
 
+#include "desktop/training/training_words.h"
+
 #include <QCoreApplication>
 #include <algorithm>
 
@@ -10,6 +12,10 @@ namespace {
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(PalpationWords)
+};
+
+struct KeyWords {
+    Q_DECLARE_TR_FUNCTIONS(TrainingWords)
 };
 
 QStringList missingOf(const simulation::Finding& finding, const simulation::PalpationCues& cues) {
@@ -78,6 +84,27 @@ QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale&
 
 int findingCount(const simulation::PalpationCues& cues) {
     return static_cast<int>(std::count_if(cues.finding.begin(), cues.finding.end(), [](const simulation::Finding& one) { return one.present; }));
+}
+
+QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) {
+    if (!ownHand)
+        return keysInWords(false);
+    QStringList all{KeyWords::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
+                              "Mark a finding: click or Enter.")};
+    if (rates)
+        all << KeyWords::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
+    if (pinches)
+        all << KeyWords::tr("Squeeze tissue between the jaws: open them in the air with O, lower them, close them with G.");
+    all << KeyWords::tr("Next finding: N. Take it back: Delete. Nothing more to report: D.");
+    all << KeyWords::tr("Use the mouse in the panel: T. A click in the scene brings it back.");
+    if (hands > 1)
+        all << KeyWords::tr("Other hand: H.");
+    all << KeyWords::tr("Space: pause, frees the pointer. Esc: stop force. F5: start again.");
+    return all.join(QLatin1Char(' '));
+}
+
+QString activeHandInWords(int hand) {
+    return hand == 0 ? KeyWords::tr("You move the right hand (H for the left)") : KeyWords::tr("You move the left hand (H for the right)");
 }
 
 } // namespace chiron::desktop

@@ -20,6 +20,10 @@ QString findingText(int finding, const simulation::PalpationCues& cues, const QL
 /// What is still to be said of the findings: "Finding 2: size, confidence", one each; empty when all is said.
 QStringList missingRatings(const simulation::PalpationCues& cues, const QLocale& locale);
 int findingCount(const simulation::PalpationCues& cues);
+/// keysInWords() of a palpation, with how findings are told; `rates`: a level asks for more than the place.
+QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches = false);
+/// Which hand the mouse and the keyboard move: 0 the right one.
+QString activeHandInWords(int hand);
 using session_report::fingerName;
 
 } // namespace chiron::desktop

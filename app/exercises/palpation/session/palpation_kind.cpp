@@ -9,6 +9,7 @@
 #include "session/level_cues.h"
 #include "app/exercises/palpation/session/palpation_marks.h"
 #include "session/playback_track.h"
+#include "session/moment_rule.h"
 #include "session/session_setup.h"
 #include "modules/exercises/palpation/simulation/palpation_plan.h"
 #include "modules/exercises/palpation/simulation/palpation_scene.h"
@@ -247,6 +248,11 @@ Demonstration PalpationKind::demonstration() const {
                         {">covered %", "coverage", 0}},
             .legend = "found, missed, false: lumps found and missed, and marks where there is none; off: mean distance between mark and lump;\n"
                       "covered: share of the area that was pressed\n"};
+}
+
+std::vector<MomentRule> PalpationKind::momentRules() const {
+    using enum PlaybackMarkKind;
+    return {{.metric = "palpation_misses", .marks = {lumpMissed}}, {.metric = "palpation_false_alarms", .marks = {falseAlarm}}};
 }
 
 } // namespace chiron::session

@@ -50,6 +50,7 @@ public:
     /// A session lasts ten minutes and more: nobody who learns does one, and no operator all levels.
     DemoPart demoPart(int level) const override { return {.ofWhoCan = level <= 2, .ofOperators = level <= 2}; }
     Demonstration demonstration() const override;
+    std::vector<MomentRule> momentRules() const override;
 };
 
 } // namespace chiron::session

@@ -8,6 +8,7 @@
 #include "scoring/trace_rows.h"
 #include "session/answer_events.h"
 #include "session/playback_track.h"
+#include "session/moment_rule.h"
 #include "session/session_setup.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_plan.h"
 #include "modules/exercises/sphere_apex/simulation/sphere_apex_scene.h"
@@ -194,6 +195,11 @@ Demonstration SphereApexKind::demonstration() const {
 const MarkSessions* SphereApexKind::markSessions(const psychophysics::Condition& condition) const {
     static const ApexSessions sessions;
     return looksForApex(condition) ? &sessions : nullptr;
+}
+
+std::vector<MomentRule> SphereApexKind::momentRules() const {
+    using enum PlaybackMarkKind;
+    return {{.metric = "apex_*", .by = MomentRule::By::farthestAnswer}};
 }
 
 } // namespace chiron::session

@@ -33,6 +33,7 @@ public:
     /// Who can do it has done the organs (levels from 5 on) as well.
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }
     Demonstration demonstration() const override;
+    std::vector<MomentRule> momentRules() const override;
     const MarkSessions* markSessions(const psychophysics::Condition& condition) const override;
 };
 

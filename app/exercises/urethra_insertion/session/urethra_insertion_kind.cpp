@@ -9,6 +9,7 @@
 #include "app/exercises/urethra_insertion/session/insertion_marks.h"
 #include "app/exercises/urethra_insertion/session/insertion_series.h"
 #include "app/exercises/urethra_insertion/session/playback_insertion.h"
+#include "session/moment_rule.h"
 #include "session/session_setup.h"
 #include "modules/exercises/urethra_insertion/simulation/drawn_tip.h"
 #include "modules/exercises/urethra_insertion/simulation/procedure_plan.h"
@@ -162,6 +163,13 @@ Demonstration UrethraInsertionKind::demonstration() const {
                                              .reference = kBendMark_deg,
                                              .referenceLabel = "pass mark, 15°"},
             .report = DemoReport{.level = kCystoscopyLevel}};
+}
+
+std::vector<MomentRule> UrethraInsertionKind::momentRules() const {
+    using enum PlaybackMarkKind;
+    return {{.metric = "trauma_*", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
+            {.metric = "lateral_max", .by = MomentRule::By::largestMark, .marks = {trauma}, .unit = "N"},
+            {.metric = "reversals", .by = MomentRule::By::largestMark, .marks = {reversal}, .factor = 1e3, .unit = "mm"}};
 }
 
 } // namespace chiron::session

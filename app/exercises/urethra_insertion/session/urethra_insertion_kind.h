@@ -37,6 +37,7 @@ public:
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     Demonstration demonstration() const override;
+    std::vector<MomentRule> momentRules() const override;
 };
 
 } // namespace chiron::session
