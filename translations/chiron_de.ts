@@ -466,6 +466,45 @@
     </message>
 </context>
 <context>
+    <name>Drivers</name>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Ready. Moves the tool with a pointer or with keys.</source>
+        <translation>Bereit. Bewegt das Instrument mit Zeiger oder Tasten.</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Aufgezeichnete Bewegung</translation>
+    </message>
+    <message>
+        <source>Ready. Plays a trace file as if a hand moved the device.</source>
+        <translation>Bereit. Spielt eine Bewegungsdatei ab, als würde eine Hand das Gerät bewegen.</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Simulierter Gimbal</translation>
+    </message>
+    <message>
+        <source>Simulated five-bar mechanism</source>
+        <translation>Simuliertes Fünfgelenk</translation>
+    </message>
+    <message>
+        <source>Simulated arm with fingertip platform</source>
+        <translation>Simulierter Arm mit Fingerkuppen-Plattform</translation>
+    </message>
+    <message>
+        <source>Simulated mechanism with a scripted hand</source>
+        <translation>Simulierter Mechanismus mit programmierter Hand</translation>
+    </message>
+    <message>
+        <source>Ready. Nothing needs to be connected.</source>
+        <translation>Bereit. Es muss nichts angeschlossen werden.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorWords</name>
     <message>
         <source>%1
@@ -4655,26 +4694,6 @@ Möchten Sie die Datei ersetzen?</translation>
         <translation>Zählt nicht</translation>
     </message>
     <message>
-        <source>Simulated gimbal</source>
-        <translation>Simulierter Gimbal</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard</source>
-        <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>Recorded trace</source>
-        <translation>Aufgezeichnete Bewegung</translation>
-    </message>
-    <message>
-        <source>Simulated five-bar mechanism</source>
-        <translation>Simuliertes Fünfgelenk</translation>
-    </message>
-    <message>
-        <source>Simulated arm with fingertip platform</source>
-        <translation>Simulierter Arm mit Fingerkuppen-Plattform</translation>
-    </message>
-    <message>
         <source>Force rendered to a scripted hand</source>
         <translation>Kraft an eine programmierte Hand ausgegeben</translation>
     </message>
@@ -4964,30 +4983,6 @@ Möchten Sie die Datei ersetzen?</translation>
 </context>
 <context>
     <name>StationWords</name>
-    <message>
-        <source>Simulated mechanism with a scripted hand</source>
-        <translation>Simulierter Mechanismus mit programmierter Hand</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard</source>
-        <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
-        <source>Recorded trace</source>
-        <translation>Aufgezeichnete Bewegung</translation>
-    </message>
-    <message>
-        <source>Ready. Nothing needs to be connected.</source>
-        <translation>Bereit. Es muss nichts angeschlossen werden.</translation>
-    </message>
-    <message>
-        <source>Ready. Moves the tool with a pointer or with keys.</source>
-        <translation>Bereit. Bewegt das Instrument mit Zeiger oder Tasten.</translation>
-    </message>
-    <message>
-        <source>Ready. Plays a trace file as if a hand moved the device.</source>
-        <translation>Bereit. Spielt eine Bewegungsdatei ab, als würde eine Hand das Gerät bewegen.</translation>
-    </message>
     <message>
         <source>Force is felt</source>
         <translation>Kraft wird gefühlt</translation>
@@ -6835,24 +6830,12 @@ Einzelheiten: %2</translation>
         <translation>Riskant (drückt zu fest)</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated gimbal (%1): force shown, not felt</source>
-        <translation>Vorführung am simulierten Gimbal (%1): Kraft gezeigt, nicht gefühlt</translation>
-    </message>
-    <message>
         <source>Replayed file %1: force shown, not felt</source>
         <translation>Abgespielte Datei %1: Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
-        <source>Mouse and keyboard: force shown, not felt</source>
-        <translation>Maus und Tastatur: Kraft gezeigt, nicht gefühlt</translation>
-    </message>
-    <message>
         <source>You are watching. Space: pause or continue. Esc: stop.</source>
         <translation>Sie sehen zu. Leertaste: Pause oder weiter. Esc: Stopp.</translation>
-    </message>
-    <message>
-        <source>Demonstration on the simulated five-bar mechanism (%1): force shown, not felt</source>
-        <translation>Vorführung am simulierten Fünfgelenk (%1): Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
         <source>Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -6885,10 +6868,6 @@ Einzelheiten: %2</translation>
     <message>
         <source>You move instrument %1 of %2</source>
         <translation>Sie bewegen Instrument %1 von %2</translation>
-    </message>
-    <message>
-        <source>Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt</source>
-        <translation>Vorführung am simulierten Arm mit Fingerkuppen-Plattform (%1): Kraft gezeigt, nicht gefühlt</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
@@ -6925,6 +6904,14 @@ Einzelheiten: %2</translation>
     <message>
         <source>You move the left hand (H for the right)</source>
         <translation>Sie bewegen die linke Hand (H für die rechte)</translation>
+    </message>
+    <message>
+        <source>Demonstration (%1). %2: force shown, not felt</source>
+        <translation>Vorführung (%1). %2: Kraft gezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
     </message>
 </context>
 <context>
@@ -8381,20 +8368,12 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
 <context>
     <name>chiron::desktop::DeviceChooser</name>
     <message>
-        <source>Mouse and keyboard</source>
-        <translation>Maus und Tastatur</translation>
-    </message>
-    <message>
         <source>Ready. Force is shown, not felt.</source>
         <translation>Bereit. Kraft wird gezeigt, nicht gefühlt.</translation>
     </message>
     <message>
         <source>Demonstrate</source>
         <translation>Vorführen</translation>
-    </message>
-    <message>
-        <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
-        <translation>Bereit. Eine programmierte Hand führt am simulierten Gimbal vor.</translation>
     </message>
     <message>
         <source>Replay a file</source>
@@ -8450,10 +8429,6 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>An diesem Arbeitsplatz gibt es für diese Übung keine Vorführung.</translation>
     </message>
     <message>
-        <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
-        <translation>Bereit. Eine programmierte Hand führt am simulierten Fünfgelenk vor.</translation>
-    </message>
-    <message>
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
         <translation>Eine aufgezeichnete Bewegung (CSV, mit Orientierung) führt das Endoskop.</translation>
     </message>
@@ -8474,8 +8449,8 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Nach den veröffentlichten Formeln (Fehler bis 27 %)</translation>
     </message>
     <message>
-        <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
-        <translation>Bereit. Eine programmierte Hand führt am simulierten Arm mit Fingerkuppen-Plattform vor.</translation>
+        <source>Ready. Watch a scripted operator. Device: %1.</source>
+        <translation>Bereit. Eine programmierte Hand führt vor. Gerät: %1.</translation>
     </message>
 </context>
 <context>

@@ -466,6 +466,45 @@
     </message>
 </context>
 <context>
+    <name>Drivers</name>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Ποντίκι και πληκτρολόγιο</translation>
+    </message>
+    <message>
+        <source>Ready. Moves the tool with a pointer or with keys.</source>
+        <translation>Έτοιμα. Κινούν το εργαλείο με δείκτη ή με πλήκτρα.</translation>
+    </message>
+    <message>
+        <source>Recorded trace</source>
+        <translation>Καταγεγραμμένη κίνηση</translation>
+    </message>
+    <message>
+        <source>Ready. Plays a trace file as if a hand moved the device.</source>
+        <translation>Έτοιμη. Αναπαράγει ένα αρχείο κίνησης σαν να κινούσε ένα χέρι τη συσκευή.</translation>
+    </message>
+    <message>
+        <source>Simulated gimbal</source>
+        <translation>Προσομοιωμένη καρδανική συσκευή</translation>
+    </message>
+    <message>
+        <source>Simulated five-bar mechanism</source>
+        <translation>Προσομοιωμένος μηχανισμός πέντε ράβδων</translation>
+    </message>
+    <message>
+        <source>Simulated arm with fingertip platform</source>
+        <translation>Προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου</translation>
+    </message>
+    <message>
+        <source>Simulated mechanism with a scripted hand</source>
+        <translation>Προσομοιωμένος μηχανισμός με προγραμματισμένο χέρι</translation>
+    </message>
+    <message>
+        <source>Ready. Nothing needs to be connected.</source>
+        <translation>Έτοιμη. Δεν χρειάζεται σύνδεση.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorWords</name>
     <message>
         <source>%1
@@ -4655,26 +4694,6 @@ Do you want to replace it?</source>
         <translation>Δεν μετράει</translation>
     </message>
     <message>
-        <source>Simulated gimbal</source>
-        <translation>Προσομοιωμένη καρδανική συσκευή</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard</source>
-        <translation>Ποντίκι και πληκτρολόγιο</translation>
-    </message>
-    <message>
-        <source>Recorded trace</source>
-        <translation>Καταγεγραμμένη κίνηση</translation>
-    </message>
-    <message>
-        <source>Simulated five-bar mechanism</source>
-        <translation>Προσομοιωμένος μηχανισμός πέντε ράβδων</translation>
-    </message>
-    <message>
-        <source>Simulated arm with fingertip platform</source>
-        <translation>Προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου</translation>
-    </message>
-    <message>
         <source>Force rendered to a scripted hand</source>
         <translation>Δύναμη αποδόθηκε σε προγραμματισμένο χέρι</translation>
     </message>
@@ -4964,30 +4983,6 @@ Do you want to replace it?</source>
 </context>
 <context>
     <name>StationWords</name>
-    <message>
-        <source>Simulated mechanism with a scripted hand</source>
-        <translation>Προσομοιωμένος μηχανισμός με προγραμματισμένο χέρι</translation>
-    </message>
-    <message>
-        <source>Mouse and keyboard</source>
-        <translation>Ποντίκι και πληκτρολόγιο</translation>
-    </message>
-    <message>
-        <source>Recorded trace</source>
-        <translation>Καταγεγραμμένη κίνηση</translation>
-    </message>
-    <message>
-        <source>Ready. Nothing needs to be connected.</source>
-        <translation>Έτοιμη. Δεν χρειάζεται σύνδεση.</translation>
-    </message>
-    <message>
-        <source>Ready. Moves the tool with a pointer or with keys.</source>
-        <translation>Έτοιμα. Κινούν το εργαλείο με δείκτη ή με πλήκτρα.</translation>
-    </message>
-    <message>
-        <source>Ready. Plays a trace file as if a hand moved the device.</source>
-        <translation>Έτοιμη. Αναπαράγει ένα αρχείο κίνησης σαν να κινούσε ένα χέρι τη συσκευή.</translation>
-    </message>
     <message>
         <source>Force is felt</source>
         <translation>Η δύναμη γίνεται αισθητή</translation>
@@ -6835,24 +6830,12 @@ Details: %2</source>
         <translation>Μη ασφαλής (πιέζει υπερβολικά)</translation>
     </message>
     <message>
-        <source>Demonstration on the simulated gimbal (%1): force shown, not felt</source>
-        <translation>Επίδειξη, προσομοιωμένη συσκευή (%1): μόνο προβολή δύναμης</translation>
-    </message>
-    <message>
         <source>Replayed file %1: force shown, not felt</source>
         <translation>Αναπαραγωγή αρχείου %1: μόνο προβολή δύναμης</translation>
     </message>
     <message>
-        <source>Mouse and keyboard: force shown, not felt</source>
-        <translation>Ποντίκι και πληκτρολόγιο: μόνο προβολή δύναμης</translation>
-    </message>
-    <message>
         <source>You are watching. Space: pause or continue. Esc: stop.</source>
         <translation>Παρακολουθείτε. Διάστημα: παύση ή συνέχεια. Esc: διακοπή.</translation>
-    </message>
-    <message>
-        <source>Demonstration on the simulated five-bar mechanism (%1): force shown, not felt</source>
-        <translation>Επίδειξη, προσομοιωμένος μηχανισμός πέντε ράβδων (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
         <source>Advance and withdraw: wheel, W and S, or Page Up and Page Down. Turn: mouse or arrow keys. Move sideways: the same with the right button or Shift. Roll: Q and E. Space: pause, frees the pointer. Esc: stop force. F5: start again.</source>
@@ -6885,10 +6868,6 @@ Details: %2</source>
     <message>
         <source>You move instrument %1 of %2</source>
         <translation>Κινείτε το εργαλείο %1 από %2</translation>
-    </message>
-    <message>
-        <source>Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt</source>
-        <translation>Επίδειξη, προσομοιωμένος βραχίονας με πλατφόρμα δακτύλου (%1): μόνο προβολή δύναμης</translation>
     </message>
     <message>
         <source>Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. Mark a finding: click or Enter.</source>
@@ -6925,6 +6904,14 @@ Details: %2</source>
     <message>
         <source>You move the left hand (H for the right)</source>
         <translation>Κινείτε το αριστερό χέρι (H για το δεξί)</translation>
+    </message>
+    <message>
+        <source>Demonstration (%1). %2: force shown, not felt</source>
+        <translation>Επίδειξη (%1). %2: μόνο προβολή δύναμης</translation>
+    </message>
+    <message>
+        <source>%1: force shown, not felt</source>
+        <translation>%1: μόνο προβολή δύναμης</translation>
     </message>
 </context>
 <context>
@@ -8381,20 +8368,12 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
 <context>
     <name>chiron::desktop::DeviceChooser</name>
     <message>
-        <source>Mouse and keyboard</source>
-        <translation>Ποντίκι και πληκτρολόγιο</translation>
-    </message>
-    <message>
         <source>Ready. Force is shown, not felt.</source>
         <translation>Έτοιμα. Η δύναμη προβάλλεται, δεν γίνεται αισθητή.</translation>
     </message>
     <message>
         <source>Demonstrate</source>
         <translation>Επίδειξη</translation>
-    </message>
-    <message>
-        <source>Ready. Watch a scripted operator on the simulated gimbal.</source>
-        <translation>Έτοιμη. Δείτε εικονικό χειριστή στην προσομοιωμένη καρδανική συσκευή.</translation>
     </message>
     <message>
         <source>Replay a file</source>
@@ -8450,10 +8429,6 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Δεν υπάρχει επίδειξη αυτής της άσκησης σε αυτόν τον σταθμό.</translation>
     </message>
     <message>
-        <source>Ready. Watch a scripted operator on the simulated five-bar mechanism.</source>
-        <translation>Έτοιμη. Δείτε εικονικό χειριστή στον προσομοιωμένο μηχανισμό πέντε ράβδων.</translation>
-    </message>
-    <message>
         <source>A recorded movement (CSV, with orientation) moves the endoscope.</source>
         <translation>Μια καταγεγραμμένη κίνηση (CSV, με προσανατολισμό) κινεί το ενδοσκόπιο.</translation>
     </message>
@@ -8474,8 +8449,8 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Με τους δημοσιευμένους τύπους (σφάλμα έως 27 %)</translation>
     </message>
     <message>
-        <source>Ready. Watch a scripted operator on the simulated arm with fingertip platform.</source>
-        <translation>Έτοιμη. Δείτε εικονικό χειριστή στον προσομοιωμένο βραχίονα με πλατφόρμα δακτύλου.</translation>
+        <source>Ready. Watch a scripted operator. Device: %1.</source>
+        <translation>Έτοιμη. Δείτε εικονικό χειριστή. Συσκευή: %1.</translation>
     </message>
 </context>
 <context>

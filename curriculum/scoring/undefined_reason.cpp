@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scoring/undefined_reason.h"
 
-#include "scoring/marked_texts.h"
+#include "core/marked_texts.h"
 
 #include <algorithm>
 #include <charconv>

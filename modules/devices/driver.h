@@ -69,14 +69,17 @@ struct FoundDevice {
 struct KinematicsEntry {
     std::string_view id; ///< DeviceDescriptor::kinematics
     core::Result<std::unique_ptr<IToolKinematics>> (*make)(const DeviceDescriptor& descriptor);
+    /// What people call a device of the driver that has them; QT_TRANSLATE_NOOP("Drivers", ...) (core/marked_texts.h) marks it for
+    /// translation. Empty: as the driver's name says.
+    std::string_view name{};
 };
 
 /// One driver: everything that the rest of the program knows of it. Static data; its functions allocate and may block, so not in
 /// the tick.
 struct Driver {
     std::string_view id;       ///< DeviceDescriptor::driver
-    std::string_view title;    ///< English; translated where it is shown
-    std::string_view needs;    ///< what must be there to use it
+    std::string_view title;    ///< for the command line, English
+    std::string_view needs;    ///< what must be there to use it; likewise
     std::string_view planWord; ///< as a stored plan names it
     DeviceClass deviceClass;   ///< as the descriptors of its devices say
     MovedBy movedBy;
@@ -86,7 +89,20 @@ struct Driver {
     std::vector<FoundDevice> (*discover)();
     /// One tool for each that is asked for, in that order. Failure: badInput or wrongUse, saying what does not fit.
     core::Result<std::vector<DriverTool>> (*open)(DriverRequest request);
+
+    /// What people call its devices, and what stands in lists of drivers; marked as KinematicsEntry::name. Empty: lists show the title, and
+    /// a device goes by its model.
+    std::string_view name{};
+    std::string_view readiness{}; ///< a sentence on what must be there, and what is done with it; marked likewise. Empty: `needs`
 };
+
+/// What people call a device of the driver with these kinematics; empty: it goes by its model.
+inline std::string_view nameOf(const Driver& driver, std::string_view kinematics) noexcept {
+    for (const KinematicsEntry& entry : driver.kinematics)
+        if (entry.id == kinematics && !entry.name.empty())
+            return entry.name;
+    return driver.name;
+}
 
 /// KinematicsEntry::make of a class with a create(descriptor).
 template <class Kinematics>

@@ -4,6 +4,7 @@
 #include "desktop/exercise_setup/choice_tile.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/file_folder.h"
+#include "desktop/plots/driver_words.h"
 #include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -85,7 +86,7 @@ QString DeviceChooser::titleOf(const devices::Driver& driver) const {
     case devices::MovedBy::person:
         break;
     }
-    return &driver == &devices::usualDriver(devices::MovedBy::person) ? tr("Mouse and keyboard") : StationWords::driver(driver);
+    return StationWords::driver(driver);
 }
 
 QString DeviceChooser::healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const {
@@ -105,11 +106,7 @@ QString DeviceChooser::healthOf(const devices::Driver& driver, const session::Ex
 QString DeviceChooser::demonstratedOn(const session::ExerciseKind* kind) const {
     if (!kind || kind->operatorNames().empty())
         return tr("There is no demonstration of this exercise on this station.");
-    if (kind->mechanism() == "five_bar_spherical")
-        return tr("Ready. Watch a scripted operator on the simulated five-bar mechanism.");
-    if (kind->mechanism() == "fingertip_arm")
-        return tr("Ready. Watch a scripted operator on the simulated arm with fingertip platform.");
-    return tr("Ready. Watch a scripted operator on the simulated gimbal.");
+    return tr("Ready. Watch a scripted operator. Device: %1.").arg(deviceName(devices::usualDriver(devices::MovedBy::scriptedOperator), kind->mechanism()));
 }
 
 QWidget* DeviceChooser::addTile(int index, const QString& health) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/plots/session_words.h"
 
+#include "desktop/plots/driver_words.h"
 #include "desktop/sessions/session_words.h"
 #include "desktop/training/training_words.h"
+#include "devices/driver_catalogue.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -81,17 +83,9 @@ QString whoText(const database::SessionSummary& session) {
 }
 
 QString deviceText(const devices::DeviceDescriptor& device) {
-    if (device.driver == "simulated" && device.kinematics == "fingertip_arm")
-        return words(QT_TRANSLATE_NOOP("Sessions", "Simulated arm with fingertip platform"));
-    if (device.driver == "simulated" && device.kinematics == "five_bar_spherical")
-        return words(QT_TRANSLATE_NOOP("Sessions", "Simulated five-bar mechanism"));
-    if (device.driver == "simulated")
-        return words(QT_TRANSLATE_NOOP("Sessions", "Simulated gimbal"));
-    if (device.driver == "keyboard_mouse")
-        return words(QT_TRANSLATE_NOOP("Sessions", "Mouse and keyboard"));
-    if (device.driver == "replay")
-        return words(QT_TRANSLATE_NOOP("Sessions", "Recorded trace"));
-    return QString::fromStdString(device.model);
+    const devices::Driver* driver = devices::findDriver(device.driver);
+    const QString name = driver ? deviceName(*driver, device.kinematics) : QString();
+    return name.isEmpty() ? QString::fromStdString(device.model) : name;
 }
 
 QString whenText(const database::SessionSummary& session, const QLocale& locale) {

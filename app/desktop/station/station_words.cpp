@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/station/station_words.h"
 
+#include "desktop/plots/driver_words.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -17,23 +19,11 @@ double StationWords::lateShare(const session::LoopReport& loop) {
 double StationWords::mostLate() noexcept { return kMostLate; }
 
 QString StationWords::driver(const devices::Driver& entry) {
-    if (entry.id == "simulated")
-        return tr("Simulated mechanism with a scripted hand");
-    if (entry.id == "keyboard_mouse")
-        return tr("Mouse and keyboard");
-    if (entry.id == "replay")
-        return tr("Recorded trace");
-    return QString::fromUtf8(entry.title.data(), static_cast<qsizetype>(entry.title.size()));
+    return driverWords(entry.name.empty() ? entry.title : entry.name);
 }
 
 QString StationWords::needs(const devices::Driver& entry) {
-    if (entry.id == "simulated")
-        return tr("Ready. Nothing needs to be connected.");
-    if (entry.id == "keyboard_mouse")
-        return tr("Ready. Moves the tool with a pointer or with keys.");
-    if (entry.id == "replay")
-        return tr("Ready. Plays a trace file as if a hand moved the device.");
-    return QString::fromUtf8(entry.needs.data(), static_cast<qsizetype>(entry.needs.size()));
+    return driverWords(entry.readiness.empty() ? entry.needs : entry.readiness);
 }
 
 QString StationWords::forceClass(devices::DeviceClass deviceClass) {

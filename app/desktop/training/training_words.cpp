@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/training_words.h"
 
+#include "desktop/plots/driver_words.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -31,20 +33,15 @@ QString deviceTitle(const TrainingPlan& plan) {
     case devices::MovedBy::scriptedOperator: {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
-        if (kind && (*kind)->mechanism() == "five_bar_spherical")
-            return Words::tr("Demonstration on the simulated five-bar mechanism (%1): force shown, not felt").arg(who);
-        if (kind && (*kind)->mechanism() == "fingertip_arm")
-            return Words::tr("Demonstration on the simulated arm with fingertip platform (%1): force shown, not felt").arg(who);
-        return Words::tr("Demonstration on the simulated gimbal (%1): force shown, not felt").arg(who);
+        return Words::tr("Demonstration (%1). %2: force shown, not felt").arg(who, deviceName(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
     }
     case devices::MovedBy::recording:
         return Words::tr("Replayed file %1: force shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
     case devices::MovedBy::person:
         break;
     }
-    if (plan.driver == &devices::usualDriver(devices::MovedBy::person))
-        return Words::tr("Mouse and keyboard: force shown, not felt");
-    return QString::fromUtf8(plan.driver->title.data(), qsizetype(plan.driver->title.size()));
+    const QString name = driverWords(plan.driver->name.empty() ? plan.driver->title : plan.driver->name);
+    return plan.driver->deviceClass == devices::DeviceClass::shown ? Words::tr("%1: force shown, not felt").arg(name) : name;
 }
 
 QString deviceIcon(devices::MovedBy movedBy) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "psychophysics/procedures/parameter.h"
 
-#include "psychophysics/procedures/marked_texts.h"
+#include "core/marked_texts.h"
 
 #include <cstdio>
 

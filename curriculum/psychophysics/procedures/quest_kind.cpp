@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "psychophysics/procedures/marked_texts.h"
+#include "core/marked_texts.h"
 #include "psychophysics/procedures/procedure_kind.h"
 #include "psychophysics/procedures/quest.h"
 #include "psychophysics/procedures/usual_levels.h"

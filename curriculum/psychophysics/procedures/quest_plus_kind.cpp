@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
-#include "psychophysics/procedures/marked_texts.h"
+#include "core/marked_texts.h"
 #include "psychophysics/procedures/procedure_kind.h"
 #include "psychophysics/procedures/psychometric_functions.h"
 #include "psychophysics/procedures/quest_plus.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scoring/marked_texts.h"
+#include "core/marked_texts.h"
 #include "scoring/metric.h"
 
 #include <optional>

@@ -16,8 +16,6 @@ struct KeptFile {
 constexpr KeptFile kKept[]{
     {"app/cli/commands/device_commands.cpp", "device check measures the simulated gimbal itself"},
     {"app/cli/session_output.cpp", "the gimbal's force map is named by its kinematics id"},
-    {"app/desktop/plots/session_words.cpp", "translated names of stored devices"},
-    {"app/desktop/station/station_words.cpp", "translated titles; a driver that is not named here shows its own"},
     {"app/session/friction_felt.cpp", "measures the friction of the simulated gimbal"},
     {"app/session/replayer.cpp", "a replay stands RecordedDevice in for any device"},
     {"app/session/site.cpp", "the gimbal's force map is asked of its kinematics id"},

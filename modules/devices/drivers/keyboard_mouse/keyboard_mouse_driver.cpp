@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_driver.h"
 
+#include "core/marked_texts.h"
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 #include "mechanisms/jaw.h"
@@ -105,6 +106,8 @@ const Driver kKeyboardMouseDriver{
     .kinematics = kPointerKinematics,
     .discover = discoverPointer,
     .open = openPointers,
+    .name = QT_TRANSLATE_NOOP("Drivers", "Mouse and keyboard"),
+    .readiness = QT_TRANSLATE_NOOP("Drivers", "Ready. Moves the tool with a pointer or with keys."),
 };
 
 } // namespace chiron::devices

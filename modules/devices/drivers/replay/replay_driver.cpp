@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/replay/replay_driver.h"
 
+#include "core/marked_texts.h"
 #include "devices/drivers/replay/replay_device.h"
 
 namespace chiron::devices {
@@ -34,6 +35,8 @@ const Driver kReplayDriver{
     .kinematics = kTraceKinematics,
     .discover = discoverTraces,
     .open = openTraces,
+    .name = QT_TRANSLATE_NOOP("Drivers", "Recorded trace"),
+    .readiness = QT_TRANSLATE_NOOP("Drivers", "Ready. Plays a trace file as if a hand moved the device."),
 };
 
 } // namespace chiron::devices

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/simulated/simulated_driver.h"
 
+#include "core/marked_texts.h"
 #include "core/random.h"
 #include "devices/drivers/simulated/fingertip_arm_kinematics.h"
 #include "devices/drivers/simulated/fingertip_sliding_kinematics.h"
@@ -99,9 +100,9 @@ core::Result<std::unique_ptr<IToolKinematics>> makeArm(const DeviceDescriptor& d
 }
 
 constexpr KinematicsEntry kMechanismKinematics[]{
-    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>},
-    {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>},
-    {FingertipArmKinematics::kId, makeArm},
+    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal")},
+    {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated five-bar mechanism")},
+    {FingertipArmKinematics::kId, makeArm, QT_TRANSLATE_NOOP("Drivers", "Simulated arm with fingertip platform")},
 };
 } // namespace
 
@@ -115,6 +116,8 @@ const Driver kSimulatedDriver{
     .kinematics = kMechanismKinematics,
     .discover = discoverMechanisms,
     .open = openMechanisms,
+    .name = QT_TRANSLATE_NOOP("Drivers", "Simulated mechanism with a scripted hand"),
+    .readiness = QT_TRANSLATE_NOOP("Drivers", "Ready. Nothing needs to be connected."),
 };
 
 } // namespace chiron::devices

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-/// Marks a text that screens and papers show in the reader's language, so that lupdate finds it. This module has no Qt; who shows the
-/// text translates it in the same context (session_report/metric_words).
-#define QT_TRANSLATE_NOOP(context, text) text
