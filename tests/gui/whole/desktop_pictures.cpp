@@ -27,7 +27,8 @@ struct Look {
     desktop::ThemeName theme;
     double scale;
     const char* language;
-    int height = 720; ///< of the window; a page that scrolls is seen whole in a high one, which needs a screen as high
+    int height = 720;   ///< of the window; a page that scrolls is seen whole in a high one, which needs a screen as high
+    bool asked = false; ///< only where it is asked for
 };
 
 /// Which places are taken: all, or those whose names begin so.
@@ -48,8 +49,15 @@ constexpr Look kLooks[] = {{"light", desktop::ThemeName::light, 1.0, "en"},
                            {"de", desktop::ThemeName::light, 1.0, "de"},
                            {"el", desktop::ThemeName::light, 1.0, "el"},
                            {"large_de", desktop::ThemeName::light, 2.0, "de"},
-                           {"whole", desktop::ThemeName::light, 1.0, "en", 2400}, // these two only where asked for
-                           {"whole_dark", desktop::ThemeName::dark, 1.0, "de", 2400}};
+                           {"large", desktop::ThemeName::light, 2.0, "en", 720, true},
+                           {"large_el", desktop::ThemeName::light, 2.0, "el", 720, true},
+                           {"dark_de", desktop::ThemeName::dark, 1.0, "de", 720, true},
+                           {"dark_el", desktop::ThemeName::dark, 1.0, "el", 720, true},
+                           {"large_dark", desktop::ThemeName::dark, 2.0, "en", 720, true},
+                           {"large_dark_de", desktop::ThemeName::dark, 2.0, "de", 720, true},
+                           {"large_dark_el", desktop::ThemeName::dark, 2.0, "el", 720, true},
+                           {"whole", desktop::ThemeName::light, 1.0, "en", 2400, true},
+                           {"whole_dark", desktop::ThemeName::dark, 1.0, "de", 2400, true}};
 
 void take(const tests::DesktopFixture& desktop, const QString& file) {
     QTest::qWait(700); // scenes draw their first frames
@@ -181,7 +189,7 @@ int main(int argc, char** argv) {
         tests::addMorePlaces(places, studies, more);
     std::string person;
     for (const Look& look : kLooks) {
-        if (looks.isEmpty() ? look.height != 720 : !looks.contains(QLatin1String(look.name)))
+        if (looks.isEmpty() ? look.asked : !looks.contains(QLatin1String(look.name)))
             continue;
         desktop.window->resize(1280, look.height);
         desktop.settings.setTheme(look.theme);
