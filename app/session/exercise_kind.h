@@ -164,7 +164,7 @@ public:
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
     /// What the demonstration site shows of it: columns of its table, a picture of its operators, a report.
     virtual Demonstration demonstration() const { return {}; }
-    /// Where the metrics of its own are worst: the first rule that is of a metric holds.
+    /// Where its own metrics were worst. For each metric the first rule that names it decides.
     virtual std::vector<MomentRule> momentRules() const;
     /// How it serves studies whose answers are marks; null: it does not, or not this condition.
     virtual const MarkSessions* markSessions(const psychophysics::Condition&) const { return nullptr; }

@@ -8,10 +8,10 @@
 
 namespace chiron::session {
 
-/// Where a metric of an exercise's own was worst in a recording, where PlaybackTrack::peaks do not tell it.
+/// How to find where one of an exercise's own metrics was worst, for those without a PlaybackPeak.
 struct MomentRule {
     enum class By {
-        largestMark,     ///< the mark of the kind with the largest value
+        largestMark,     ///< the mark of the first of the kinds with the largest value
         firstMark,       ///< the first mark, of the first of the kinds that there is; the metric's own value goes with it
         largestQuantity, ///< where one of the scene's quantities was largest
         farthestAnswer   ///< the answer farthest from what was to be found, in per cent of its radius

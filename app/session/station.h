@@ -49,10 +49,10 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 /// makes the hand's part of it smaller. Failure: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 
-/// The same for a level of an exercise. An endoscope begins at the kind's endoscopeStart_W(), looking in. Several points (fingers): one tool each, at the kind's places, every one with the same
-/// box round its own place, so that the fingers of a hand stay side by side at an edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry
-/// points; all reach the same box of W, whose middle is the choice's origin. Failure: badInput; wrongUse for a level without
-/// 1..kMaxTools instruments.
+/// The same for a level of an exercise. An endoscope begins at the kind's endoscopeStart_W(), looking in. Several points (fingers): one
+/// tool each, at the kind's places, every one with the same box round its own place, so that the fingers of a hand stay side by side at an
+/// edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry points; all reach the same box of W,
+/// whose middle is the choice's origin. Failure: badInput; wrongUse for a level without 1..kMaxTools instruments.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level);
 

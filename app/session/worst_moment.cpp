@@ -148,7 +148,8 @@ std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::st
 
 std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& rule, const scoring::MetricValue& metric) {
     switch (rule.by) {
-    case MomentRule::By::largestMark: return largestMark(track, rule.marks.front(), rule.factor, rule.unit);
+    case MomentRule::By::largestMark:
+        return rule.marks.empty() ? std::nullopt : largestMark(track, rule.marks.front(), rule.factor, rule.unit);
     case MomentRule::By::firstMark: return firstOf(track, rule.marks, metric);
     case MomentRule::By::largestQuantity: return largestQuantity(track, rule.quantity, rule.unit);
     case MomentRule::By::farthestAnswer: return farthestAnswer(track);

@@ -69,8 +69,8 @@ struct FoundDevice {
 struct KinematicsEntry {
     std::string_view id; ///< DeviceDescriptor::kinematics
     core::Result<std::unique_ptr<IToolKinematics>> (*make)(const DeviceDescriptor& descriptor);
-    /// What people call a device of the driver that has them; QT_TRANSLATE_NOOP("Drivers", ...) (core/marked_texts.h) marks it for
-    /// translation. Empty: as the driver's name says.
+    /// What people call a device of the driver that has them, marked with QT_TRANSLATE_NOOP (core/marked_texts.h) in the context Drivers.
+    /// Empty: as the driver's name says.
     std::string_view name{};
 };
 

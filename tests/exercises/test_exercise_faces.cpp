@@ -2,6 +2,8 @@
 // What screens and reports ask of every exercise, asked of each.
 #include "catalogue/catalogue.h"
 #include "desktop/exercise_face.h"
+#include "session/exercise_kind.h"
+#include "session/moment_rule.h"
 #include "session_report/exercise_section.h"
 #include "session_report/exercise_words.h"
 #include "session_report/tool_words.h"
@@ -10,6 +12,7 @@
 #include <QDir>
 #include <QSet>
 #include <QtTest>
+#include <algorithm>
 
 using namespace chiron;
 
@@ -45,7 +48,38 @@ private slots:
     void aSessionWithoutTrialsIsShownAsOne();
     void aReportHasOneSectionAtMost();
     void everyEndHasWords();
+    void rulesOfMomentsAreOfWhatThereIs();
 };
+
+/// A rule that says where a metric was worst is of a metric that a level asks for, and of marks or a quantity that there are.
+void TestExerciseFaces::rulesOfMomentsAreOfWhatThereIs() {
+    const auto catalogue = catalogue::Catalogue::load(CHIRON_SOURCE_DIR "/curriculum/content");
+    QVERIFY(catalogue);
+    int rules = 0;
+    for (const catalogue::Exercise& exercise : catalogue->exercises()) {
+        const auto kind = session::exerciseKind(exercise.id);
+        QVERIFY(kind);
+        for (const session::MomentRule& rule : (*kind)->momentRules()) {
+            ++rules;
+            const std::string which = exercise.id + ": " + std::string(rule.metric);
+            const auto anyLevel = [&](auto holds) { return std::any_of(exercise.levels.begin(), exercise.levels.end(), holds); };
+            QVERIFY2(anyLevel([&](const catalogue::ExerciseLevel& level) {
+                         return std::any_of(level.metrics.begin(), level.metrics.end(), [&](const auto& metric) { return rule.isOf(metric.id); });
+                     }),
+                     which.c_str());
+            const bool ofMarks = rule.by == session::MomentRule::By::largestMark || rule.by == session::MomentRule::By::firstMark;
+            QVERIFY2(ofMarks == !rule.marks.empty(), which.c_str());
+            if (rule.by != session::MomentRule::By::largestQuantity)
+                continue;
+            QVERIFY2(anyLevel([&](const catalogue::ExerciseLevel& level) {
+                         const auto quantities = (*kind)->quantities(level);
+                         return std::any_of(quantities.begin(), quantities.end(), [&](const auto& quantity) { return quantity.id == rule.quantity; });
+                     }),
+                     which.c_str());
+        }
+    }
+    QVERIFY(rules >= 9);
+}
 
 /// So that no exercise is left out below.
 void TestExerciseFaces::everyFolderIsAsked() {

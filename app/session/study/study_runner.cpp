@@ -92,8 +92,8 @@ core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& s
         const std::uint64_t seed = core::Random::mix(sitting.runSeed, "sitting " + std::to_string(sitting.before + sitting.presented)) >> 1;
         auto session = marks.run(sitting.database, sitting.actor,
                                  {study, sitting.condition, sitting.progress, sitting.run, sitting.sealedCode, sitting.request.observer.trainee, seed,
-                                       std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
-                                       [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
+                                  std::min(wanted, most), sitting.request.ringFolder, sitting.request.cancel,
+                                  [&](database::StudyTrial trial) { return sitting.store(std::move(trial)); }});
         if (!session)
             return session;
         last = *session;

@@ -72,7 +72,7 @@ private slots:
                 session.personName = "Tina";
                 say({SessionWords::device(felt), feltText(felt), forceText(session), whoText(session)});
             }
-        for (const auto& [driver, kinematics] : {std::pair{"simulated", "fingertip_arm"}, {"simulated", "five_bar_spherical"}, {"simulated", "gimbal"}, {"keyboard_mouse", ""}, {"replay", ""}, {"other", ""}}) {
+        for (const auto& [driver, kinematics] : {std::pair{"simulated", "fingertip_arm"}, {"simulated", "five_bar_spherical"}, {"simulated", "gimbal_hprd"}, {"keyboard_mouse", ""}, {"replay", ""}, {"other", ""}}) {
             devices::DeviceDescriptor device;
             device.driver = driver;
             device.kinematics = kinematics;

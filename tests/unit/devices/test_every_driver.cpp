@@ -87,6 +87,18 @@ private slots:
         QCOMPARE(all.mid(0, 3), QStringList({"simulated=demonstration", "keyboard_mouse=mouse", "replay=trace"}));
     }
 
+    /// So that no screen falls back to words of the command line for a device that we ship.
+    void shippedOnesHaveWordsForPeople() {
+        for (const devices::Driver* driver : devices::driverCatalogue().first(3)) {
+            QVERIFY2(!driver->name.empty() && !driver->readiness.empty(), std::string(driver->id).c_str());
+            QCOMPARE(devices::nameOf(*driver, "no such kinematics"), driver->name);
+        }
+        const devices::Driver& mechanisms = *devices::findDriver("simulated");
+        std::set<std::string_view> names;
+        for (const devices::KinematicsEntry& kinematics : mechanisms.kinematics)
+            QVERIFY(!kinematics.name.empty() && names.insert(devices::nameOf(mechanisms, kinematics.id)).second);
+    }
+
     void thereIsAUsualOneForEachMover() {
         for (const devices::MovedBy mover : {devices::MovedBy::person, devices::MovedBy::scriptedOperator, devices::MovedBy::recording})
             QVERIFY(devices::usualDriver(mover).movedBy == mover);

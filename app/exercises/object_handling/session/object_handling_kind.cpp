@@ -140,7 +140,6 @@ Demonstration ObjectHandlingKind::demonstration() const {
 }
 
 std::vector<MomentRule> ObjectHandlingKind::momentRules() const {
-    using enum PlaybackMarkKind;
     return {{.metric = "squeeze_*", .by = MomentRule::By::largestQuantity, .quantity = "squeeze_N", .unit = "N"}};
 }
 

@@ -90,7 +90,7 @@ QString palpationKeysInWords(bool ownHand, int hands, bool rates, bool pinches) 
     if (!ownHand)
         return keysInWords(false);
     QStringList all{KeyWords::tr("Move: mouse or arrow keys. Press and lift: wheel, right button and drag, or Page Down and Page Up. "
-                              "Mark a finding: click or Enter.")};
+                                 "Mark a finding: click or Enter.")};
     if (rates)
         all << KeyWords::tr("Rate the finding: 1 to 5, V for the other rating, + and − for the size.");
     if (pinches)

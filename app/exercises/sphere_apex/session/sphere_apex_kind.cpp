@@ -198,7 +198,6 @@ const MarkSessions* SphereApexKind::markSessions(const psychophysics::Condition&
 }
 
 std::vector<MomentRule> SphereApexKind::momentRules() const {
-    using enum PlaybackMarkKind;
     return {{.metric = "apex_*", .by = MomentRule::By::farthestAnswer}};
 }
 
