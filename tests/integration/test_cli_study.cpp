@@ -174,6 +174,8 @@ void TestCliStudy::planNeedsNoDatabase() {
     for (const char* key : {"bias_log10_error", "sd_log10_error", "coverage_error", "trials_error", "minutes_error"})
         QVERIFY2(condition[QLatin1String(key)].toDouble() > 0.0, key);
     QVERIFY(condition["weber_quantiles"]["0.1"].toDouble() <= condition["weber_quantiles"]["0.5"].toDouble());
+    const QJsonObject one = object(runCli({"study", "plan", kStudy, "--observer", "weber:0.12,lapse:0.02", "--runs", "1", "--database", m_folder.filePath("none.db"), "--json"}));
+    QVERIFY(one["conditions"][0]["trials"].isDouble() && one["conditions"][0]["minutes"].isDouble()); // a single run has a length, too
     QVERIFY(!QFile::exists(m_folder.filePath("none.db")));
 }
 

@@ -3,6 +3,7 @@
 
 #include "desktop/scene3d/drawn_tool.h"
 #include "gui/scene3d/scene_samples.h"
+#include "modules/exercises/comparison/simulation/comparison_parameters.h"
 #include "modules/exercises/object_handling/simulation/object_handling_parameters.h"
 #include "core/laparoscopy_cues.h"
 #include "modules/exercises/elastic_tube/simulation/elastic_tube_parameters.h"
@@ -26,6 +27,16 @@ inline SceneSetup handlingSetup() {
     setup.parameters = simulation::ObjectHandlingParameters{};
     setup.cues = {true, true};
     setup.family = QStringLiteral("Inter");
+    return setup;
+}
+
+/// Objects of a study side by side: tubes and weights are taken hold of by a hook, pads are pressed.
+inline SceneSetup comparisonSetup(simulation::ComparedAttribute attribute) {
+    SceneSetup setup = handlingSetup();
+    setup.exercise = "comparison";
+    simulation::ComparisonParameters parameters;
+    parameters.attribute = attribute;
+    setup.parameters = parameters;
     return setup;
 }
 
@@ -125,6 +136,22 @@ inline SceneState handOver() {
 }
 
 /// Three ovaries and their dish; `held`: one of them is carried.
+/// Three places in a row, of which the middle one is touched.
+inline SceneState comparisonState(double height_m) {
+    SceneState state;
+    core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();
+    cues.present = cues.objectShown = true;
+    cues.bodies = 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+        cues.body[i].p_W = {0.040 * (static_cast<double>(i) - 1.0), 0.0, height_m};
+        cues.body[i].radius_m = 0.009;
+    }
+    cues.body[1].heldBy = 1;
+    state.objectShown = true;
+    state.tool[0] = grasper({0.004, -0.003, height_m + 0.006}, false, 0.0);
+    return state;
+}
+
 inline SceneState handlingState(bool held) {
     SceneState state;
     core::LaparoscopyCues& cues = state.exercise.own<core::LaparoscopyCues>();

@@ -49,6 +49,12 @@ std::map<QString, Kept> all() {
             pictures[QLatin1String(each.name)] = {each.setup, each.state, each.mapShown ? std::make_shared<simulation::SurfaceMap>(each.map) : nullptr};
     for (const auto& [name, each] : samples::urethraPictures())
         pictures["urethra_" + name] = {each.setup, each.state, {}};
+    pictures["comparison_pads"] = {samples::comparisonSetup(simulation::ComparedAttribute::stiffness), samples::comparisonState(0.0), {}};
+    pictures["comparison_hooked"] = {samples::comparisonSetup(simulation::ComparedAttribute::mass), samples::comparisonState(0.030), {}};
+    pictures["comparison_one"] = pictures["comparison_pads"]; // of an adjustment: nothing to number
+    pictures["comparison_one"].state.exercise.own<core::LaparoscopyCues>().bodies = 1;
+    pictures["comparison_none"] = pictures["comparison_pads"]; // between two trials
+    pictures["comparison_none"].state.exercise.own<core::LaparoscopyCues>().objectShown = false;
     pictures["apex_dark"] = {samples::setup(), samples::pressed(5.2), {}};
     pictures["apex_dark"].setup.colours = samples::dark();
     pictures["tube_large_contrast"] = {samples::tubeSetup(), samples::tubeState({0.026, -0.016, 0.052}, true), {}};

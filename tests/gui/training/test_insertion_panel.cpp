@@ -135,6 +135,12 @@ void TestInsertionPanel::everyValueIsShown() {
     QVERIFY(std::abs(highest("training.offset_plot") - 1.0) < 1e-3);
     QVERIFY(std::abs(highest("training.alignment_plot") - 0.1 * 180.0 / std::numbers::pi) < 1e-2);
     QVERIFY(spoken(panel).contains(QStringLiteral("0.50 N")));
+    state.exercise.own<simulation::EndoscopeCues>().depth_m = 0.06;
+    for (int frame = 0; frame < 5; ++frame)
+        panel.show(state, {});
+    QVERIFY(text("training.stage").startsWith(QStringLiteral("Insertion: 50 of"))); // digits that can be read stand for a while
+    panel.show(state, {});
+    QVERIFY(text("training.stage").startsWith(QStringLiteral("Insertion: 60 of")));
 }
 
 void TestInsertionPanel::aLevelWithoutCuesTellsNothing() {

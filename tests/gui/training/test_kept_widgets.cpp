@@ -16,6 +16,7 @@
 #include "desktop/training/force_bar.h"
 #include "app/exercises/palpation/desktop/lean_dial.h"
 #include "desktop/training/live_plot.h"
+#include "desktop/training/mouse_pictogram.h"
 #include "desktop/training/signed_bar.h"
 #include "app/exercises/palpation/desktop/size_row.h"
 #include "desktop/training/sound_sign.h"
@@ -146,6 +147,11 @@ std::map<QString, Made> widgets(const Theme& theme, const QLocale& locale, const
     row.bandLow.reset();
     row.bandHigh.reset();
     all[QStringLiteral("band_bar_minimum")] = std::make_unique<BandBar>(theme, row);
+    row.value = -4.0; // below zero there is room, too
+    all[QStringLiteral("band_bar_below_zero")] = std::make_unique<BandBar>(theme, row);
+    for (const Pictogram picture : {Pictogram::moveMouse, Pictogram::wheelTowards, Pictogram::wheelAway, Pictogram::leftClick, Pictogram::leftHeld, Pictogram::rightHeld,
+                                    Pictogram::moveStylus, Pictogram::pressStylus, Pictogram::stylusButton, Pictogram::keys})
+        all[QStringLiteral("pictogram_%1").arg(static_cast<int>(picture))] = std::make_unique<MousePictogram>(theme, picture);
     auto scrubber = std::make_unique<Scrubber>(theme);
     session::PlaybackTrack track;
     track.duration_s = 40.0;

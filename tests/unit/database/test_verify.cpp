@@ -4,8 +4,10 @@
 #include "core/random.h"
 #include "database/integrity/digested_row.h"
 #include "database/query.h"
+#include "database/schema/migration_runner.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <algorithm>
 
 using namespace chiron;
@@ -19,6 +21,7 @@ private slots:
     void initTestCase();
     void soundDatabaseHasNoFindings();
     void digestsCoverEveryColumn();
+    void tablesAreAskedSinceTheVersionThatBroughtThem();
     void everyTableIsGuarded_data();
     void everyTableIsGuarded();
     void payloadAndTextsAreGuarded();
@@ -79,6 +82,19 @@ void TestVerify::digestsCoverEveryColumn() {
         listed += table.columns.size();
     }
     QCOMPARE(stored, listed);
+}
+
+/// Else a database of an earlier version, opened to be read, would be asked for a table that it cannot have.
+void TestVerify::tablesAreAskedSinceTheVersionThatBroughtThem() {
+    for (const DigestedTable& table : digestedTables()) {
+        const QRegularExpression made(QStringLiteral("CREATE TABLE %1\\b").arg(QString::fromStdString(std::string(table.name))));
+        int brought = 0;
+        for (const Migration& migration : builtInMigrations())
+            if (brought == 0 && QString::fromStdString(migration.sql).contains(made))
+                brought = migration.version;
+        QVERIFY2(brought > 0, std::string(table.name).c_str());
+        QVERIFY2(table.since == brought, std::string(table.name).c_str());
+    }
 }
 
 void TestVerify::everyTableIsGuarded_data() {

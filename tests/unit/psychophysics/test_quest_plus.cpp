@@ -64,6 +64,7 @@ class TestQuestPlus : public QObject {
     Q_OBJECT
 private slots:
     void entropyByBruteForce();
+    void theLeastIsFoundAmongThoseThatAreLeft();
     void duplicatedStimulusIsATie();
     void impossibleOutcome();
     void repeatLimitAndCatchTrials();
@@ -75,6 +76,20 @@ private slots:
     void dimensionsGoByName();
     void rankingThatIsCheckedCanBeMade();
 };
+
+void TestQuestPlus::theLeastIsFoundAmongThoseThatAreLeft() {
+    const std::vector<double> gains{-0.1, -0.4, -0.4, -0.3};
+    const BestStimulus tied = bestOf(gains, {});
+    QCOMPARE(tied.index, 1); // the lowest of the two
+    QCOMPARE(tied.gain, -0.4);
+    QCOMPARE(tied.margin, 0.0);
+    const std::vector<int> both{1, 2}, all{0, 1, 2, 3}, allButOne{0, 1, 2};
+    const BestStimulus other = bestOf(gains, both);
+    QCOMPARE(other.index, 3);
+    QVERIFY(std::abs(other.margin - 0.2) < 1e-15);
+    QVERIFY(bestOf(gains, allButOne).index == 3 && std::isnan(bestOf(gains, allButOne).margin)); // there is no second one
+    QCOMPARE(bestOf(gains, all).index, -1);
+}
 
 void TestQuestPlus::entropyByBruteForce() {
     QCOMPARE(compareWithBruteForce(questPlusModel(weibull())), QString());

@@ -100,6 +100,7 @@ private slots:
     void aStalledWindowDelaysNoTick();
     void aWindowThatNeverBeatsIsHeld();
     void samplesAreWhole();
+    void aSampleHasAllThatTheStateSays();
     void aFullRingDropsAndCounts();
     void ownCommandsAndTheWindowsBothArrive();
     void mouseStationReachesTheSameBox();
@@ -107,6 +108,46 @@ private slots:
     void mappingsOutOfRangeAreRefused();
     void cuesFollowTheDevice();
 };
+
+void TestLiveLink::aSampleHasAllThatTheStateSays() {
+    haptics::DisplayState shown;
+    shown.tools = 2;
+    shown.tick = 7;
+    shown.now_ns = 1'500'000'000;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double a = static_cast<double>(i) + 1.0;
+        shown.tool[0].tissue[i] = 0.25 * a;
+        shown.tool[0].tissue[i + 3] = 0.125 * a;
+        shown.tool[0].commanded[i] = 0.5 * a;
+        shown.tool[0].v_WT_m_per_s[i] = 0.0625 * a;
+        shown.tool[0].p_WT_m[i] = 0.75 * a;
+        shown.tool[0].p_WProxy_m[i] = 0.5 * a;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        shown.tool[0].q_WT[i] = 0.125 * static_cast<double>(i + 1);
+    shown.tool[1].p_WProxy_m = {4.0, 5.0, 6.0};
+    shown.tool[1].displayPose[0] = 0.875;
+    const session::LiveSample sample = session::liveSampleOf(shown, 1'000'000'000);
+    const double norm = std::sqrt(14.0); // of (1, 2, 3)
+    QCOMPARE(sample.tick, std::uint64_t{7});
+    QCOMPARE(sample.t_s, 0.5);
+    for (std::size_t i = 0; i < 3; ++i) {
+        QCOMPARE(sample.tissue_N[i], static_cast<float>(shown.tool[0].tissue[i]));
+        QCOMPARE(sample.p_WT_m[i], static_cast<float>(shown.tool[0].p_WT_m[i]));
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        QCOMPARE(sample.q_WT[i], static_cast<float>(shown.tool[0].q_WT[i]));
+    QCOMPARE(sample.tissueNorm_N, static_cast<float>(0.25 * norm));
+    QCOMPARE(sample.torque_Nm, static_cast<float>(0.125 * norm));
+    QCOMPARE(sample.commanded_N, static_cast<float>(0.5 * norm));
+    QCOMPARE(sample.speed_m_per_s, static_cast<float>(0.0625 * norm));
+    QCOMPARE(sample.depth_m, static_cast<float>(0.25 * norm));
+    QCOMPARE(sample.press[0][0], 0.5f);
+    QCOMPARE(sample.press[1][0], 4.0f);
+    QCOMPARE(sample.press[1][1], 5.0f);
+    QCOMPARE(sample.press[1][2], 0.875f);
+    QCOMPARE(sample.press[2][0], 0.0f); // no third tool
+}
 
 void TestLiveLink::aStalledWindowDelaysNoTick() {
     constexpr std::int64_t kFrom_ns = 6 * kSecond_ns;
