@@ -133,14 +133,14 @@ void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& ro
     side.place({left + sizeAbove.width() + gap, top}, scale);
 }
 
-void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
+void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup) {
     const bool fromAbove = panel.side() == FlatPanel::Side::above;
     panel.paintCard(painter, fromAbove ? tr("From above") : tr("From the side"), tr("x (mm)"),
                     fromAbove ? tr("y (mm)") : tr("z (mm)"));
     painter.save();
     painter.setClipRect(panel.plot());
-    m_content->paint(painter, panel, m_setup, m_state);
-    FlatTools tools(painter, panel, m_setup);
+    m_content->paint(painter, panel, setup, m_state);
+    FlatTools tools(painter, panel, setup);
     if (m_state.answered)
         tools.paintAnswer(m_state.p_WAnswer);
     if (m_state.marked) {
@@ -170,7 +170,7 @@ void FlatCanvas::paintPanel(QPainter& painter, const FlatPanel& panel) {
     }
     painter.restore();
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(m_setup.colours.ink, m_setup.scale));
+    painter.setPen(QPen(setup.colours.ink, setup.scale));
     painter.drawRect(panel.plot());
 }
 
@@ -180,11 +180,13 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), m_setup.colours.background);
     const QRectF room = paintBars(painter, paintReason(painter));
     if (m_content && !m_content->paintWhole(painter, room, m_setup, m_state)) {
-        FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), m_setup);
-        FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), m_setup);
+        SceneSetup fitted = m_setup; // words give way to the picture
+        fitted.scale = FlatPanel::scaleIn(room.height(), m_setup.scale);
+        FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), fitted);
+        FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), fitted);
         placePanels(above, side, room);
-        paintPanel(painter, above);
-        paintPanel(painter, side);
+        paintPanel(painter, above, fitted);
+        paintPanel(painter, side, fitted);
     }
     SceneNotePainter(m_setup).paint(painter, QRectF(rect()), 1.0, m_state.note);
     ++m_frames;

@@ -35,7 +35,7 @@ private:
     QRectF paintReason(QPainter& painter) const; ///< returns what is left of the widget
     QRectF paintBars(QPainter& painter, QRectF room) const; ///< the same
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
-    void paintPanel(QPainter& painter, const FlatPanel& panel);
+    void paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
 
     SceneSetup m_setup;
     SceneState m_state;

@@ -28,6 +28,8 @@ bool isNumbered(double mm, int every) { return static_cast<int>(std::lround(mm /
 FlatPanel::FlatPanel(Side side, const QRectF& range_mm, const SceneSetup& setup)
     : m_side(side), m_range_mm(range_mm), m_setup(setup) {}
 
+double FlatPanel::scaleIn(double height, double scale) { return std::min(scale, std::max(0.7, 0.5 * height / (kTop + kBottom))); }
+
 QSizeF FlatPanel::cardSize(double pixelsPerMm) const {
     return {m_range_mm.width() * pixelsPerMm + (kLeft + kRight) * unit(),
             m_range_mm.height() * pixelsPerMm + (kTop + kBottom) * unit()};
@@ -72,6 +74,7 @@ void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString
     painter.drawText(QRectF(card.left() + 12.0 * u, card.top(), card.width() - 24.0 * u, kTop * u),
                      Qt::AlignLeft | Qt::AlignVCenter, title);
     paintTicks(painter);
+    painter.setPen(m_setup.colours.ink);
     painter.setFont(font(12, false));
     painter.drawText(QRectF(m_plot.left(), m_plot.bottom() + 20.0 * u, m_plot.width(), 18.0 * u),
                      Qt::AlignCenter, across);

@@ -22,6 +22,10 @@ public:
     /// `range_mm`: what the plot shows; x to the right, y upwards (so a QRectF's "top" is the lowest value).
     FlatPanel(Side side, const QRectF& range_mm, const SceneSetup& setup);
 
+    /// The scale of words and lines at which the frame of a card takes no more than half of this height, but not under 0.7: words stay
+    /// legible.
+    static double scaleIn(double height, double scale);
+
     /// What the card needs at this scale, and what is around the plot.
     QSizeF cardSize(double pixelsPerMm) const;
     /// Shows more of the room above, so that the card is this high.

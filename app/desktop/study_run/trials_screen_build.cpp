@@ -124,6 +124,7 @@ QWidget* TrialsScreen::buildHead() {
     m_progress->setToolTip(tr("Progress of this part"));
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
+    m_progress->setMinimumWidth(theme.px(40)); // it gives way before a button's words do
     row->addWidget(m_progress, 2);
     m_call = kit::button(theme, tr("Experimenter …"), "quiet", QStringLiteral("system-lock-screen"));
     m_call->setObjectName(QStringLiteral("trials.experimenter"));

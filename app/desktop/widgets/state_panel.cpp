@@ -55,6 +55,7 @@ void StatePanel::buildProgress() {
 void StatePanel::buildNote() {
     m_note = new QWidget;
     auto* column = new QVBoxLayout(m_note);
+    column->setContentsMargins(m_theme.px(24), m_theme.px(12), m_theme.px(24), m_theme.px(12));
     column->setSpacing(m_theme.px(12));
     column->addStretch();
     m_noteIcon = new QLabel;

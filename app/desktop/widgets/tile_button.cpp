@@ -49,6 +49,8 @@ bool TileButton::event(QEvent* event) {
 // A scroll area asks for the smallest size only: without this it would squeeze the second line of words.
 void TileButton::keepWords() {
     setMinimumHeight(heightForWidth(width()));
+    if (m_row->geometry() != rect()) // it grew within a layout of the words for less height
+        m_row->setGeometry(rect());
 }
 
 } // namespace chiron::desktop

@@ -60,6 +60,7 @@ private slots:
     }
     void cleanupTestCase() { m_site.reset(); }
     void templatesCiteTheirSource();
+    void templatesAreReadWhenLarge();
     void fromNothingToFrozen();
     void aCopyOfAFrozenStudy();
     void titlesOfCopies();
@@ -176,6 +177,26 @@ void TestStudyDesign::templatesCiteTheirSource() {
     const auto* plain = m_site->find<QPushButton>(QStringLiteral("new_study.template.new_study"));
     QVERIFY(first->mapToGlobal(QPoint()).y() < plain->mapToGlobal(QPoint()).y());
     click("new_study.cancel");
+}
+
+void TestStudyDesign::templatesAreReadWhenLarge() {
+    m_site->settings.setScale(2.0);
+    m_site->context.applyAppearance();
+    m_site->go(QStringLiteral("studies"));
+    QTRY_VERIFY_WITH_TIMEOUT(tests::waitUntilLoaded(*m_site), kPatience_ms);
+    click("studies.new");
+    QTRY_VERIFY_WITH_TIMEOUT(m_site->find<QPushButton>(QStringLiteral("new_study.template.apex")), kPatience_ms);
+    const auto squeezed = [&] { // labels lower than their wrapped words
+        QStringList found;
+        for (const QLabel* label : m_site->find<QPushButton>(QStringLiteral("new_study.template.apex"))->findChildren<QLabel*>())
+            if (label->height() < label->heightForWidth(label->width()))
+                found << label->text();
+        return found;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(squeezed(), QStringList(), kPatience_ms);
+    click("new_study.cancel");
+    m_site->settings.setScale(1.0);
+    m_site->context.applyAppearance();
 }
 
 /// One of those who design it tries it: the instructions, the controls, some of the free minute, and back to the design without a question.
