@@ -6913,6 +6913,10 @@ Einzelheiten: %2</translation>
         <source>%1: force shown, not felt</source>
         <translation>%1: Kraft gezeigt, nicht gefühlt</translation>
     </message>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: Kraft gefühlt</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>

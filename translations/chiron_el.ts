@@ -6913,6 +6913,10 @@ Details: %2</source>
         <source>%1: force shown, not felt</source>
         <translation>%1: μόνο προβολή δύναμης</translation>
     </message>
+    <message>
+        <source>%1: force felt</source>
+        <translation>%1: αισθητή δύναμη</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>

@@ -4,7 +4,6 @@
 #include "desktop/exercise_setup/choice_tile.h"
 #include "desktop/frame/app_context.h"
 #include "desktop/frame/file_folder.h"
-#include "desktop/plots/driver_words.h"
 #include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
@@ -106,7 +105,7 @@ QString DeviceChooser::healthOf(const devices::Driver& driver, const session::Ex
 QString DeviceChooser::demonstratedOn(const session::ExerciseKind* kind) const {
     if (!kind || kind->operatorNames().empty())
         return tr("There is no demonstration of this exercise on this station.");
-    return tr("Ready. Watch a scripted operator. Device: %1.").arg(deviceName(devices::usualDriver(devices::MovedBy::scriptedOperator), kind->mechanism()));
+    return tr("Ready. Watch a scripted operator. Device: %1.").arg(StationWords::device(devices::usualDriver(devices::MovedBy::scriptedOperator), kind->mechanism()));
 }
 
 QWidget* DeviceChooser::addTile(int index, const QString& health) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/plots/session_words.h"
 
-#include "desktop/plots/driver_words.h"
 #include "desktop/sessions/session_words.h"
+#include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "devices/driver_catalogue.h"
 
@@ -84,7 +84,7 @@ QString whoText(const database::SessionSummary& session) {
 
 QString deviceText(const devices::DeviceDescriptor& device) {
     const devices::Driver* driver = devices::findDriver(device.driver);
-    const QString name = driver ? deviceName(*driver, device.kinematics) : QString();
+    const QString name = driver ? StationWords::device(*driver, device.kinematics) : QString();
     return name.isEmpty() ? QString::fromStdString(device.model) : name;
 }
 

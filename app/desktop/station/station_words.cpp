@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/station/station_words.h"
 
-#include "desktop/plots/driver_words.h"
-
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace chiron::desktop {
 
 namespace {
 constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, as a share of all
+
+/// A text that a driver's row marks for translation.
+QString marked(std::string_view text) { return text.empty() ? QString() : QCoreApplication::translate("Drivers", std::string(text).c_str()); }
 } // namespace
 
 double StationWords::lateShare(const session::LoopReport& loop) {
@@ -19,11 +21,13 @@ double StationWords::lateShare(const session::LoopReport& loop) {
 double StationWords::mostLate() noexcept { return kMostLate; }
 
 QString StationWords::driver(const devices::Driver& entry) {
-    return driverWords(entry.name.empty() ? entry.title : entry.name);
+    return marked(entry.name.empty() ? entry.title : entry.name);
 }
 
+QString StationWords::device(const devices::Driver& entry, std::string_view kinematics) { return marked(devices::nameOf(entry, kinematics)); }
+
 QString StationWords::needs(const devices::Driver& entry) {
-    return driverWords(entry.readiness.empty() ? entry.needs : entry.readiness);
+    return marked(entry.readiness.empty() ? entry.needs : entry.readiness);
 }
 
 QString StationWords::forceClass(devices::DeviceClass deviceClass) {

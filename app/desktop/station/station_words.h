@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QString>
+#include <string_view>
 
 namespace chiron::desktop {
 
@@ -16,6 +17,8 @@ class StationWords {
 public:
     static QString driver(const devices::Driver& entry);
     static QString needs(const devices::Driver& entry);
+    /// What people call a device of the driver with these kinematics; empty: it goes by its model.
+    static QString device(const devices::Driver& entry, std::string_view kinematics);
     static QString forceClass(devices::DeviceClass deviceClass);
     static QString priority(bool granted);
     static QString howToGetPriority();

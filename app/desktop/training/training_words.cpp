@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "desktop/training/training_words.h"
 
-#include "desktop/plots/driver_words.h"
+#include "desktop/station/station_words.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -33,15 +33,17 @@ QString deviceTitle(const TrainingPlan& plan) {
     case devices::MovedBy::scriptedOperator: {
         const QString who = operatorTitle(plan.operatorName.toStdString());
         const auto kind = session::exerciseKind(plan.exercise.toStdString());
-        return Words::tr("Demonstration (%1). %2: force shown, not felt").arg(who, deviceName(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
+        return Words::tr("Demonstration (%1). %2: force shown, not felt").arg(who, StationWords::device(*plan.driver, kind ? (*kind)->mechanism() : std::string_view()));
     }
     case devices::MovedBy::recording:
         return Words::tr("Replayed file %1: force shown, not felt").arg(QFileInfo(plan.traceFile).fileName());
     case devices::MovedBy::person:
         break;
     }
-    const QString name = driverWords(plan.driver->name.empty() ? plan.driver->title : plan.driver->name);
-    return plan.driver->deviceClass == devices::DeviceClass::shown ? Words::tr("%1: force shown, not felt").arg(name) : name;
+    const QString name = StationWords::driver(*plan.driver);
+    if (plan.driver->name.empty())
+        return name; // a title of the command line says itself what is felt
+    return plan.driver->deviceClass == devices::DeviceClass::shown ? Words::tr("%1: force shown, not felt").arg(name) : Words::tr("%1: force felt").arg(name);
 }
 
 QString deviceIcon(devices::MovedBy movedBy) {

@@ -317,9 +317,10 @@ void TestPeople::anUnknownRoleIsToldWhatItStandsFor() {
     QTRY_COMPARE_WITH_TIMEOUT(happens(1), QStringLiteral("Cannot be imported yet"), kPatience_ms);
     choice->setCurrentText(QStringLiteral("Trainee"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("roster.accept"), kPatience_ms);
-    const QPointer<QComboBox> chosen(choice);
+    const QPointer<QWidget> chosen(choice), update(desk.find<QRadioButton>(QStringLiteral("roster.update")));
+    QVERIFY(update && update->isEnabled());
     desk.click("roster.accept");
-    QVERIFY(!chosen || !chosen->isEnabled()); // while it is imported, nothing can be chosen any more
+    QVERIFY(chosen && !chosen->isEnabled() && !update->isEnabled()); // while it is imported, nothing can be chosen any more
     QTRY_COMPARE_WITH_TIMEOUT(desk.table()->model()->rowCount(), 8, kPatience_ms);
     QCOMPARE(desk.cell(QStringLiteral("vic"), 2), QStringLiteral("Trainee"));
     QCOMPARE(desk.cell(QStringLiteral("wim"), 2), QStringLiteral("Trainee, Trainer"));
