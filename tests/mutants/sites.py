@@ -31,10 +31,17 @@ class Mutant:
     def applied(self, text):
         return text[: self.start] + self.new + text[self.end:]
 
+    def in_body(self):
+        """What is written behind the switch: a bound is changed by what its sides are (draw's SWITCH)."""
+        return f"{self.old}chiron_mutants::slip{self.old}" if self.kind == "bound" else self.new
+
     def __str__(self):
         return f"#{self.number:<3} {self.kind:<14} {self.file}:{self.line_number}: {self.shown_change()}"
 
     def shown_change(self):
+        if self.kind == "bound":
+            turned = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}[self.old.strip()]
+            return f"`{self.old.strip()}` -> `{self.new.strip()}` (`{turned}` of floating-point numbers)"
         return f"`{self.old.strip()}` -> `{self.new.strip() or '(nothing)'}`"
 
     def line(self):
@@ -264,7 +271,7 @@ def with_switches(text, mutants, switch):
         plain = text[start:end]
         out = "{ "
         for mutant in inside:
-            changed = plain[: mutant.start - start] + mutant.new + plain[mutant.end - start:]
+            changed = plain[: mutant.start - start] + mutant.in_body() + plain[mutant.end - start:]
             out += f"if (chiron_mutants::on({mutant.number})) {changed} else "
         text = text[:start] + out + plain + " }" + text[end:]
     first, rest = text.split("\n", 1)  # behind the line with the licence
