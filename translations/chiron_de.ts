@@ -888,7 +888,7 @@ Einzelheiten: %2</translation>
         <translation>Simulierte Beobachter ermitteln es …</translation>
     </message>
     <message>
-        <source>Attention wanes after an hour: plan fewer trials or several sittings.</source>
+        <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
         <translation>Nach einer Stunde lässt die Aufmerksamkeit nach: Planen Sie weniger Durchgänge oder mehrere Termine.</translation>
     </message>
     <message>
@@ -7791,7 +7791,7 @@ Jeder führt zu seinem Moment in der Wiedergabe, oder zur Auswertung, wenn er di
         <translation>Noch keine Kommentare</translation>
     </message>
     <message>
-        <source>What is written about your sessions, and what you write about others&apos;, will be here.</source>
+        <source>Comments on your sessions, and your comments on other people&apos;s sessions, will appear here.</source>
         <translation>Was zu Ihren Sitzungen geschrieben wird und was Sie zu denen anderer schreiben, steht dann hier.</translation>
     </message>
     <message>
@@ -8582,7 +8582,7 @@ Oben: ob sie bestanden ist, und wenn nicht, welche Bestehensgrenze um wie viel v
         <translation>Der Code der Person ist</translation>
     </message>
     <message>
-        <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
+        <source>Write it down for the participant, who needs it at every session. Consent comes next.</source>
         <translation>Schreiben Sie ihn für die Person auf: Sie braucht ihn bei jeder Sitzung. Als Nächstes kommt die Einwilligung.</translation>
     </message>
     <message>
@@ -8886,7 +8886,7 @@ Jede Stufe zeigt, ob Sie sie bestanden haben. Wählen Sie eine, um zu sehen, was
         <translation>Für die Versuchsleitung</translation>
     </message>
     <message>
-        <source>The sitting waits. Enter your password to see the experimenter&apos;s view.</source>
+        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
         <translation>Die Sitzung wartet. Geben Sie Ihr Passwort ein, um die Ansicht der Versuchsleitung zu sehen.</translation>
     </message>
     <message>
@@ -16198,7 +16198,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Die Antwort wurde nicht angenommen.</translation>
     </message>
     <message>
-        <source>Stop this sitting?</source>
+        <source>Stop this session?</source>
         <translation>Diese Sitzung anhalten?</translation>
     </message>
     <message>
@@ -16222,7 +16222,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Alle beantworteten Durchgänge bleiben erhalten. Der Lauf geht beim selben Durchgang weiter.</translation>
     </message>
     <message>
-        <source>The sitting could not be run</source>
+        <source>The session could not be run</source>
         <translation>Die Sitzung konnte nicht durchgeführt werden</translation>
     </message>
     <message>
@@ -16230,7 +16230,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Pause oder weiter</translation>
     </message>
     <message>
-        <source>Stop the sitting</source>
+        <source>Stop the session</source>
         <translation>Sitzung anhalten</translation>
     </message>
     <message>
@@ -16304,7 +16304,7 @@ Move the tool with the device, or with the mouse; with the mouse, raise and lowe
 
 In practice, Backspace takes an answer back.
 
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. All answered trials are kept; a stopped run continues later at the same trial.
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
 
 F2 is for the experimenter.</source>
         <translation>Hier erkundet eine Versuchsperson Objekte und antwortet.
@@ -16342,7 +16342,7 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Die Durchgänge gehen dort weiter, wo sie unterbrochen wurden.</translation>
     </message>
     <message>
-        <source>The sitting could not be run.</source>
+        <source>The session could not be run.</source>
         <translation>Die Sitzung konnte nicht durchgeführt werden.</translation>
     </message>
     <message>
@@ -16382,11 +16382,11 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Die Seite der Versuchsperson ist auf dem anderen Bildschirm.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen is gone. The sitting is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <source>The participant&apos;s screen is gone. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
         <translation>Der Bildschirm der Versuchsperson ist weg. Die Sitzung ist unterbrochen, und alles bisher ist gespeichert. Die Seite der Versuchsperson ist jetzt in diesem Fenster.</translation>
     </message>
     <message>
-        <source>The sitting is paused. Before you hand over, go back to the participant&apos;s page.</source>
+        <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
         <translation>Die Sitzung ist unterbrochen. Gehen Sie zur Seite der Versuchsperson zurück, bevor Sie übergeben.</translation>
     </message>
     <message>
@@ -16445,7 +16445,7 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Mehrmals hintereinander wurde nicht jedes Objekt rechtzeitig berührt. Lassen Sie sich von der Versuchsleitung zeigen, wie ein Objekt berührt und losgelassen wird.</translation>
     </message>
     <message>
-        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the sitting, connect headphones or loudspeakers, and resume the run.</source>
+        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the session, connect headphones or loudspeakers, and resume the run.</source>
         <translation>Das Maskierungsgeräusch ist nicht zu hören: Dieser Rechner hat keine Tonausgabe. Jeder Durchgang wird als nicht maskiert festgehalten. Um zu maskieren, beenden Sie die Sitzung, schließen Sie Kopfhörer oder Lautsprecher an und setzen Sie den Lauf fort.</translation>
     </message>
     <message>
@@ -16583,7 +16583,7 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Anhalten … (Esc zweimal)</translation>
     </message>
     <message>
-        <source>Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer.</source>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
         <translation>Esc nimmt die Kraft sofort weg; noch einmal gedrückt, fragt es, ob die Sitzung angehalten wird. T gibt den Zeiger frei.</translation>
     </message>
     <message>
@@ -16611,7 +16611,7 @@ F2 ist für die Versuchsleitung.</translation>
         <translation>Der letzte Durchgang zählte nicht. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
+        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Die Uhr steht und alles Bisherige bleibt erhalten. Drücken Sie R, um weiterzumachen, oder Esc, um die Sitzung anzuhalten.</translation>
     </message>
     <message>

@@ -888,7 +888,7 @@ Details: %2</source>
         <translation>Το υπολογίζουν προσομοιωμένοι παρατηρητές …</translation>
     </message>
     <message>
-        <source>Attention wanes after an hour: plan fewer trials or several sittings.</source>
+        <source>Attention wanes after an hour: plan fewer trials or several sessions.</source>
         <translation>Μετά από μία ώρα η προσοχή μειώνεται: προγραμματίστε λιγότερες δοκιμές ή περισσότερες συναντήσεις.</translation>
     </message>
     <message>
@@ -7791,7 +7791,7 @@ Each leads to its moment in the playback, or to the debrief where it is about th
         <translation>Δεν υπάρχουν ακόμη σχόλια</translation>
     </message>
     <message>
-        <source>What is written about your sessions, and what you write about others&apos;, will be here.</source>
+        <source>Comments on your sessions, and your comments on other people&apos;s sessions, will appear here.</source>
         <translation>Ό,τι γράφεται για τις συνεδρίες σας, και ό,τι γράφετε για τις συνεδρίες άλλων, θα βρίσκεται εδώ.</translation>
     </message>
     <message>
@@ -8582,7 +8582,7 @@ At the top: whether it passed, and if not, which pass mark was missed and by how
         <translation>Ο κωδικός του συμμετέχοντα είναι</translation>
     </message>
     <message>
-        <source>Write it down for the participant, who needs it at every sitting. Consent comes next.</source>
+        <source>Write it down for the participant, who needs it at every session. Consent comes next.</source>
         <translation>Γράψτε τον για τον συμμετέχοντα: τον χρειάζεται σε κάθε συνεδρία. Ακολουθεί η συγκατάθεση.</translation>
     </message>
     <message>
@@ -8886,7 +8886,7 @@ Each level says whether you have passed it. Choose one to see what is measured a
         <translation>Για τον πειραματιστή</translation>
     </message>
     <message>
-        <source>The sitting waits. Enter your password to see the experimenter&apos;s view.</source>
+        <source>The session is paused. Enter your password to see the experimenter&apos;s view.</source>
         <translation>Η συνεδρία περιμένει. Εισαγάγετε τον κωδικό πρόσβασής σας για να δείτε την προβολή του πειραματιστή.</translation>
     </message>
     <message>
@@ -16198,7 +16198,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Η απάντηση δεν έγινε δεκτή.</translation>
     </message>
     <message>
-        <source>Stop this sitting?</source>
+        <source>Stop this session?</source>
         <translation>Διακοπή της συνεδρίας;</translation>
     </message>
     <message>
@@ -16222,7 +16222,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Όλες οι απαντημένες δοκιμές διατηρούνται. Η εκτέλεση συνεχίζεται από την ίδια δοκιμή.</translation>
     </message>
     <message>
-        <source>The sitting could not be run</source>
+        <source>The session could not be run</source>
         <translation>Η συνεδρία δεν εκτελέστηκε</translation>
     </message>
     <message>
@@ -16230,7 +16230,7 @@ Stop force switches the force off at once and stops the clock. Re-arm brings the
         <translation>Παύση ή συνέχεια</translation>
     </message>
     <message>
-        <source>Stop the sitting</source>
+        <source>Stop the session</source>
         <translation>Διακοπή της συνεδρίας</translation>
     </message>
     <message>
@@ -16304,7 +16304,7 @@ Move the tool with the device, or with the mouse; with the mouse, raise and lowe
 
 In practice, Backspace takes an answer back.
 
-Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the sitting. All answered trials are kept; a stopped run continues later at the same trial.
+Space pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop the session. All answered trials are kept; a stopped run continues later at the same trial.
 
 F2 is for the experimenter.</source>
         <translation>Εδώ ένας συμμετέχων εξερευνά αντικείμενα και απαντά.
@@ -16342,7 +16342,7 @@ F2 is for the experimenter.</source>
         <translation>Οι δοκιμές συνεχίζονται από εκεί που διακόπηκαν.</translation>
     </message>
     <message>
-        <source>The sitting could not be run.</source>
+        <source>The session could not be run.</source>
         <translation>Η συνεδρία δεν ήταν δυνατό να εκτελεστεί.</translation>
     </message>
     <message>
@@ -16382,11 +16382,11 @@ F2 is for the experimenter.</source>
         <translation>Η σελίδα του συμμετέχοντος βρίσκεται στην άλλη οθόνη.</translation>
     </message>
     <message>
-        <source>The participant&apos;s screen is gone. The sitting is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
+        <source>The participant&apos;s screen is gone. The session is paused, and everything so far is kept. The participant&apos;s page is in this window now.</source>
         <translation>Η οθόνη του συμμετέχοντος δεν υπάρχει πια. Η συνεδρία είναι σε παύση και ό,τι έγινε ως τώρα έχει διατηρηθεί. Η σελίδα του συμμετέχοντος βρίσκεται πλέον σε αυτό το παράθυρο.</translation>
     </message>
     <message>
-        <source>The sitting is paused. Before you hand over, go back to the participant&apos;s page.</source>
+        <source>The session is paused. Before you hand over, go back to the participant&apos;s page.</source>
         <translation>Η συνεδρία είναι σε παύση. Πριν παραδώσετε, επιστρέψτε στη σελίδα του συμμετέχοντος.</translation>
     </message>
     <message>
@@ -16445,7 +16445,7 @@ F2 is for the experimenter.</source>
         <translation>Αρκετές φορές στη σειρά δεν αγγίχτηκαν εγκαίρως όλα τα αντικείμενα. Ζητήστε από τον πειραματιστή να σας δείξει πώς αγγίζετε και πώς αφήνετε ένα αντικείμενο.</translation>
     </message>
     <message>
-        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the sitting, connect headphones or loudspeakers, and resume the run.</source>
+        <source>The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the session, connect headphones or loudspeakers, and resume the run.</source>
         <translation>Ο ήχος κάλυψης δεν ακούγεται: αυτός ο υπολογιστής δεν έχει έξοδο ήχου. Κάθε δοκιμή καταγράφεται ως χωρίς κάλυψη. Για κάλυψη σταματήστε τη συνεδρία, συνδέστε ακουστικά ή ηχεία και συνεχίστε την εκτέλεση.</translation>
     </message>
     <message>
@@ -16583,7 +16583,7 @@ F2 is for the experimenter.</source>
         <translation>Διακοπή … (δύο φορές Esc)</translation>
     </message>
     <message>
-        <source>Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer.</source>
+        <source>Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer.</source>
         <translation>Το Esc σταματά αμέσως τη δύναμη· αν πατηθεί ξανά, ρωτά αν θα διακοπεί η συνεδρία. Το T ελευθερώνει τον δείκτη.</translation>
     </message>
     <message>
@@ -16611,7 +16611,7 @@ F2 is for the experimenter.</source>
         <translation>Η τελευταία δοκιμή δεν μέτρησε. %1 %2</translation>
     </message>
     <message>
-        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.</source>
+        <source>The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.</source>
         <translation>Ο χρόνος έχει σταματήσει και όλα ως τώρα διατηρούνται. Πατήστε R για συνέχεια ή Esc για διακοπή της συνεδρίας.</translation>
     </message>
     <message>

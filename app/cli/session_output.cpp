@@ -3,7 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "database/repositories/score_repository.h"
-#include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
+#include "devices/kinematics_catalogue.h"
 #include "database/repositories/session_reader.h"
 #include "report/report_text.h"
 #include "session/person_json.h"
@@ -31,8 +31,8 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
     for (std::size_t tool = 0; tool < setup->devices.size(); ++tool) {
         const devices::DeviceDescriptor& device = setup->devices[tool];
         QJsonObject entry{{"driver", text(device.driver)}, {"model", text(device.model)}, {"kinematics", text(device.kinematics)}};
-        if (device.kinematics == devices::GimbalHprdKinematics::kId && device.kinematicsParameters.size() == 2)
-            entry.insert("force_map", device.kinematicsParameters[1] == 0.0 ? "exact" : "as-published");
+        if (const devices::KinematicsEntry* kinematics = devices::findKinematics(device.kinematics); kinematics && kinematics->mapOf)
+            entry.insert("force_map", kinematics->mapOf(device) == mechanisms::PolarMap::exact ? "exact" : "as-published");
         if (const devices::WorkspaceMapping& mapping = setup->mappings[tool]; mapping.turned())
             entry.insert("base_turn", QJsonArray{mapping.q_WD[0], mapping.q_WD[1], mapping.q_WD[2], mapping.q_WD[3]}); // w, x, y, z
         list.append(entry);

@@ -24,8 +24,10 @@ QString formatNumber(double value, const QLocale& locale) {
     if (!std::isfinite(value))
         return kDash;
     const double size = std::abs(value);
-    if (size >= 1e7 || (size > 0.0 && size < 1e-3))
+    if (size >= 1e7 || (size > 0.0 && size < 1e-5))
         return locale.toString(value, 'e', 2);
+    if (size > 0.0 && size < 1e-3) // two figures that count, without an exponent: "0.00046 mm"
+        return locale.toString(value, 'f', 1 - static_cast<int>(std::floor(std::log10(size))));
     const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3; // three figures that count
     return locale.toString(value, 'f', decimals);
 }

@@ -69,6 +69,9 @@ struct FingersOfHand {
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
+/// The simulated mechanism where nothing else is asked for: P2's gimbal.
+inline constexpr std::string_view kUsualMechanism = "gimbal_hprd";
+
 /// How one kind of exercise is run: its scene, its operators and its truth. A new
 /// kind adds a class and one line in app/exercises/session_catalogue.cpp. Stateless.
 class ExerciseKind {
@@ -81,7 +84,7 @@ public:
     virtual std::string_view id() const noexcept = 0;
     /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2), "five_bar_spherical" (P1) or
     /// "fingertip_arm" (P3).
-    virtual std::string_view mechanism() const noexcept { return "gimbal_hprd"; }
+    virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
     /// All on which it can be done, the usual one (mechanism()) first.
     virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
     /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it

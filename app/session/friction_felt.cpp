@@ -2,9 +2,9 @@
 #include "session/friction_felt.h"
 
 #include "core/units.h"
-#include "devices/drivers/simulated/simulated_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/live_inputs.h"
+#include "session/station.h"
 
 #include <algorithm>
 #include <array>
@@ -131,15 +131,17 @@ public:
 
 core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double compensation) {
     Notes notes = plan();
-    devices::SimulatedDevice::Configuration configuration;
-    configuration.plant = plant;
-    configuration.hand.tremorRms_m = 0.0;
-    configuration.hand.reactionDelay_s = 0.0;
-    configuration.frictionCompensation = compensation;
-    auto device = devices::SimulatedDevice::create(configuration, std::make_unique<FeelingHand>(configuration.start_D, notes));
-    if (!device)
-        return tl::unexpected(device.error());
-    if (auto opened = (*device)->open(); !opened)
+    SimulatedHand feeling;
+    feeling.strategy = std::make_unique<FeelingHand>(devices::kHeldFrom_D, notes);
+    feeling.hand.tremorRms_m = 0.0;
+    feeling.hand.reactionDelay_s = 0.0;
+    feeling.frictionCompensation = compensation;
+    feeling.gimbal = &plant;
+    auto station = simulatedStation("gimbal_hprd", std::move(feeling));
+    if (!station)
+        return tl::unexpected(station.error());
+    const StationTool& tool = station->tools.front();
+    if (auto opened = tool.device->open(); !opened)
         return tl::unexpected(opened.error());
     NoFrames frames;
     haptics::LiveInputs inputs;
@@ -147,7 +149,7 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     haptics::SceneExchange scenes;
     std::unique_ptr<simulation::IScene> scene = std::make_unique<FreeAir>();
     scenes.offer(scene);
-    const std::array<haptics::LoopTool, 1> tools{haptics::LoopTool{**device, configuration.mapping}};
+    const std::array<haptics::LoopTool, 1> tools{haptics::LoopTool{*tool.device, tool.mapping}};
     auto loop = haptics::HapticLoop::create({tools, inputs, supervisor, {}, scenes, frames});
     if (!loop)
         return tl::unexpected(loop.error());
@@ -155,7 +157,7 @@ core::Result<Notes> feel(const mechanisms::GimbalPlantParameters& plant, double 
     realtime::TickSource ticks;
     for (std::int64_t n = 0; n < static_cast<std::int64_t>(1000.0 * notes.end_s); ++n)
         (void)(*loop)->tick(ticks.next(n * 1'000'000));
-    (*device)->close();
+    tool.device->close();
     return notes;
 }
 

@@ -2,7 +2,7 @@
 #include "session/replayer.h"
 
 #include "core/fp_environment.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/recorded_inputs.h"
 #include "recording/digest.h"

@@ -2,7 +2,7 @@
 #include "session/site.h"
 
 #include "database/integrity/file_health.h"
-#include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
+#include "devices/kinematics_catalogue.h"
 #include "recording/crash_ring.h"
 #include "scoring/trace_csv.h"
 
@@ -39,10 +39,10 @@ core::Result<const catalogue::ExerciseLevel*> levelOf(const catalogue::Catalogue
 core::Result<Station> stationFor(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                  const ScriptedSession& session) {
     const std::vector<std::string> names = kind.operatorNames();
-    if (std::find(names.begin(), names.end(), session.operatorName) != names.end())
-        {
+    if (std::find(names.begin(), names.end(), session.operatorName) != names.end()) {
         const std::string_view mechanism = session.mechanism.empty() ? kind.mechanism() : std::string_view(session.mechanism);
-        if (session.map != mechanisms::PolarMap::exact && mechanism != devices::GimbalHprdKinematics::kId)
+        const devices::KinematicsEntry* kinematics = devices::findKinematics(mechanism);
+        if (session.map != mechanisms::PolarMap::exact && !(kinematics && kinematics->mapOf))
             return core::fail(core::ErrorCode::wrongUse, "force map as-published: exercise " + session.exercise +
                                                              " is not done on the gimbal whose map it is; expected exact");
         return scriptedStation(kind, level, session.operatorName, session.seed, session.map, mechanism, session.mounting);

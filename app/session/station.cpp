@@ -239,6 +239,17 @@ core::Result<Station> personStation(const devices::Driver& driver, const Workspa
     return stationOf(driver, std::move(request));
 }
 
+core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand hand) {
+    devices::DriverRequest request;
+    request.mechanism = std::string(mechanism);
+    request.hand = hand.hand;
+    request.seed = hand.seed;
+    request.frictionCompensation = hand.frictionCompensation;
+    request.gimbal = hand.gimbal;
+    request.tools.push_back({{}, {}, std::move(hand.strategy), {}});
+    return stationOf(devices::usualDriver(devices::MovedBy::scriptedOperator), std::move(request));
+}
+
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const std::string& operatorName,
                                       std::uint64_t seed, mechanisms::PolarMap map, std::string_view mechanism,
                                       const WorkspaceChoice& mounting) {
@@ -266,9 +277,7 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     request.map = map;
     request.frictionCompensation = haptics::FrictionCompensation::kMost;
     const devices::Driver& driver = devices::usualDriver(devices::MovedBy::scriptedOperator);
-    const bool there = std::any_of(driver.kinematics.begin(), driver.kinematics.end(),
-                                   [chosen](const devices::KinematicsEntry& entry) { return entry.id == chosen; });
-    if (!there)
+    if (!devices::kinematicsOf(driver, chosen))
         return core::fail(core::ErrorCode::wrongUse,
                           "exercise " + std::string(kind.id()) + ": no simulated mechanism \"" + std::string(chosen) + "\"");
     const FingersOfHand fingers = kind.fingers(level);

@@ -38,6 +38,18 @@ struct Station {
     devices::EndoscopeMailbox* endoscope() const noexcept; ///< of the first tool that they move as an endoscope, or nullptr
 };
 
+/// The scripted hand that holds a simulated mechanism outside of an exercise: while it is measured, and in a study without people.
+struct SimulatedHand {
+    std::unique_ptr<mechanisms::HandStrategy> strategy; ///< begins at devices::kHeldFrom_D
+    mechanisms::HandParameters hand;
+    std::uint64_t seed = 1; ///< of its tremor
+    double frictionCompensation = 0.0;
+    const mechanisms::GimbalPlantParameters* gimbal = nullptr; ///< DriverRequest::gimbal
+};
+
+/// One tool of the simulated mechanism with this kinematics id. Failure: wrongUse for an unknown one; badInput.
+core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand hand);
+
 /// How a person's workspace lies in W: what the set-up screen and the command line offer. What it says takes the place of what the level
 /// says of every instrument (ExerciseLevel::mounting); a left-handed one mirrors that.
 using WorkspaceChoice = core::BaseMounting;

@@ -91,7 +91,7 @@ core::Result<Query> storedSet(Connection& connection, const Actor& actor, Sessio
     const auto closed = isSealedSitting(connection, actor, session);
     if (!closed || *closed) {
         return closed ? core::fail(core::ErrorCode::notFound, "session " + std::to_string(session) +
-                                                                  " is a sitting of a blinded study: its scores come once the study is unblinded")
+                                                                  " is a session of a blinded study: its scores come once the study is unblinded")
                       : tl::unexpected(closed.error());
     }
     auto set = Query::run(

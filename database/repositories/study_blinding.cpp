@@ -295,7 +295,7 @@ core::Result<void> mayOpenSitting(Connection& connection, const Actor& actor, Se
         return tl::unexpected(closed.error());
     }
     return *closed ? core::fail(core::ErrorCode::notAllowed, "session " + std::to_string(session) +
-                                                                 " is a sitting of a blinded study: it opens once the study is unblinded")
+                                                                 " is a session of a blinded study: it opens once the study is unblinded")
                    : core::Result<void>();
 }
 

@@ -7,6 +7,7 @@
 #include "devices/api/hand_input.h"
 #include "devices/api/trace_point.h"
 #include "mechanisms/gimbal_kinematics.h"
+#include "mechanisms/gimbal_plant_parameters.h"
 #include "mechanisms/hand_parameters.h"
 #include "mechanisms/hand_strategy.h"
 
@@ -20,6 +21,9 @@
 #include <vector>
 
 namespace chiron::devices {
+
+/// Where a scripted hand holds the tip of a simulated mechanism that is moved as a point, when it is opened: D, m.
+inline const core::Vec3 kHeldFrom_D{0.0, 0.0, 0.05};
 
 /// What kind of tool an exercise is done with.
 enum class ToolShape { point, endoscope, grasper };
@@ -50,6 +54,8 @@ struct DriverRequest {
     double frictionCompensation = 0.0;            ///< share of the Coulomb friction that is fed forward, 0 to 0.8
     int fingersPerHand = 1;                       ///< tools of one hand that share an arm: tool = hand · fingersPerHand + finger
     double fingerSpacing_m = 0.0;                 ///< from one pad to the next
+    /// What a simulated gimbal is truly like, read while it is opened. Null: as it is built.
+    const mechanisms::GimbalPlantParameters* gimbal = nullptr;
 };
 
 /// A device that a driver made. It is not open yet (IDevice::open()).
@@ -72,6 +78,8 @@ struct KinematicsEntry {
     /// What people call a device of the driver that has them, marked with QT_TRANSLATE_NOOP (core/marked_texts.h) in the context Drivers.
     /// Empty: as the driver's name says.
     std::string_view name{};
+    /// For kinematics that can also turn force into torques by published formulas: which way a device does. Null: there is one way only.
+    mechanisms::PolarMap (*mapOf)(const DeviceDescriptor& descriptor) = nullptr;
 };
 
 /// One driver: everything that the rest of the program knows of it. Static data; its functions allocate and may block, so not in
@@ -96,12 +104,18 @@ struct Driver {
     std::string_view readiness{}; ///< a sentence on what must be there, and what is done with it; marked likewise. Empty: `needs`
 };
 
+/// The driver's kinematics of an id, or nullptr.
+inline const KinematicsEntry* kinematicsOf(const Driver& driver, std::string_view id) noexcept {
+    for (const KinematicsEntry& entry : driver.kinematics)
+        if (entry.id == id)
+            return &entry;
+    return nullptr;
+}
+
 /// What people call a device of the driver with these kinematics; empty: it goes by its model.
 inline std::string_view nameOf(const Driver& driver, std::string_view kinematics) noexcept {
-    for (const KinematicsEntry& entry : driver.kinematics)
-        if (entry.id == kinematics && !entry.name.empty())
-            return entry.name;
-    return driver.name;
+    const KinematicsEntry* entry = kinematicsOf(driver, kinematics);
+    return entry && !entry->name.empty() ? entry->name : driver.name;
 }
 
 /// KinematicsEntry::make of a class with a create(descriptor).

@@ -5,11 +5,16 @@
 
 namespace chiron::devices {
 
-core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor) {
+const KinematicsEntry* findKinematics(std::string_view id) noexcept {
     for (const Driver* driver : driverCatalogue())
-        for (const KinematicsEntry& entry : driver->kinematics)
-            if (entry.id == descriptor.kinematics)
-                return entry.make(descriptor);
+        if (const KinematicsEntry* entry = kinematicsOf(*driver, id))
+            return entry;
+    return nullptr;
+}
+
+core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor) {
+    if (const KinematicsEntry* entry = findKinematics(descriptor.kinematics))
+        return entry->make(descriptor);
     return core::fail(core::ErrorCode::badInput, "unknown kinematics \"" + descriptor.kinematics + "\"");
 }
 

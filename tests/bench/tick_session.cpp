@@ -3,7 +3,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/clock.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "realtime/tick_guard.h"
 #include "recording/crash_ring.h"
 #include "recording/frame_drain.h"

@@ -2,7 +2,7 @@
 #include "core/clock.h"
 #include "core/fp_environment.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/recorded_inputs.h"
 #include "realtime/monotonic_clock.h"
 #include "realtime/realtime_thread.h"

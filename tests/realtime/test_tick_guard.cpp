@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "devices/drivers/replay/replay_device.h"
 #include "devices/drivers/simulated/simulated_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"

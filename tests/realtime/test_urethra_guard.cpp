@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 #include "haptics/recorded_inputs.h"
 #include "modules/exercises/urethra_insertion/operators/urethra_insertion_operator.h"

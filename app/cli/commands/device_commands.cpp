@@ -5,11 +5,11 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "devices/driver_catalogue.h"
-#include "devices/drivers/simulated/simulated_device.h"
 #include "mechanisms/friction_identification.h"
 #include "mechanisms/scripted_motion.h"
 #include "session/delay_measurement.h"
 #include "session/friction_felt.h"
+#include "session/station.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -45,7 +45,8 @@ core::Result<CommandOutput> list(const Arguments&) {
 
 /// What a lab's device would be asked for: only the simulated one is here, and it has no transport.
 core::Result<void> refuseOtherDrivers(const QString& driver) {
-    if (driver.isEmpty() || driver == QLatin1String("simulated"))
+    const std::string_view simulated = devices::usualDriver(devices::MovedBy::scriptedOperator).id;
+    if (driver.isEmpty() || driver.toStdString() == simulated)
         return {};
     if (devices::findDriver(driver.toStdString()) == nullptr)
         return wrongUse(QStringLiteral("option --driver: %1 is unknown; see chiron-cli device list").arg(quoted(driver)));
@@ -99,11 +100,17 @@ struct MeasuredDelay {
 
 /// The gimbal's delay as it is measured on any device: shaken through loop and supervisor, a hand at rest on it.
 core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& plant) {
-    devices::SimulatedDevice::Configuration configuration;
-    configuration.plant = plant;
-    auto device = devices::SimulatedDevice::create(configuration, std::make_unique<mechanisms::ScriptedMotion>(configuration.start_D));
-    const auto estimate = device ? session::measureDelay(**device, configuration.mapping) : tl::unexpected(device.error());
-    return estimate ? core::Result<MeasuredDelay>(MeasuredDelay{*estimate, (*device)->descriptor().serialNumber}) : tl::unexpected(estimate.error());
+    session::SimulatedHand atRest;
+    atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
+    atRest.gimbal = &plant;
+    auto station = session::simulatedStation("gimbal_hprd", std::move(atRest));
+    if (!station)
+        return tl::unexpected(station.error());
+    const session::StationTool& tool = station->tools.front();
+    const auto estimate = session::measureDelay(*tool.device, tool.mapping);
+    if (!estimate)
+        return tl::unexpected(estimate.error());
+    return MeasuredDelay{*estimate, tool.device->descriptor().serialNumber};
 }
 
 constexpr double kCompensation = 0.8; ///< haptics::FrictionCompensation::kMost

@@ -7,6 +7,7 @@
 #include "desktop/station/station_words.h"
 #include "desktop/training/training_words.h"
 #include "desktop/widgets/kit.h"
+#include "devices/kinematics_catalogue.h"
 #include "scoring/trace_csv.h"
 
 #include <QButtonGroup>
@@ -33,6 +34,12 @@ core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool too
     if (auto station = session::traceStation(*rows, tool, tools); !station)
         return tl::unexpected(station.error());
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
+}
+
+/// Whether the mechanism of the exercise's demonstration has a choice of force maps.
+bool canMapForce(const session::ExerciseKind* kind) {
+    const auto* kinematics = devices::findKinematics(kind ? kind->mechanism() : session::kUsualMechanism);
+    return kinematics && kinematics->mapOf;
 }
 
 /// A person's devices first, then demonstrations, then recordings; each in the catalogue's order.
@@ -66,7 +73,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
         column->addWidget(tile);
     }
     m_pages->addWidget(new QWidget); // one page for each MovedBy, in its order
-    m_pages->addWidget(demonstrationPage(operators, !kind || kind->mechanism() != "five_bar_spherical"));
+    m_pages->addWidget(demonstrationPage(operators, canMapForce(kind)));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -116,7 +123,7 @@ QWidget* DeviceChooser::addTile(int index, const QString& health) {
     return tile;
 }
 
-QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators, bool gimbal) {
+QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operators, bool forceMap) {
     const Theme& theme = m_context.theme();
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
@@ -132,7 +139,7 @@ QWidget* DeviceChooser::demonstrationPage(const std::vector<std::string>& operat
     m_operator->setCurrentIndex(std::max(m_operator->findData(QStringLiteral("expert")), 0));
     column->addWidget(label);
     column->addWidget(m_operator);
-    if (gimbal)
+    if (forceMap)
         addForceMap(*column);
     column->addWidget(kit::label(theme, tr("The session is listed as simulated and does not count for anyone."), TextStyle::small, "muted"));
     connect(m_operator, &QComboBox::currentIndexChanged, this, &DeviceChooser::changed);

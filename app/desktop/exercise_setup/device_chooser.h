@@ -42,7 +42,7 @@ private:
     QString healthOf(const devices::Driver& driver, const session::ExerciseKind* kind) const;
     QString demonstratedOn(const session::ExerciseKind* kind) const;
     QWidget* addTile(int index, const QString& health);
-    QWidget* demonstrationPage(const std::vector<std::string>& operators, bool gimbal);
+    QWidget* demonstrationPage(const std::vector<std::string>& operators, bool forceMap);
     void addForceMap(QVBoxLayout& column);
     QWidget* tracePage();
     void show(const devices::Driver& driver);
@@ -58,7 +58,7 @@ private:
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;
-    QComboBox* m_forceMap = nullptr; ///< null where the exercise is not done on the gimbal
+    QComboBox* m_forceMap = nullptr; ///< null where the mechanism has one way only
     QLabel* m_traceName = nullptr;
     QLabel* m_traceWords = nullptr;
     QString m_traceFile;

@@ -60,7 +60,7 @@ void CommentsScreen::load() {
 void CommentsScreen::show(std::vector<FoundComment> comments) {
     m_comments = std::move(comments);
     if (m_comments.empty()) {
-        m_panel->showEmpty(tr("No comments yet"), tr("What is written about your sessions, and what you write about others', will be here."));
+        m_panel->showEmpty(tr("No comments yet"), tr("Comments on your sessions, and your comments on other people's sessions, will appear here."));
         return;
     }
     const auto firstRead = std::stable_partition(m_comments.begin(), m_comments.end(), [this](const FoundComment& comment) { return isUnread(comment); });

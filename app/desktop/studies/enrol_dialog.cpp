@@ -86,7 +86,7 @@ void EnrolDialog::enrolled(const database::Participant& participant) {
     code->setObjectName(QStringLiteral("enrol.code"));
     code->setTextInteractionFlags(Qt::TextSelectableByMouse);
     box.layout->addWidget(code);
-    box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every sitting. Consent comes next."), TextStyle::body, "muted"));
+    box.layout->addWidget(kit::label(theme(), tr("Write it down for the participant, who needs it at every session. Consent comes next."), TextStyle::body, "muted"));
     auto* consent = kit::button(theme(), tr("Record the consent now"), "primary");
     consent->setObjectName(QStringLiteral("enrol.consent"));
     connect(consent, &QPushButton::clicked, this, [this, participant] {

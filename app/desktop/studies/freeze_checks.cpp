@@ -154,7 +154,7 @@ FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, c
         return found(check, State::waiting, CheckWords::tr("Simulated observers are finding out …"));
     }
     words = words.arg(locale.toString(static_cast<int>(std::ceil(minutes))));
-    return minutes > kLong_min ? found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("Attention wanes after an hour: plan fewer trials or several sittings."))
+    return minutes > kLong_min ? found(check, State::advice, words + QLatin1Char(' ') + CheckWords::tr("Attention wanes after an hour: plan fewer trials or several sessions."))
                                : found(check, State::good, words);
 }
 

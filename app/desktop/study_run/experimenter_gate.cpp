@@ -13,7 +13,7 @@
 namespace chiron::desktop {
 
 ExperimenterGate::ExperimenterGate(AppContext& context, QWidget* parent) : FormDialog(context, QStringLiteral("gate"), tr("For the experimenter"), parent) {
-    column()->addWidget(kit::label(theme(), tr("The sitting waits. Enter your password to see the experimenter's view."), TextStyle::body));
+    column()->addWidget(kit::label(theme(), tr("The session is paused. Enter your password to see the experimenter's view."), TextStyle::body));
     m_password = form::passwordField(theme(), column(), tr("Password of %1").arg(QString::fromStdString(context.loginName())), QStringLiteral("gate.password"));
     m_note = new FieldNote(theme(), *column(), *m_password);
     setAccept(tr("Continue"));

@@ -58,7 +58,7 @@ QString TrialsScreen::help() const {
               "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers "
               "nothing. Answer with the buttons or with the keys shown on them, as soon as they are enabled.\n\nIn practice, Backspace takes "
               "an answer back.\n\nSpace pauses. Esc stops force at once and R brings it back slowly; pressing Esc again asks whether to stop "
-              "the sitting. All answered trials are kept; a stopped run continues later at the same trial.\n\nF2 is for the experimenter.");
+              "the session. All answered trials are kept; a stopped run continues later at the same trial.\n\nF2 is for the experimenter.");
 }
 
 void TrialsScreen::enter() {
@@ -321,7 +321,7 @@ void TrialsScreen::askToStop() {
     m_asking = true;
     m_live->pause();
     freePointer();
-    QMessageBox box(QMessageBox::Question, title(), tr("Stop this sitting?"), QMessageBox::NoButton, m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
+    QMessageBox box(QMessageBox::Question, title(), tr("Stop this session?"), QMessageBox::NoButton, m_window && !m_desk->isActiveWindow() ? m_window->window() : window());
     box.setObjectName(QStringLiteral("trials.ask"));
     box.setInformativeText(tr("All answered trials are kept. The run continues later at the same trial."));
     QPushButton* keep = box.addButton(tr("Keep going"), QMessageBox::RejectRole);
@@ -342,7 +342,7 @@ void TrialsScreen::finished() {
     freePointer();
     const core::Result<session::LiveStudyResult>& result = m_live->result();
     m_completed = result && result->completed;
-    const QString what = !result      ? tr("The sitting could not be run.") + QLatin1Char('\n') + inWords(result.error())
+    const QString what = !result      ? tr("The session could not be run.") + QLatin1Char('\n') + inWords(result.error())
                          : m_completed ? tr("This condition is completed.")
                                        : tr("All answered trials are kept. The run continues at the same trial.");
     m_completed && ConditionQuestions::areIn(m_live->design()) ? askQuestions(what) : showEnd(what);
@@ -350,7 +350,7 @@ void TrialsScreen::finished() {
 
 void TrialsScreen::fail(const core::Error& error) {
     over();
-    m_panel->showError(tr("The sitting could not be run"), error, [this] { leave(); }, Tried::saving);
+    m_panel->showError(tr("The session could not be run"), error, [this] { leave(); }, Tried::saving);
 }
 
 /// No failure: another device, or another study, is what it takes.
@@ -388,7 +388,7 @@ std::vector<ScreenCommand> TrialsScreen::commands() {
             {tr("Pause or go on"), QKeySequence(Qt::Key_Space), [this] { pauseOrResume(); }, false},
             {tr("Stop force"), QKeySequence(Qt::Key_Escape), [this] { stopForce(); }, false},
             {tr("Re-arm force"), QKeySequence(Qt::Key_R), [this] { rearm(); }, false},
-            {tr("Stop the sitting"), {}, [this] { askToStop(); }, true}};
+            {tr("Stop the session"), {}, [this] { askToStop(); }, true}};
 }
 
 } // namespace chiron::desktop

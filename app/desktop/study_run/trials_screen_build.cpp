@@ -89,7 +89,7 @@ void TrialsScreen::buildDesk() {
     row->addWidget(masking);
     column->addWidget(bar);
     m_noSound = kit::notice(theme, "warning", tr("The masking sound is not heard: this machine has no sound output. Each trial is recorded as not masked. To mask, stop the "
-                                                 "sitting, connect headphones or loudspeakers, and resume the run."));
+                                                 "session, connect headphones or loudspeakers, and resume the run."));
     m_noSound->setObjectName(QStringLiteral("trials.no_sound"));
     m_noSound->hide();
     column->addWidget(m_noSound);
@@ -131,7 +131,7 @@ QWidget* TrialsScreen::buildHead() {
     connect(m_call, &QPushButton::clicked, this, &TrialsScreen::toggleExperimenter);
     row->addWidget(m_call);
     m_stop = kit::button(theme, tr("Stop … (Esc twice)"), "", QStringLiteral("media-playback-stop"));
-    m_stop->setToolTip(tr("Esc stops force at once; pressed again, it asks whether to stop the sitting. T frees the pointer."));
+    m_stop->setToolTip(tr("Esc stops force at once; pressed again, it asks whether to stop the session. T frees the pointer."));
     m_stop->setObjectName(QStringLiteral("trials.stop"));
     connect(m_stop, &QPushButton::clicked, this, &TrialsScreen::askToStop);
     row->addWidget(m_stop);

@@ -48,7 +48,7 @@ void TrialsScreen::bringBack() {
     m_faces->insertWidget(0, m_page);
     m_call->show();
     m_toPage->setVisible(running());
-    m_deskNote->setText(tr("The participant's screen is gone. The sitting is paused, and everything so far is kept. The participant's page is "
+    m_deskNote->setText(tr("The participant's screen is gone. The session is paused, and everything so far is kept. The participant's page is "
                            "in this window now."));
 }
 
@@ -81,7 +81,7 @@ void TrialsScreen::callExperimenter(std::function<void()> then) {
 void TrialsScreen::showDesk() {
     m_faces->setCurrentWidget(m_desk);
     m_toPage->setVisible(running() && !m_window);
-    m_deskNote->setText(running() ? tr("The sitting is paused. Before you hand over, go back to the participant's page.") : m_ended);
+    m_deskNote->setText(running() ? tr("The session is paused. Before you hand over, go back to the participant's page.") : m_ended);
     if (running())
         m_experimenter->show(m_live->view(), m_live->numbers(), m_live->condition());
     (m_toPage->isHidden() ? m_leave : m_toPage)->setFocus(Qt::OtherFocusReason);

@@ -232,7 +232,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
 /// Why the supervisor took force away, where nobody stopped it.
 QString TrialsScreen::stoppedText() const {
     const haptics::DisplayState& state = m_live->training().display().latest();
-    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the sitting.");
+    const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.");
     if (state.force != core::ForceState::fault)
         return kept;
     return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;

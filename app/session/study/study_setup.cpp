@@ -3,8 +3,8 @@
 
 #include "curriculum/exercises/comparison/catalogue/comparison_content.h"
 #include "core/random.h"
-#include "devices/drivers/simulated/simulated_device.h"
 #include "modules/exercises/comparison/operators/comparison_explorer.h"
+#include "session/exercise_kind.h"
 
 #include <algorithm>
 
@@ -31,14 +31,15 @@ core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLev
         return tl::unexpected(explorer.error());
     ParticipantStation out;
     out.mind = explorer->get();
-    devices::SimulatedDevice::Configuration configuration;
-    configuration.hand = operators::comparisonHand();
-    configuration.seed = core::Random::mix(seed, "hand");
-    auto device = devices::SimulatedDevice::create(configuration, std::move(*explorer));
-    if (!device)
-        return tl::unexpected(device.error());
+    SimulatedHand participant;
+    participant.strategy = std::move(*explorer);
+    participant.hand = operators::comparisonHand();
+    participant.seed = core::Random::mix(seed, "hand");
+    auto station = simulatedStation(kUsualMechanism, std::move(participant));
+    if (!station)
+        return tl::unexpected(station.error());
+    out.station = std::move(*station);
     out.station.operatorName = "participant";
-    out.station.tools.push_back({std::move(*device), configuration.mapping, {}});
     return out;
 }
 

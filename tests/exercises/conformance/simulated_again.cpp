@@ -2,7 +2,7 @@
 #include "exercises/conformance/simulated_again.h"
 
 #include "core/fp_environment.h"
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/haptic_loop.h"
 #include "haptics/recorded_inputs.h"
 #include "session/exercise_kind.h"

@@ -438,7 +438,7 @@ void TestParticipantPage::stopIsReachedWithACapturedPointer() {
     QVERIFY(tests::sittingButton(screen, "trials.stop")->text().contains(QStringLiteral("Esc")));
     press(Qt::Key_Escape);
     QTRY_COMPARE_WITH_TIMEOUT(screen->live()->view().state, State::stopped, kPatience_ms);
-    QTRY_VERIFY2_WITH_TIMEOUT(said(screen, "break.text").contains(QStringLiteral("Esc to stop the sitting")), qPrintable(said(screen, "break.text")), kPatience_ms);
+    QTRY_VERIFY2_WITH_TIMEOUT(said(screen, "break.text").contains(QStringLiteral("Esc to stop the session")), qPrintable(said(screen, "break.text")), kPatience_ms);
     bool asked = false;
     QTimer look;
     connect(&look, &QTimer::timeout, this, [&] {

@@ -8,21 +8,6 @@
 
 namespace {
 
-/// Shared files that still name or include a driver, each with the reason. The list may only shrink.
-struct KeptFile {
-    const char* path;
-    const char* why;
-};
-constexpr KeptFile kKept[]{
-    {"app/cli/commands/device_commands.cpp", "device check measures the simulated gimbal itself"},
-    {"app/cli/session_output.cpp", "the gimbal's force map is named by its kinematics id"},
-    {"app/session/friction_felt.cpp", "measures the friction of the simulated gimbal"},
-    {"app/session/replayer.cpp", "a replay stands RecordedDevice in for any device"},
-    {"app/session/site.cpp", "the gimbal's force map is asked of its kinematics id"},
-    {"app/session/study/simulated_limits.cpp", "limits of the simulated gimbal for planning a study"},
-    {"app/session/study/study_setup.cpp", "the simulated participant holds the simulated gimbal"},
-};
-
 QSet<QString> driverFolders() {
     const QDir drivers(QStringLiteral(CHIRON_SOURCE_DIR "/modules/devices/drivers"));
     const QStringList names = drivers.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
@@ -64,10 +49,7 @@ private slots:
             }
         }
         found.sort();
-        QStringList kept;
-        for (const KeptFile& file : kKept)
-            kept << QLatin1String(file.path);
-        QCOMPARE(found.join('\n'), kept.join('\n')); // a file that names none any more leaves the list
+        QCOMPARE(found.join('\n'), QString());
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session with a late slow model gives the same bits when it is replayed; as-fast runs too, and on a thread of its own.
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 #include "haptics/recorded_inputs.h"
 #include "core/fp_environment.h"
 #include "haptics/slow_model_thread.h"

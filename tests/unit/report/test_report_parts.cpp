@@ -273,7 +273,7 @@ void TestReportParts::numbersFollowTheLocale() {
 void TestReportParts::digitsFollowTheSize() {
     const QLocale english(QLocale::English, QLocale::UnitedKingdom);
     for (const auto& [value, words] : std::initializer_list<std::pair<double, const char*>>{
-             {0.0, "0.00"}, {0.00099, "9.90e-04"}, {0.001, "0.001"}, {0.9994, "0.999"}, {1.0, "1.00"}, {9.994, "9.99"}, {10.0, "10.0"}, {99.94, "99.9"}, {100.0, "100"}, {9'999'999.0, "9,999,999"}, {1e7, "1.00e+07"}}) {
+             {0.0, "0.00"}, {0.0000099, "9.90e-06"}, {0.00001, "0.000010"}, {0.000464, "0.00046"}, {0.00099, "0.00099"}, {0.001, "0.001"}, {0.9994, "0.999"}, {1.0, "1.00"}, {9.994, "9.99"}, {10.0, "10.0"}, {99.94, "99.9"}, {100.0, "100"}, {9'999'999.0, "9,999,999"}, {1e7, "1.00e+07"}}) {
         QCOMPARE(formatNumber(value, english).toLower(), QString::fromLatin1(words));
         if (value != 0.0)
             QCOMPARE(formatNumber(-value, english).toLower(), QLatin1Char('-') + QString::fromLatin1(words));

@@ -19,6 +19,8 @@ public:
 
     /// Fails (badInput) when the id, the number of axes or parameters, a resolution or the map is wrong.
     static core::Result<GimbalHprdKinematics> create(const DeviceDescriptor& descriptor);
+    /// The force map of a descriptor; exact where it has none.
+    static mechanisms::PolarMap mapOf(const DeviceDescriptor& descriptor);
 
     GimbalHprdKinematics(const std::array<double, 4>& resolution, double jawResolution_rad,
                          double pivotHeight_m, mechanisms::PolarMap map) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "devices/driver.h"
 #include "devices/drivers/simulated/gimbal_hprd_kinematics.h"
 #include "devices/drivers/simulated/simulated_mechanism.h"
 #include "mechanisms/gimbal_plant.h"
@@ -18,7 +19,7 @@ public:
         mechanisms::HandParameters hand;
         mechanisms::PolarMap map = mechanisms::PolarMap::exact;
         WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the hand holds the tip at open(), m
+        core::Vec3 start_D = kHeldFrom_D;   ///< where the hand holds the tip at open(), m
         std::uint64_t seed = 1;             ///< of the hand's tremor
         std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< a grasper's; nothing: a plain probe
         /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified when the device is

@@ -40,6 +40,8 @@ template <class Device> Tools makeDevices(const typename Device::Configuration& 
 
 Tools makeGimbals(DriverRequest& request) {
     SimulatedDevice::Configuration configuration;
+    if (request.gimbal)
+        configuration.plant = *request.gimbal;
     configuration.map = request.map;
     configuration.frictionCompensation = request.frictionCompensation;
     if (request.shape == ToolShape::grasper)
@@ -100,7 +102,7 @@ core::Result<std::unique_ptr<IToolKinematics>> makeArm(const DeviceDescriptor& d
 }
 
 constexpr KinematicsEntry kMechanismKinematics[]{
-    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal")},
+    {GimbalHprdKinematics::kId, makeKinematicsOf<GimbalHprdKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated gimbal"), GimbalHprdKinematics::mapOf},
     {FiveBarSphericalKinematics::kId, makeKinematicsOf<FiveBarSphericalKinematics>, QT_TRANSLATE_NOOP("Drivers", "Simulated five-bar mechanism")},
     {FingertipArmKinematics::kId, makeArm, QT_TRANSLATE_NOOP("Drivers", "Simulated arm with fingertip platform")},
 };

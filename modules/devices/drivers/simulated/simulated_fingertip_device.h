@@ -20,7 +20,7 @@ public:
         mechanisms::FingertipPlatformParameters platform;
         mechanisms::HandParameters hand;
         WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D{0.0, 0.0, 0.05}; ///< where the finger's pad, which is the middle of the wrist, is at open(), m
+        core::Vec3 start_D = kHeldFrom_D;   ///< where the finger's pad, which is the middle of the wrist, is at open(), m
         std::uint64_t seed = 1;             ///< of tremor and sensors
     };
 

@@ -22,8 +22,12 @@ core::Result<GimbalHprdKinematics> GimbalHprdKinematics::create(const DeviceDesc
         (parameters[1] != 0.0 && parameters[1] != 1.0))
         return kinematicsMisfit(
             kId, "parameters: {pivot height in m, force map 0 (exact) or 1 (as published)} expected");
-    const auto map = parameters[1] == 0.0 ? mechanisms::PolarMap::exact : mechanisms::PolarMap::asPublished;
-    return GimbalHprdKinematics(*resolution, descriptor.jawResolution_rad, parameters[0], map);
+    return GimbalHprdKinematics(*resolution, descriptor.jawResolution_rad, parameters[0], mapOf(descriptor));
+}
+
+mechanisms::PolarMap GimbalHprdKinematics::mapOf(const DeviceDescriptor& descriptor) {
+    const auto& parameters = descriptor.kinematicsParameters;
+    return parameters.size() == 2 && parameters[1] == 1.0 ? mechanisms::PolarMap::asPublished : mechanisms::PolarMap::exact;
 }
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/drivers/replay/recorded_device.h"
+#include "devices/recorded_device.h"
 
 #include "devices/kinematics_catalogue.h"
 
