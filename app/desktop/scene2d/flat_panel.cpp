@@ -16,6 +16,7 @@ constexpr double kLeft = 52.0;
 constexpr double kRight = 14.0;
 constexpr double kTop = 34.0;
 constexpr double kBottom = 40.0;
+constexpr double kTitleMargin = 12.0;
 constexpr double kTick_mm = 20.0;
 
 /// Every how many ticks a number has room.
@@ -62,6 +63,15 @@ QFont FlatPanel::font(double size, bool bold) const {
     return font;
 }
 
+QFont FlatPanel::titleFont(const QString& title, QPaintDevice* device) const {
+    QFont heading = font(14, true);
+    const double room = m_plot.width() + (kLeft + kRight - 2.0 * kTitleMargin) * unit();
+    const double wide = QFontMetricsF(heading, device).horizontalAdvance(title);
+    if (wide > room)
+        heading.setPixelSize(std::max(1, static_cast<int>(heading.pixelSize() * room / wide)));
+    return heading;
+}
+
 void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString& across,
                           const QString& up) const {
     const double u = unit();
@@ -70,8 +80,8 @@ void FlatPanel::paintCard(QPainter& painter, const QString& title, const QString
     painter.setBrush(m_setup.colours.field);
     painter.drawRoundedRect(card, 8.0 * u, 8.0 * u);
     painter.setPen(m_setup.colours.ink);
-    painter.setFont(font(14, true));
-    painter.drawText(QRectF(card.left() + 12.0 * u, card.top(), card.width() - 24.0 * u, kTop * u),
+    painter.setFont(titleFont(title, painter.device()));
+    painter.drawText(QRectF(card.left() + kTitleMargin * u, card.top(), card.width() - 2.0 * kTitleMargin * u, kTop * u),
                      Qt::AlignLeft | Qt::AlignVCenter, title);
     paintTicks(painter);
     painter.setPen(m_setup.colours.ink);

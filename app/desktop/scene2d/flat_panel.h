@@ -9,6 +9,7 @@
 #include <QRectF>
 #include <QString>
 
+class QPaintDevice;
 class QPainter;
 
 namespace chiron::scene3d {
@@ -33,6 +34,8 @@ public:
     void place(const QPointF& corner, double pixelsPerMm);
 
     void paintCard(QPainter& painter, const QString& title, const QString& across, const QString& up) const;
+    /// The font of a card's title: smaller where the card is too narrow for the title in its usual size. Call place() first.
+    QFont titleFont(const QString& title, QPaintDevice* device) const;
     QPointF at(double across_mm, double up_mm) const;
     /// A point or vector of W (metres) in this picture.
     QPointF project(const core::Vec3& p_m) const;

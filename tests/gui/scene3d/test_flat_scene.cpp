@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "desktop/scene2d/flat_panel.h"
 #include "desktop/scene3d/scene_loader.h"
 #include "desktop/scene3d/scene_plugin.h"
 #include "gui/scene3d/scene_samples.h"
@@ -7,6 +8,8 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFontMetricsF>
+#include <QImage>
 #include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -61,6 +64,22 @@ private slots:
         QCOMPARE(scene.whyFlat, QStringLiteral("Shown in 2D: OpenGL is not available here."));
         QCOMPARE(findWhyFlat(), scene.whyFlat);
         QCOMPARE(scene.view->widget()->accessibleDescription(), scene.whyFlat);
+    }
+
+    /// A title is read whole in a card that is too narrow for it, and is as large as ever where there is room.
+    void titleOfANarrowCardIsReadWhole() {
+        SceneSetup setup = samples::setup();
+        setup.scale = 2.0;
+        const QString title = QStringLiteral("From the side, with the ring");
+        QImage paper(100, 100, QImage::Format_RGB32);
+        for (const double pixelsPerMm : {0.2, 0.5, 1.0, 20.0}) {
+            FlatPanel panel(FlatPanel::Side::profile, QRectF(0.0, 0.0, 60.0, 40.0), setup);
+            panel.place({0.0, 0.0}, pixelsPerMm);
+            const double room = panel.cardSize(pixelsPerMm).width() - 24.0 * setup.scale;
+            const QFont font = panel.titleFont(title, &paper);
+            QVERIFY2(QFontMetricsF(font, &paper).horizontalAdvance(title) <= room, qPrintable(QString::number(pixelsPerMm)));
+            QCOMPARE(font.pixelSize() == panel.font(14, true).pixelSize(), pixelsPerMm == 20.0);
+        }
     }
 
     void switchedOffSaysSo() {
