@@ -6791,18 +6791,6 @@ Einzelheiten: %2</translation>
         <translation>eine andere Zeit ist eingestellt</translation>
     </message>
     <message>
-        <source>German</source>
-        <translation>Deutsch</translation>
-    </message>
-    <message>
-        <source>Greek</source>
-        <translation>Griechisch</translation>
-    </message>
-    <message>
-        <source>English</source>
-        <translation>Englisch</translation>
-    </message>
-    <message>
         <source>The text says “%1” (%2), but %3. Change one of them.</source>
         <translation>Im Text steht „%1“ (%2), aber %3. Ändern Sie eines von beiden.</translation>
     </message>

@@ -6791,18 +6791,6 @@ Details: %2</source>
         <translation>έχει οριστεί άλλος χρόνος</translation>
     </message>
     <message>
-        <source>German</source>
-        <translation>γερμανικά</translation>
-    </message>
-    <message>
-        <source>Greek</source>
-        <translation>ελληνικά</translation>
-    </message>
-    <message>
-        <source>English</source>
-        <translation>αγγλικά</translation>
-    </message>
-    <message>
         <source>The text says “%1” (%2), but %3. Change one of them.</source>
         <translation>Το κείμενο λέει «%1» (%2), αλλά %3. Αλλάξτε ένα από τα δύο.</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "core/languages.h"
 #include "psychophysics/measures/instrument_score.h"
 #include "session/study/questionnaire_replies.h"
 #include "session/study/trial_fidelity.h"
@@ -295,7 +296,7 @@ ExportTable questionnairesTable(const StudyExportData& data) {
                                          {"answer", "1", "n/a for free text and what was not answered; of conditions also while blinded where they differ"},
                                          {"text_given", "", "a free text was written; n/a while blinded as the answer", kYesNo},
                                          kAbout,
-                                         {"language", "", "in which the question was shown (en, de, el); n/a where it was not recorded"}};
+                                         {"language", "", QStringLiteral("in which the question was shown (%1); n/a where it was not recorded").arg(QString::fromStdString(core::listOfLanguages()))}};
     table.columns.insert(table.columns.end(), more.begin(), more.end());
     std::map<database::ParticipantNumber, QString> codes;
     for (const ExportedParticipant& each : data.participants)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/study_export_tables.h"
 
+#include "core/languages.h"
 #include "core/units.h"
 #include "session/study/trial_fidelity.h"
 
@@ -58,7 +59,8 @@ std::vector<ExportColumn> timeColumns() {
             {"offset", "s", "its end, likewise: offset - onset is how long it took with its pauses, `duration` without them"},
             {"response_onset", "s", "the first key or click of the answer, likewise; n/a without an answer, in simulated runs and where it was not recorded yet"},
             {"response_duration", "s", "from there to the answer; 0 where it is one key or click"},
-            {"language", "", "that the participant read (en, de, el); n/a in simulated runs and where it was not recorded yet"},
+            {"language", "", QStringLiteral("that the participant read (%1); n/a in simulated runs and where it was not recorded yet")
+                              .arg(QString::fromStdString(core::listOfLanguages()))},
             {"masking_sound", "", "what was heard meanwhile; n/a as language",
              {{"pink_noise", "pink noise"}, {"off", "none: the design has none, or it was switched off"}, {"no_output", "none: there is no sound output"},
               {"changed", "switched on or off in the trial"}}}};

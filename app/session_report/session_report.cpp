@@ -2,6 +2,7 @@
 #include "session_report/session_report.h"
 
 #include "catalogue/catalogue.h"
+#include "core/languages.h"
 #include "database/repositories/score_repository.h"
 #include "database/repositories/site_repository.h"
 #include "recording/digest.h"
@@ -175,7 +176,7 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
         data.sections.push_back(std::move(section));
     data.force = feltFactsOf(trace);
     const session::PlaybackTrack& track = **session.track(); // curves and critical errors are playback's own
-    data.series = seriesOf(track, session.setup().level, QLocale(QString::fromStdString(language)));
+    data.series = seriesOf(track, session.setup().level, QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);
     if (!digest)

@@ -19,12 +19,28 @@ struct Language {
 /// the files that docs/guides/add-a-language.md names.
 inline constexpr std::array kLanguages{Language{"en", "English", "en_GB"}, Language{"de", "Deutsch", "de_DE"}, Language{"el", "Ελληνικά", "el_GR"}};
 
+/// What a language of this id is like; English for an id that there is not.
+constexpr const Language& languageOf(std::string_view id) noexcept {
+    for (const Language& language : kLanguages)
+        if (language.id == id)
+            return language;
+    return kLanguages.front();
+}
+
 /// Their ids, in that order.
 inline std::vector<std::string> languageIds() {
     std::vector<std::string> ids;
     for (const Language& language : kLanguages)
         ids.emplace_back(language.id);
     return ids;
+}
+
+/// "en, de, el".
+inline std::string listOfLanguages() {
+    std::string list;
+    for (const Language& language : kLanguages)
+        list.append(list.empty() ? "" : ", ").append(language.id);
+    return list;
 }
 
 } // namespace chiron::core

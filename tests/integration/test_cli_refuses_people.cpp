@@ -125,7 +125,7 @@ void TestCliRefusesPeople::peopleAndFiles_data() {
         "CODE\n");
     row("unknown exercise", {"exercise", "show", "juggling"}, 3, {"\"juggling\"", "sphere_apex"});
     row("no exercise", {"exercise", "show"}, 2, {"ID"});
-    row("unknown language", {"exercise", "list", "--language", "fr"}, 2,
+    row("unknown language", {"exercise", "list", "--language", "xx"}, 2,
         {"--language", "\"fr\"", "en, de, el"});
     row("content missing", {"exercise", "list", "--content", folder + "/none"}, 3, {"none"});
     row("content of something else", {"exercise", "list", "--content", folder}, 3, {folder});

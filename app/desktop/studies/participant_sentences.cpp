@@ -29,7 +29,7 @@ constexpr const char* kContext = "ParticipantSentences";
 /// Texts in a language that need not be the program's.
 class LanguageWords {
 public:
-    explicit LanguageWords(const QString& language) : m_locale(language) {
+    explicit LanguageWords(const QString& language) : m_locale(QString::fromUtf8(core::languageOf(language.toStdString()).locale.data())) {
         initialiseParticipantCatalogues();
         (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language)); // without one the words stay English
     }

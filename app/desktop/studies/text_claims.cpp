@@ -2,6 +2,7 @@
 #include "desktop/studies/text_claims.h"
 
 #include "desktop/frame/app_context.h"
+#include "desktop/frame/languages.h"
 #include "desktop/studies/participant_sentences.h"
 #include "desktop/studies/study_page.h"
 #include "desktop/studies/study_words.h"
@@ -151,12 +152,6 @@ void checkSentences(std::vector<FalseClaim>& claims, const StudyDesign& design, 
             if (const QRegularExpressionMatch match = pattern(QString::fromUtf8(each.words)).match(text); match.hasMatch() && !each.holds(design))
                 tell(match.captured(0), each.setting);
     }
-}
-
-QString languageName(const QString& language) {
-    if (language == QStringLiteral("de"))
-        return TextClaims::tr("German");
-    return language == QStringLiteral("el") ? TextClaims::tr("Greek") : TextClaims::tr("English");
 }
 
 } // namespace
