@@ -45,6 +45,7 @@ public:
         return spec;
     }
 
+    std::vector<std::string_view> runIds() const override { return {"descending_legacy"}; }
     bool drives(Task task) const override { return isRightOrWrong(task) || ranksThree(task); }
     int recommended(Task task) const override { return ranksThree(task) ? 2 : 0; }
 };

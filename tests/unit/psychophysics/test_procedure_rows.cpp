@@ -204,6 +204,7 @@ private slots:
     void defaultsLieInTheirRange();
     void whatAKindBeginsWithIsWhole();
     void whatAKindBeginsWithSurvivesJson();
+    void storedRunsLeadBackToTheKind();
     void rangesAreKept();
     void unknownKeysAreRefused();
     void valuesOutsideAreRefused();
@@ -278,6 +279,16 @@ void TestProcedureRows::whatAKindBeginsWithSurvivesJson() {
             QVERIFY2(again, again ? "" : again.error().message.c_str());
             QCOMPARE(&kindFor(*again), kind);
             QCOMPARE(QJsonDocument(writeProcedure(*again)).toJson(), QJsonDocument(json).toJson());
+        }
+}
+
+/// A run stores the id of its procedure with a version; screens and reports find the kind's words by it.
+void TestProcedureRows::storedRunsLeadBackToTheKind() {
+    for (const ProcedureKind* kind : procedureKinds())
+        for (const ProcedureSpec& spec : begunWith(*kind)) {
+            const auto made = makeProcedure(spec, 1);
+            QVERIFY2(made, qPrintable(text(kind->id())));
+            QVERIFY2(findProcedureKind((*made)->id()) == kind, qPrintable(text((*made)->id())));
         }
 }
 
