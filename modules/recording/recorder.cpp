@@ -41,6 +41,9 @@ core::Result<void> Recorder::add(std::span<const core::HapticFrame> frames) {
         return core::fail(core::ErrorCode::wrongUse, "recording: a frame after the end");
     const auto tools = static_cast<std::uint32_t>(m_encoder.table().tools());
     for (const core::HapticFrame& frame : frames) {
+        if (m_openCount == m_open.size()) // a chunk that could not be closed before
+            if (auto closed = closeChunk(); !closed)
+                return closed;
         if (frame.tools != tools)
             return core::fail(core::ErrorCode::wrongUse,
                               "recording: tick " + std::to_string(frame.header.index) + " has " +
