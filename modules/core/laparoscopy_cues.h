@@ -36,9 +36,9 @@ struct BodyCue {
     double squeeze_m = 0.0;   ///< by how much the jaws flatten it
 };
 
-/// What the screen of a laparoscopic exercise shows in addition to the instruments. Cues that the level hides
-/// stay zero (cue "object": bodies, tube and target; cue "bars": tension, squeeze and bands). Trivially
-/// copyable.
+/// The cues that the screen of a laparoscopic exercise shows in addition to the instruments. Cues that the
+/// level hides stay zero (cue "object": bodies, tube and target; cue "bars": tension, squeeze and bands).
+/// Trivially copyable.
 /// Unit: SI.
 /// Frame: W.
 struct LaparoscopyCues {

@@ -37,7 +37,7 @@ struct LawDescription {
     /// that only the parameters are checked.
     using FindProblem = std::string (*)(std::span<const double> parameters, std::span<const double> inputs);
 
-    std::string_view id;     ///< what `evaluate ID` takes, e.g. "friction", "urethra-force"
+    std::string_view id;     ///< the ID for `evaluate ID`, e.g. "friction", "urethra-force"
     std::string_view title;  ///< one line for people
     std::string_view source; ///< paper and equation, or models.md §
     std::span<const LawColumn> inputs;

@@ -46,7 +46,7 @@ inline constexpr std::uint32_t kDeviceFault = 1u << 12;
 inline constexpr std::uint32_t kPause = 1u << 13;
 } // namespace guard_bits
 
-/// What happened in the scene at this tick, one bit each, in every frame (`TickHeader::events`).
+/// The events of the scene at this tick, one bit each, in every frame (`TickHeader::events`).
 namespace event_bits {
 inline constexpr std::uint32_t kSceneChanged = 1u << 0;  ///< geometry moved: the supervisor arms again
 inline constexpr std::uint32_t kTrialStarted = 1u << 1;  ///< ready -> running

@@ -9,8 +9,9 @@
 
 namespace chiron::core {
 
-/// What a person in front of the screen can see at this tick. A level lists its cues; cues that it hides are
-/// absent here too, so neither a window nor a scripted operator can learn more than the level allows.
+/// The information that a person in front of the screen can see at this tick. A level lists its cues; cues
+/// that it hides are absent here too, so neither a window nor a scripted operator can learn more than the
+/// level allows.
 struct VisibleCues {
     std::uint16_t trial = 0;
     TrialPhase phase = TrialPhase::idle;

@@ -76,7 +76,7 @@ struct FoundDevice {
 struct KinematicsEntry {
     std::string_view id; ///< DeviceDescriptor::kinematics
     core::Result<std::unique_ptr<IToolKinematics>> (*make)(const DeviceDescriptor& descriptor);
-    /// Name for people of the driver's devices that have these kinematics, marked with QT_TRANSLATE_NOOP
+    /// Name shown to people for the driver's devices with these kinematics, marked with QT_TRANSLATE_NOOP
     /// (core/marked_texts.h) in the context Drivers. Empty: the driver's name applies.
     std::string_view name{};
 };
@@ -98,15 +98,15 @@ struct Driver {
     /// Errors: badInput or wrongUse, saying what does not fit.
     core::Result<std::vector<DriverTool>> (*open)(DriverRequest request);
 
-    /// Name for people of its devices, and of the driver in lists; marked like KinematicsEntry::name. Empty:
-    /// lists show the title, and a device is named by its model.
+    /// Name shown to people for its devices, and for the driver in lists; marked like KinematicsEntry::name.
+    /// Empty: lists show the title, and a device is named by its model.
     std::string_view name{};
     /// A sentence on what must be present and what to do with it; marked likewise. Empty: `needs` is shown.
     std::string_view readiness{};
 };
 
-/// Returns the name for people of a device of the driver with these kinematics; if empty, its model is the
-/// name.
+/// Returns the name shown to people for a device of the driver with these kinematics; if it is empty, use the
+/// device's model.
 inline std::string_view nameOf(const Driver& driver, std::string_view kinematics) noexcept {
     for (const KinematicsEntry& entry : driver.kinematics)
         if (entry.id == kinematics && !entry.name.empty())

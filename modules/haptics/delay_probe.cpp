@@ -12,7 +12,8 @@ namespace {
 constexpr int kRise_ticks = 100;   ///< rise to full force
 constexpr int kSettle_ticks = 250; ///< by then the hand's own motion with the tool, at 2-5 Hz, has died away
 constexpr int kGap_ticks = 150;    ///< pause without force
-/// From this interval on a tick was skipped: ticks are at least half a period apart, and less than that late.
+/// Ticks at least this far apart have a skipped one between them: ticks are at least half a period apart, and
+/// late by less than that.
 constexpr std::int64_t kTwoTicks_ns = 1'700'000;
 /// In 32nds of a turn. Out of 3000 random starts, each improved one phase at a time, these have the lowest
 /// peak: 3.15 times the amplitude of the highest sine (the amplitudes add up to 5.1 times).

@@ -44,7 +44,7 @@ struct DisplayState {
     std::array<ToolDisplay, core::kMaxTools> tool{};
 
     core::ForceState force = core::ForceState::off;
-    ArmingWait waitsFor = ArmingWait::firstPacket; ///< what the person has to do before force comes
+    ArmingWait waitsFor = ArmingWait::firstPacket; ///< the next action or event before force comes
     std::uint32_t guards = 0;      ///< core::guard_bits of this tick
     std::uint32_t guardsSeen = 0;  ///< guard bits of all ticks since the start of the run
     double gain = 0.0;             ///< 0..1

@@ -15,7 +15,7 @@ core::Vec3 smallRotation(const core::Quat& from, const core::Quat& to) noexcept 
     return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
 }
 
-/// -Σ f·Δx + τ·θ
+/// Returns -Σ (f·Δx + τ·θ).
 double workOf(const core::ToolWrenches& held, const core::ToolStates& from, const core::ToolStates& to) noexcept {
     double work = 0.0;
     for (int tool = 0; tool < std::min(held.count, to.count); ++tool) {

@@ -22,8 +22,8 @@ public:
     void reset() noexcept;
     /// Adds the work of the wrenches held since the last tick. Call it before hold() of this tick's wrenches.
     void addWork(const core::ToolStates& states) noexcept;
-    /// Adds the energy that a ramp or a swap of the scene put in or took out without the person's work: ½Δk
-    /// x².
+    /// Adds the energy that a ramp or a swap of the scene put in or took out without the person's work:
+    /// ½Δk x².
     void credit(double energy_J) noexcept {
         m_supplied_J += energy_J;
         m_late_J += energy_J;
@@ -31,7 +31,7 @@ public:
     /// Each changes one of the two sums alone: a deficit that is forgiven, or energy that has become heat.
     void settleSupplied(double energy_J) noexcept { m_supplied_J += energy_J; }
     void settleLate(double energy_J) noexcept { m_late_J += energy_J; }
-    /// The contact ended: no energy is owed.
+    /// Ends the contact: no energy is owed any more.
     void endContact() noexcept { m_supplied_J = m_late_J = m_work_J = 0.0; }
     /// Moves energy to another body's balance because a tool took it along; all sums change alike.
     void move(double energy_J, PassivityObserver& to) noexcept {
@@ -52,7 +52,7 @@ public:
     /// The same for the balance of only some tools: the wrenches of the others do not belong to this body.
     void hold(const core::ToolStates& states, const core::ToolWrenches& commanded,
               const std::array<bool, core::kMaxTools>& members) noexcept;
-    /// Nothing is held: no tool is at this body.
+    /// Clears the held wrenches, because no tool is at this body.
     void holdNothing() noexcept;
 
     static constexpr std::size_t kLate_ticks = 3; ///< age of the oldest samples that a device may send

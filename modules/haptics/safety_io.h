@@ -19,7 +19,7 @@ enum class Admission : std::uint8_t {
     dropped,  ///< refused: keep the last good state
 };
 
-/// What the person has to do, or to wait for, before force comes. Shown on the screen.
+/// The action of the person, or the event, that has to come before force does. Shown on the screen.
 enum class ArmingWait : std::uint8_t {
     nothing,      ///< force is on, or the device renders none
     firstPacket,  ///< a device has not sent a good packet yet, or its packets are late

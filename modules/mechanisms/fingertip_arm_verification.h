@@ -8,7 +8,7 @@
 
 namespace chiron::mechanisms {
 
-/// What P3 states about the console's arm (§2.2, abstract); it prints no length, mass, friction or error of
+/// P3's statements about the console's arm (§2.2, abstract). P3 prints no length, mass, friction or error of
 /// it.
 struct FingertipArmPublished {
     static constexpr int kFreedoms = 7; ///< sensed
@@ -63,7 +63,7 @@ struct FingertipArmVerification {
     double jacobian = 0.0;     ///< largest error of an entry against central differences, m/rad and rad/rad
     double gravity_Nm = 0.0;   ///< largest error of a joint against −∂V/∂q by central differences
     double weight_N = 0.0;     ///< largest weight that the hand carries at the pad
-    double sinks_m = 0.0;      ///< largest sink in half a second after release at rest
+    double sinks_m = 0.0;      ///< largest distance that it sinks in half a second after release at rest
     double massLeast_kg = 0.0, massMost_kg = 0.0; ///< that a hand moves
     std::vector<FingertipArmDrag> drags;          ///< through the middle of the box
     int encoderBits = 0;

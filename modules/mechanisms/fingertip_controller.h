@@ -12,7 +12,7 @@ namespace chiron::mechanisms {
 /// the force loop moves the height at which that lean is held:
 ///   F_ref = min(F_wanted, limit/(1 + doubt)),  d* = depth at which the identified pad gives F_ref,
 ///   s follows d* with bounded speed and acceleration,  F_s = force of that pad at s, the expected force,
-///   z_ref = height at which this lean presses by s + u,  u˙ = Kp e + Kd ė,  e = F_s (delayed like the reading) − F,
+///   z_ref = height at which this lean presses by s + u,  u˙ = Kp e + Kd ė,  e = F_s (delayed) − F,
 ///   f = PID(q(z_ref, β, α) − q_encoder) + G⁻ᵀ F_s ∂δ/∂x + m/3 · G ẍ_ref + a share of friction along q˙_ref.
 /// Without the bounds on s a step of 1 N put 1.9 N on the pad; without F_s the loop would integrate the lag
 /// as an error. Source: P3 §2.1 (PID for the position, PD for the force).

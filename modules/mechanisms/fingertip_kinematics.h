@@ -61,8 +61,8 @@ public:
     /// Returns q_i, m.
     /// Errors: badInput beyond the travel, where a leg does not reach, or near a singular pose.
     core::Result<core::Vec3> inverse(const FingertipPose& pose) const;
-    /// Finds the pose for three drive positions by Newton's method from `guess` in `pose`; returns true if it
-    /// converged within 1e-14 m.
+    /// Finds the pose for three drive positions by Newton's method, with the given `pose` as first guess;
+    /// returns true if it converged within 1e-14 m.
     bool forward(const core::Vec3& drives, FingertipPose& pose) const noexcept;
     /// Starts from level.
     /// Errors: badInput as for inverse().

@@ -73,7 +73,7 @@ struct FingertipForceSensorParameters {
     int delay_ticks = 2;            ///< from sampling to the controller: conversion, filter and bus
 };
 
-/// The IMU on the platform. ASSUMPTIONS, of the class named in fingertip_arm_parameters.h.
+/// The IMU on the platform. ASSUMPTIONS for a sensor of the class named in attitude_sensor.h.
 struct FingertipImuParameters {
     double bias_rad = 8.7e-3;       ///< SD per angle, constant: mounting and calibration, 0.5°
     double noise_rad = 3.5e-3;      ///< SD per angle, 0.2°

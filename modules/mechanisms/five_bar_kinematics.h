@@ -43,7 +43,7 @@ struct FiveBarLoop {
 ///   J = A⁻¹B, rows of A: (X − P_i)ᵀ, B_ii = (X − P_i)·l1(−sin θ_i, cos θ_i);  τ = JᵀF;  singular where det A = 0.
 /// Vendor axes V: X_V = y_D (into the patient), Y_V = z_D (up), Z_V = x_D (normal to the plane); same origin.
 /// Angles are measured from X_V towards Y_V. Leg 1 is on the trainee's side with its elbow towards them, leg
-/// 2 beyond: there is one assembly mode. Only these functions, toD() and toPlane() convert V to D. Pure.
+/// 2 beyond: there is one assembly mode. Only toD() and toPlane() convert between V and D. Pure.
 /// Thread: any; allocates nothing.
 class FiveBarKinematics {
 public:

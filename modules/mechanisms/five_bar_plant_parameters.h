@@ -42,8 +42,8 @@ struct FiveBarPlantParameters {
 
     // Tendons: pretensioned pairs of steel cable between capstan and joint. 1.5 mm rope (EA ≈ 67.5 kN), 0.2 m
     // long, drum radius 30 mm for the linkage; 0.9 mm rope (EA ≈ 22.5 kN), 0.6 m, drums of 15 and 10 mm for
-    // the spherical joint: 2 EA r²/L. The drums measure 20 rope diameters and more, as steel rope needs.
-    // Thinner ropes vibrate audibly with friction (drivers/simulated/README.md).
+    // the spherical joint: 2 EA r²/L. The drums measure 20 rope diameters and more, as steel rope needs. On
+    // thinner ropes the rotors oscillate with friction (drivers/simulated/README.md).
     PerAxis tendonStiffness{607.5, 607.5, 16.9, 16.9, 7.5};    ///< N·m/rad
     PerAxis tendonDamping{0.090, 0.090, 8.0e-3, 8.0e-3, 1.0e-3}; ///< N·m·s/rad, a tenth of critical with the rotor
     PerAxis rotorInertia{4.0e-4, 4.0e-4, 1.0e-4, 1.0e-4, 4.0e-6};   ///< kg·m², capstan ratios 10, 10, 10, 10, 2

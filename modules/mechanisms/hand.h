@@ -13,7 +13,7 @@ namespace chiron::mechanisms {
 
 /// The arm that closes the loop: a point mass that a spring and a damper pull towards the desired motion and
 /// that holds the tool through a stiff damped grip:
-///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T)  (on the tool).
+///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T) (on the tool).
 /// The reaction delay acts on the intention only; the arm's mechanics respond at once (inside the stiffness
 /// loop the delay would be unstable from 30 ms). Tremor enters as the force that makes the free hand, with
 /// the tool, move by the tremor's displacement. Source: models.md §4.

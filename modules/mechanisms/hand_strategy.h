@@ -9,7 +9,7 @@
 
 namespace chiron::mechanisms {
 
-/// What a hand feels and sees at one tick, *before* perceptual noise, which the strategy adds.
+/// The true input of a hand's senses at one tick, *before* perceptual noise, which the strategy adds.
 struct HandPerception {
     double time_s = 0.0; ///< executed ticks · 1 ms since the device was opened
     core::Vec3 p_DT =

@@ -14,8 +14,7 @@ class HapticTick {
 public:
     std::uint64_t index() const noexcept { return m_index; } ///< ticks executed before this one; each is a
                                                              ///< model step of 1 ms
-    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; only here does a missed deadline
-                                                              ///< show
+    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; a missed deadline shows only here
 
 private:
     friend class TickSource;

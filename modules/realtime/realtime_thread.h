@@ -6,8 +6,8 @@
 
 namespace chiron::realtime {
 
-/// What the system granted to the calling thread, and the reasons for what it refused, as texts for a log or
-/// the station check.
+/// The rights that the system granted to the calling thread, and the reasons for those it refused, as texts
+/// for a log or the station check.
 struct RealtimeStatus {
     bool priorityGranted = false; ///< SCHED_FIFO
     std::string priorityDetail;   ///< "SCHED_FIFO priority 80", or the reason and a remedy

@@ -16,9 +16,9 @@ namespace chiron::recording {
 
 /// Encodes HapticFrames into a Chunk with one column per channel. Each column is stored as constant, line,
 /// offset, difference or second difference, bit-packed, then with zstd if that is smaller (zstd is tried in
-/// every 32nd chunk, and further on for a channel as long as it helps). Payload: version byte, varint frames,
-/// varint channels, varint length of each column, columns. Not copyable, because it owns a compression
-/// context; may allocate.
+/// every 32nd chunk, and in a channel's following chunks as long as it helps). Payload: version byte, varint
+/// frames, varint channels, varint length of each column, columns. Not copyable, because it owns a
+/// compression context; may allocate.
 /// Thread: one at a time.
 class ChunkEncoder {
 public:

@@ -56,7 +56,7 @@ std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexce
     std::uint16_t mask = 0;
     std::size_t at = sizeof(mask);
     const auto put = [&](std::uint64_t value, bool listed,
-                         std::size_t bit) { // no branch, since contact comes and goes
+                         std::size_t bit) { // no branch, since contact is hard to predict
         std::memcpy(out + at, &value, sizeof(value));
         at += listed ? sizeof(value) : 0;
         mask = static_cast<std::uint16_t>(mask | (listed ? 1u << bit : 0u));

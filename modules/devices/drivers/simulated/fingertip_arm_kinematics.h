@@ -16,8 +16,8 @@ namespace chiron::devices {
 /// its Jacobian:
 ///   q_DT = exp(r),  p_DT = p_arm(θ) + q_DT·o,  w = J_l(r) r˙ (left Jacobian of SO(3)),  v = J(θ) θ˙ + w × q_DT·o.
 /// T: the identity is the pad facing down (−z_T), x_T across the finger. The arm has no motors: no axis takes
-/// part in any wrench, so every effort is zero. Pure. Source: P3 §2.2;
-/// models.md §3. (Stored sessions of models id 1 and 2: fingertip_sliding_kinematics.h.)
+/// part in any wrench, so every effort is zero. Pure. Source: P3 §2.2; models.md §3.
+/// (Stored sessions of models id 1 and 2: fingertip_sliding_kinematics.h.)
 /// Thread: any.
 class FingertipArmKinematics final : public IToolKinematics {
 public:

@@ -33,7 +33,8 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = 4.5;      // P1: along x and y
-    // Shakes from 37.5 on, in a light hand on friction: two thirds of it (tests/damping/README.md).
+    // In a light hand it shakes on friction from 37.5 N·s/m on; this is two thirds of that
+    // (tests/damping/README.md).
     d.maximumDamping_Ns_per_m = 24.0;
     d.maximumTorque_Nm = 0.150; // P1: about x′ and y′; 10 mN·m about z′ is the roll axis' rating
     return d;

@@ -30,7 +30,7 @@ FingertipArmKinematics kinematicsOf(const SimulatedFingertipDevice::Configuratio
     return {resolutionsOf(configuration.arm), configuration.arm.grasp.resolution_rad(), pad_T, configuration.arm.geometry};
 }
 
-/// What the hand holds, for its tremor: the apparent inertia of the arm at the start.
+/// Settings of the hand. For its tremor it holds the apparent inertia of the arm at the start.
 SimulatedHandSettings settingsOf(const SimulatedFingertipDevice::Configuration& configuration) {
     mechanisms::FingertipArmPlant arm(configuration.arm, configuration.seed);
     arm.reset(configuration.start_D);
@@ -115,7 +115,7 @@ DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = 4.0; // P3 §2.1, on the pad
-    // Counts are felt from 45 on: two thirds of it (tests/damping/README.md).
+    // Encoder counts can be felt from 45 N·s/m on; this is two thirds of that (tests/damping/README.md).
     d.maximumDamping_Ns_per_m = 30.0;
     return d;
 }
