@@ -42,7 +42,8 @@ public:
     ~SimulatedMechanism() override;
 
     const DeviceDescriptor& descriptor() const noexcept final { return m_descriptor; }
-    core::Result<void> open() final; ///< starts everything anew
+    /// Returns plant, hand and jaw to the start; the tremor and the strategy continue from where they are.
+    core::Result<void> open() final;
     void close() noexcept final;
     core::DeviceSample read(const realtime::HapticTick& now) noexcept final;
     void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept final;
