@@ -5,15 +5,20 @@
 
 namespace chiron::core {
 
-/// How a device stands in the field W, beside where its exercise puts it (P2, "Flexible Mounting Options"). SI units.
+/// Where and how a device stands in the field W, in addition to where its exercise places it (P2, "Flexible
+/// Mounting Options").
+/// Unit: SI.
+/// Frame: W.
 struct BaseMounting {
     double scale = 1.0;               ///< tool movement per hand movement, kSmallestScale..kLargestScale
-    std::array<double, 3> origin_m{}; ///< shift of the workspace in W, at most kLargestShift_m an axis
-    bool leftHanded = false;          ///< mirrored left to right
-    /// How the device's base is turned: to the left about the vertical, then tilted away from the person, then rolled to the
-    /// right; at most kLargestTurn_rad each. Not for a pointer, which has no base.
+    std::array<double, 3> origin_m{}; ///< shift of the workspace in W, at most kLargestShift_m per axis
+    bool leftHanded = false;          ///< the workspace is mirrored left to right
+    /// Rotation of the device's base: first to the left about the vertical, then tilted away from the person,
+    /// then rolled to the right; at most kLargestTurn_rad for each angle. Not for a pointer, which has no
+    /// base.
     std::array<double, 3> turn_rad{};
-    bool turnGiven = false; ///< a turn of 0 is meant as well: the base is not turned, whatever the level says
+    /// A rotation of 0 is deliberate: the base is not turned, whatever the level says.
+    bool turnGiven = false;
 
     static constexpr double kSmallestScale = 0.25;
     static constexpr double kLargestScale = 4.0;
@@ -21,14 +26,15 @@ struct BaseMounting {
     static constexpr double kLargestTurn_rad = 0.7853981633974483; ///< 45°: beyond it a gimbal no longer reaches the field
 
     bool turned() const noexcept { return turn_rad != std::array<double, 3>{}; }
-    /// This one, and where it says nothing (every value as it is made), what `usual` says.
+    /// Returns this mounting, in which every value that still has its default is replaced by that of `usual`.
     BaseMounting over(const BaseMounting& usual) const noexcept {
         BaseMounting both = *this;
         if (scale == 1.0)
             both.scale = usual.scale;
         if (origin_m == std::array<double, 3>{})
             both.origin_m = usual.origin_m;
-        both.leftHanded = leftHanded != usual.leftHanded; // a left-handed person's picture of the level
+        both.leftHanded = leftHanded != usual.leftHanded; // a left-handed person gets the level's picture
+                                                          // mirrored
         if (!turned() && !turnGiven)
             both.turn_rad = usual.turn_rad;
         return both;

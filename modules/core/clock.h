@@ -6,10 +6,11 @@
 
 namespace chiron::core {
 
-/// CLOCK_MONOTONIC in nanoseconds; lock-free (vDSO).
+/// Returns CLOCK_MONOTONIC in nanoseconds; lock-free (vDSO).
 std::int64_t monotonicNow_ns() noexcept;
 
-/// Wall clock as ISO 8601 in UTC with milliseconds, e.g. 2026-11-20T11:23:45.678Z: a label, never used for ordering.
+/// Returns the wall-clock time as ISO 8601 in UTC with milliseconds, e.g. 2026-11-20T11:23:45.678Z. It is a
+/// label and never used for ordering.
 std::string utcNowIso8601();
 
 } // namespace chiron::core

@@ -5,16 +5,20 @@
 
 namespace chiron::core {
 
-/// What a scene says of one tool's contact beside its force, at one tick (simulation::SceneOutput::contact). Recorded in the upper
-/// bits of ToolFrame::status; numbers are part of the recording's format. Source: data.md, Range of a law.
+/// Flags that a scene reports about one tool's contact in addition to its force, at one tick
+/// (simulation::SceneOutput::contact). They are recorded in the upper bits of ToolFrame::status; their
+/// numbers are part of the recording's format. Source: data.md, Range of a law.
 namespace contact_bits {
-inline constexpr std::uint8_t kBeyondChecked = 1u << 0; ///< outside the poses and depths for which the law was checked; its force is bounded
-inline constexpr std::uint8_t kYielded = 1u << 1;       ///< at this tick the tissue gave way
-inline constexpr std::uint8_t kThrough = 1u << 2;       ///< it has given way: on its falling curve, or through, until the tool is out again
+/// Outside the poses and depths for which the law was checked; the force is bounded.
+inline constexpr std::uint8_t kBeyondChecked = 1u << 0;
+/// The tissue gave way at this tick.
+inline constexpr std::uint8_t kYielded = 1u << 1;
+/// The tissue has given way: its force is falling or gone, until the tool is outside again.
+inline constexpr std::uint8_t kThrough = 1u << 2;
 inline constexpr std::uint8_t kAll = kBeyondChecked | kYielded | kThrough;
 } // namespace contact_bits
 
-/// Where the bits of contact stand in ToolFrame::status.
+/// Position of the contact bits in ToolFrame::status.
 inline constexpr int kContactStatusShift = 28;
 inline constexpr std::uint32_t kContactStatusMask = std::uint32_t{contact_bits::kAll} << kContactStatusShift;
 

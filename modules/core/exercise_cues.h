@@ -9,19 +9,22 @@
 
 namespace chiron::core {
 
-/// What an exercise shows beside what all exercises show: one value of its own type, at a fixed place, so that it passes the force loop
-/// as bytes. Its scene writes it; its operators and screens, which know the type, read it; all others pass it on.
+/// The cues that only one exercise shows, in addition to those that every exercise has. They are one value of
+/// the exercise's own type, stored in place, so that they pass through the force loop as plain bytes. The
+/// exercise's scene writes the value; its operators and screens, which know the type, read it; all other code
+/// only passes it on.
 class ExerciseCues {
 public:
-    static constexpr std::size_t kSize = 1024; ///< bytes that a type may have
+    static constexpr std::size_t kSize = 1024; ///< largest size of an exercise's type, bytes
 
-    /// As a scene of that type showed it; where it showed another or nothing, the type's default.
+    /// Returns the value if it has the type `Own`; otherwise (another type or no value) a default-constructed
+    /// `Own`.
     template <class Own> const Own& of() const noexcept {
         check<Own>();
         static constexpr Own kNothing{};
         return holds<Own>() ? *std::launder(reinterpret_cast<const Own*>(m_bytes.data())) : kNothing;
     }
-    /// The same to be written; a value of another type makes room for a default one.
+    /// Returns the value for writing. If it has another type, a default-constructed `Own` replaces it first.
     template <class Own> Own& own() noexcept {
         check<Own>();
         if (holds<Own>())

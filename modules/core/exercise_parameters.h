@@ -7,10 +7,11 @@
 
 namespace chiron::core {
 
-/// What a level of an exercise is set up with: a value of that exercise's own type. Whoever knows the type reads it; all others pass it on.
+/// The parameters of one level of an exercise: a value of that exercise's own type. Code that knows the type
+/// reads it; all other code only passes it on.
 class ExerciseParameters {
 public:
-    ExerciseParameters() = default; ///< of no exercise
+    ExerciseParameters() = default; ///< belongs to no exercise
     template <class Own>
         requires(!std::is_same_v<std::remove_cvref_t<Own>, ExerciseParameters>)
     explicit ExerciseParameters(Own&& value) : m_value(std::forward<Own>(value)) {}
@@ -21,10 +22,10 @@ public:
         return *this;
     }
 
-    /// Null where they are of another type.
+    /// Returns null if the parameters have another type.
     template <class Own> const Own* find() const noexcept { return std::any_cast<Own>(&m_value); }
     template <class Own> Own* find() noexcept { return std::any_cast<Own>(&m_value); }
-    /// For whoever knows the type. Throws std::bad_any_cast where they are of another.
+    /// For code that knows the type. Throws std::bad_any_cast if the parameters have another type.
     template <class Own> const Own& as() const { return std::any_cast<const Own&>(m_value); }
     template <class Own> Own& as() { return std::any_cast<Own&>(m_value); }
 

@@ -5,21 +5,24 @@
 
 namespace chiron::core {
 
-/// The one function that every thread which runs models calls first: round to nearest, flush denormals to zero
-/// (FTZ and DAZ). Without it the same inputs could give other bits on another thread.
+/// Sets rounding to nearest and flushes denormal numbers to zero (FTZ and DAZ). Every thread that runs models
+/// calls this function first; otherwise the same inputs could give different bits on another thread.
 void setModelFloatingPointEnvironment() noexcept;
 
-/// Names the processor features that choose the maths library's variants (e.g. "x86-64+fma+avx2"): two machines of
-/// one class give the same bits, others may differ in the last one.
+/// Names the processor features that decide which variants of the maths library are used (e.g.
+/// "x86-64+fma+avx2"). Two machines of one class give the same bits; machines of different classes may differ
+/// in the last bit.
 std::string cpuClass();
 
-/// Identifies the build (version and compiler); a recording made by another build is not compared bit for bit.
+/// Identifies the build (version and compiler). A recording made by another build is not compared bit for
+/// bit.
 std::string buildId();
 
-/// The part of a build's name that decides about forces: the compiler and the models id, without the program's version. The models id
-/// names the laws and their numerics; it is raised by every change that alters a force, and by nothing else.
+/// Returns the part of a build's name on which forces depend: the compiler and the models id, without the
+/// program's version. The models id names the laws and their numerics; every change that alters a force
+/// raises it, and nothing else does.
 std::string forcesOfBuild(const std::string& buildId);
-/// The models id in a build's name, e.g. "2"; empty where it has none.
+/// Returns the models id in a build's name, e.g. "2"; empty if it has none.
 std::string modelsOfBuild(const std::string& buildId);
 
 } // namespace chiron::core

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <array>
 
-/// Monogram notation: p_WT is the position of T measured from and expressed in W; v_WT, w_WT linear and angular
-/// velocity; f_T_W a force on the tool at T expressed in W. Frames (models.md §0): W world (z up), D device base,
-/// T tool tip, A anatomy, C camera. Right-handed throughout.
+/// Monogram notation: p_WT is the position of T measured from and expressed in W; v_WT and w_WT are its
+/// linear and angular velocity; f_T_W is a force on the tool at T expressed in W. Frames (models.md §0): W
+/// world (z up), D device base, T tool tip, A anatomy, C camera. All frames are right-handed.
 namespace chiron::core {
 
 using Vec2 = Eigen::Vector2d;

@@ -10,16 +10,16 @@ namespace chiron::core {
 
 /// A language of the interface and of the content.
 struct Language {
-    std::string_view id;     ///< ISO 639, as files are named after it: "de"
-    std::string_view name;   ///< in its own words, so that whoever reads it finds it
-    std::string_view locale; ///< how numbers and dates are written: "de_DE"
+    std::string_view id;     ///< ISO 639 code, used in file names: "de"
+    std::string_view name;   ///< in the language itself, so that its readers recognise it
+    std::string_view locale; ///< for the format of numbers and dates: "de_DE"
 };
 
-/// All of them. English is first: texts are written in it, and it is shown where a translation is missing. A new language is a line here and
-/// the files that docs/guides/add-a-language.md names.
+/// All languages. English is first: texts are written in it, and it is shown where a translation is missing.
+/// A new language needs a line here and the files that docs/guides/add-a-language.md names.
 inline constexpr std::array kLanguages{Language{"en", "English", "en_GB"}, Language{"de", "Deutsch", "de_DE"}, Language{"el", "Ελληνικά", "el_GR"}};
 
-/// What a language of this id is like; English for an id that there is not.
+/// Returns the language with this id; English if there is none.
 constexpr const Language& languageOf(std::string_view id) noexcept {
     for (const Language& language : kLanguages)
         if (language.id == id)
@@ -27,7 +27,7 @@ constexpr const Language& languageOf(std::string_view id) noexcept {
     return kLanguages.front();
 }
 
-/// Their ids, in that order.
+/// Returns the ids of all languages in the order of kLanguages.
 inline std::vector<std::string> languageIds() {
     std::vector<std::string> ids;
     for (const Language& language : kLanguages)

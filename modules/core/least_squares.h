@@ -10,16 +10,19 @@
 
 namespace chiron::core {
 
-/// Least squares of y on N regressors by running sums: fixed size, allocation-free, one pass. Plain normal equations with a whiff of
-/// ridge, so that a regressor that never moved gets no weight instead of an infinite one. Thread: any one.
+/// Least squares of y on N regressors from running sums: fixed size, one pass. It solves the plain normal
+/// equations with a tiny ridge term, so that a regressor that never moved gets no weight instead of an
+/// infinite one.
+/// Thread: any one; allocates nothing.
 template <std::size_t N> class LeastSquares {
 public:
-    static constexpr int kFewest = 60; ///< samples that a fit needs
+    static constexpr int kFewest = 60; ///< smallest number of samples for a fit
 
     struct Fit {
         std::array<double, N> slope{};
-        double residual = 0.0; ///< sum of squares left
-        double firstSd = std::numeric_limits<double>::quiet_NaN(); ///< standard error of slope[0], residuals taken as independent
+        double residual = 0.0; ///< residual sum of squares
+        double firstSd = std::numeric_limits<double>::quiet_NaN(); ///< standard error of slope[0], with
+                                                                   ///< residuals taken as independent
         int n = 0;
         bool good = false;
     };
@@ -36,8 +39,8 @@ public:
     }
     int samples() const noexcept { return m_n; }
 
-    /// Gauss–Jordan with pivoting, for the slopes and the first row of the inverse. Not good: too few samples, or regressors that
-    /// are not apart.
+    /// Solves for the slopes and the first row of the inverse by Gauss–Jordan elimination with pivoting.
+    /// `good` is false if there are too few samples or the regressors cannot be separated.
     Fit solve() const noexcept {
         Fit fit;
         fit.n = m_n;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Marks a text that screens and papers show in the reader's language, so that lupdate finds it, in code without Qt. Who shows the text
-/// translates it in the same context.
+/// Marks a text in code without Qt, so that lupdate finds it. Screens and printed reports show the text in
+/// the reader's language; the code that shows it translates it in the same context.
 #define QT_TRANSLATE_NOOP(context, text) text

@@ -17,7 +17,7 @@ double roughQuantile(double p) noexcept {
     return ((0.010328 * t + 0.802853) * t + 2.515517) / (((0.001308 * t + 0.189269) * t + 1.432788) * t + 1.0) - t;
 }
 
-/// z(p) for 0 < p ≤ ½: the lower tail, where Φ keeps its relative accuracy.
+/// Returns z(p) for 0 < p ≤ ½: the lower tail, where Φ keeps its relative accuracy.
 double lowerQuantile(double p) noexcept {
     double x = roughQuantile(p);
     for (int step = 0; step < kHalleySteps; ++step) {

@@ -5,8 +5,10 @@
 
 namespace chiron::core {
 
-/// What a study asks the scene to present, in the 16 bits of a command's argument, so that a recording and its replay know every
-/// stimulus exactly: which candidate of the study's frozen table, and how its multiples lie on the places (psychophysics/study/arrangement.h).
+/// The stimulus that a study asks the scene to present, packed into the 16 bits of a command's argument, so
+/// that a recording and its replay contain every stimulus exactly. It states the candidate of the study's
+/// frozen table and how the candidate's multiples are assigned to the positions
+/// (psychophysics/study/arrangement.h).
 struct PresentationWord {
     static constexpr int kCandidates = 4096;
     static constexpr int kArrangements = 16;

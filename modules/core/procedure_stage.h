@@ -5,7 +5,8 @@
 
 namespace chiron::core {
 
-/// How far a procedure is that goes into the body and out again. Numbers are part of the recording's format.
+/// Stage of a procedure that goes into the body and out again. The numbers are part of the recording's
+/// format.
 enum class ProcedureStage : std::uint8_t {
     outside = 0,    ///< the beak has not entered
     insertion = 1,  ///< on the way to the level's goal

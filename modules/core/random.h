@@ -7,15 +7,17 @@
 
 namespace chiron::core {
 
-/// Our own generator, so that a seed means the same for ever: xoshiro256++ 1.0 (Blackman & Vigna 2019, public domain
-/// algorithm) seeded by SplitMix64. Named and versioned: kName is stored with every use; test vectors in tests/unit.
+/// The program's own random number generator, so that a seed gives the same numbers for ever: xoshiro256++
+/// 1.0 (Blackman & Vigna 2019, public domain algorithm) seeded by SplitMix64. It is named and versioned:
+/// kName is stored with every use; tests/unit has test vectors.
 class Random {
 public:
     static constexpr std::string_view kName = "chiron-xoshiro256pp-1";
 
     explicit Random(std::uint64_t seed) noexcept;
 
-    /// An independent stream for one purpose: the seed mixed with a name (FNV-1a, then SplitMix64).
+    /// Returns an independent stream for one purpose: the seed is mixed with a name (FNV-1a, then
+    /// SplitMix64).
     static Random stream(std::uint64_t seed, std::string_view purpose) noexcept;
     static std::uint64_t mix(std::uint64_t seed, std::string_view purpose) noexcept;
 

@@ -7,7 +7,7 @@
 
 namespace chiron::core {
 
-/// What kind of failure it was. The command line maps it to its exit status (cli.md), the desktop to words.
+/// Type of a failure. The command line maps it to its exit status (cli.md), the desktop to a text.
 enum class ErrorCode {
     wrongUse,      ///< command line or call used wrongly (exit 2)
     notAllowed,    ///< the actor's roles do not permit it (exit 2)
@@ -16,18 +16,18 @@ enum class ErrorCode {
     storage,       ///< database, file system, disk full (exit 4)
     locked,        ///< another program holds the writer's lock (exit 4)
     device,        ///< device missing, refused or faulted (exit 5)
-    doesNotHold,   ///< the thing checked does not hold (exit 1)
-    cancelled,     ///< stopped by the person
+    doesNotHold,   ///< a check failed: the statement checked does not hold (exit 1)
+    cancelled,     ///< cancelled by the person
 };
 
-/// An expected failure: a code for programs and a message for people that names the place (file, line, JSON path,
-/// table), the value found and what was expected.
+/// An expected failure: a code for programs and a message for people that names the location (file, line,
+/// JSON path, table), the value found and what was expected.
 struct Error {
     ErrorCode code = ErrorCode::badInput;
     std::string message;
 };
 
-/// Either a value or an Error; never thrown. Programmer mistakes are asserts instead.
+/// Either a value or an Error; nothing is thrown. Programming errors are asserts instead.
 template <class T>
 using Result = tl::expected<T, Error>;
 

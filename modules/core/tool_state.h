@@ -8,19 +8,23 @@
 
 namespace chiron::core {
 
-inline constexpr int kMaxTools = 4;       ///< instruments at once (P2: two hands, a third and a fourth mounting)
-inline constexpr int kMaxCoordinates = 8; ///< generalised coordinates a tool
+inline constexpr int kMaxTools = 4;       ///< instruments at once (P2: two hands, a third and a fourth
+                                          ///< mounting)
+inline constexpr int kMaxCoordinates = 8; ///< generalised coordinates per tool
 
 inline constexpr std::uint32_t kButtonMark = 1u << 0;    ///< "here it is" (trace files: buttons bit 0)
-inline constexpr std::uint32_t kButtonStop = 1u << 1;    ///< stop force at once
-inline constexpr std::uint32_t kButtonDeadMan = 1u << 2; ///< held by the person: permits force while arming by hand
-inline constexpr std::uint32_t kButtonReport = 1u << 3;  ///< takes the report word in the upper 16 bits (palpation_cues.h)
+inline constexpr std::uint32_t kButtonStop = 1u << 1;    ///< stop force immediately
+inline constexpr std::uint32_t kButtonDeadMan = 1u << 2; ///< held by the person: permits force while arming
+                                                         ///< by confirmation
+inline constexpr std::uint32_t kButtonReport = 1u << 3;  ///< takes the report word in the upper 16 bits
+                                                         ///< (report_word.h)
 
-/// Where a tool is and how it moves, in W: what a scene sees. Velocity comes from the one estimator in simulation
-/// (models.md §0), never from a driver.
+/// Pose and motion of a tool as a scene sees it. The velocity comes from the program's single estimator in
+/// simulation (models.md §0), never from a driver.
+/// Frame: W.
 struct ToolState {
     Vec3 p_WT = Vec3::Zero();     ///< m
-    Quat q_WT = Quat::Identity(); ///< unit
+    Quat q_WT = Quat::Identity(); ///< unit quaternion
     Vec3 v_WT = Vec3::Zero();     ///< m/s
     Vec3 w_WT = Vec3::Zero();     ///< rad/s
     double jaw_rad = 0.0;
@@ -37,7 +41,8 @@ struct ToolWrenches {
     std::array<Wrench, kMaxTools> tools{};
 };
 
-/// The fingertip platform's display pose (P3): normal force (N), pitch and roll (rad). Zero for other devices.
+/// Pose of the fingertip platform's display (P3): normal force (N), pitch and roll (rad). Zero for other
+/// devices.
 struct DisplayPose {
     double normalForce_N = 0.0;
     double pitch_rad = 0.0;

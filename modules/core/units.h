@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// SI inside (m, s, N, N·m, rad, kg); millimetres and degrees only where a person or a file reads them.
+/// The program uses SI units internally (m, s, N, N·m, rad, kg); millimetres and degrees appear only where a
+/// person or a file reads them.
 namespace chiron::core {
 
 inline constexpr double kPi = 3.14159265358979323846;

@@ -9,8 +9,9 @@
 
 namespace chiron::core {
 
-/// What a person in front of the screen can see at this tick. A level lists its cues: what is off is off here too, so
-/// neither a window nor a scripted operator can learn more than the level allows.
+/// The information that a person in front of the screen can see at this tick. A level lists its cues; cues
+/// that it hides are absent here too, so neither a window nor a scripted operator can learn more than the
+/// level allows.
 struct VisibleCues {
     std::uint16_t trial = 0;
     TrialPhase phase = TrialPhase::idle;
@@ -19,9 +20,10 @@ struct VisibleCues {
     bool objectShown = false;      ///< cue "object"
     Vec3 p_WObject = Vec3::Zero(); ///< m; zero unless objectShown
     double objectRadius_m = 0.0;   ///< zero unless objectShown
-    double shownForce_N = 0.0;     ///< ‖tissue force‖ on this tool, filled by the loop for input-only devices (slowed
-                                   ///< motion); zero on a device that renders force, whose hand feels it instead
-    ExerciseCues exercise;         ///< what only this exercise shows
+    /// ‖tissue force‖ on this tool, filled in by the loop for input-only devices (slowed motion); zero on a
+    /// device that renders force, because the hand feels it there.
+    double shownForce_N = 0.0;
+    ExerciseCues exercise;         ///< the cues that only this exercise shows
 };
 
 } // namespace chiron::core

@@ -10,13 +10,15 @@
 
 namespace chiron::devices {
 
-/// The failure of a kinematics that a descriptor does not fit.
+/// The error for a descriptor that does not fit a kinematics.
 inline auto kinematicsMisfit(const std::string& id, const std::string& what) {
     return core::fail(core::ErrorCode::badInput, "kinematics " + id + ": " + what);
 }
 
-/// The resolutions of a descriptor's axes for a kinematics of `id` with exactly `Axes` of them, `names` for people. Fails
-/// (badInput) for another id, another number of axes, or a resolution that is not a finite number above 0. Not in the tick.
+/// Returns the resolutions of a descriptor's axes for the kinematics `id` with exactly `Axes` axes; `names`
+/// lists them for people. Not for the tick.
+/// Errors: badInput for another id, another number of axes, or a resolution that is not a finite number above
+/// 0.
 template <std::size_t Axes>
 core::Result<std::array<double, Axes>> axisResolutions(const DeviceDescriptor& descriptor, const std::string& id,
                                                        const std::string& names) {

@@ -8,16 +8,18 @@
 
 namespace chiron::devices {
 
-/// Every driver of this build, in the order lists show them. Static data; any thread.
+/// Returns every driver of this build in the order of lists. Static data.
+/// Thread: any.
 std::span<const Driver* const> driverCatalogue() noexcept;
 
-/// The driver of an id, or nullptr.
+/// Returns the driver with this id, or nullptr.
 const Driver* findDriver(std::string_view id) noexcept;
 
-/// The driver that a stored plan names so, or nullptr.
+/// Returns the driver that has this name in stored plans, or nullptr.
 const Driver* findDriverOfPlan(std::string_view planWord) noexcept;
 
-/// The first driver whose tools are moved so: what is used where nobody chose. There is one for each MovedBy.
+/// Returns the first driver whose tools are moved in this way: the default if nobody chose. There is one for
+/// each MovedBy.
 const Driver& usualDriver(MovedBy movedBy) noexcept;
 
 } // namespace chiron::devices

@@ -11,8 +11,9 @@
 
 namespace chiron::devices {
 
-/// Makes the kinematics a descriptor names, so that a stored session can be computed again without its device.
-/// Ids: those of the drivers in the catalogue. Fails (badInput) for an unknown id or for axes that do not fit; allocates, not in the tick.
+/// Makes the kinematics that a descriptor names, so that a stored session can be recomputed without its
+/// device. The ids are those of the drivers in the catalogue. Allocates; not for the tick.
+/// Errors: badInput for an unknown id or for axes that do not fit.
 core::Result<std::unique_ptr<IToolKinematics>> makeKinematics(const DeviceDescriptor& descriptor);
 
 /// The catalogue's entry of an id, or nullptr.

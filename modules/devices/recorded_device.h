@@ -7,16 +7,20 @@
 
 namespace chiron::devices {
 
-/// A device of the past: descriptor and kinematics as a session stored them, and whatever packet it is given. Replays
-/// put it where the real device was; it takes commands and does nothing with them. Thread: one.
+/// A device for replays: descriptor and kinematics as a session stored them, and the packet that was set
+/// last. It takes the place of the real device and ignores commands.
+/// Thread: one.
 class RecordedDevice final : public IDevice {
 public:
-    /// Fails (badInput) when the descriptor's kinematics is unknown or does not fit its axes.
+    /// Creates the device.
+    /// Errors: badInput if the descriptor's kinematics is unknown or does not fit its axes.
     static core::Result<std::unique_ptr<RecordedDevice>> create(const DeviceDescriptor& descriptor);
 
     ~RecordedDevice() override;
 
-    void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; } ///< what read() gives from now on
+    void setSample(const core::DeviceSample& sample) noexcept { m_sample = sample; } ///< the sample that
+                                                                                     ///< read() returns from
+                                                                                     ///< now on
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return *m_kinematics; }

@@ -21,17 +21,18 @@ constexpr std::size_t kSines = DelayRecord::kFrequencies_Hz.size();
 constexpr int kRows = static_cast<int>(kSines);
 constexpr std::size_t kWindow = DelayRecord::kWindow_ticks;
 constexpr std::size_t kFewestBursts = 3;
-constexpr double kLongest_s = 0.025;      ///< a device with a later answer renders no wall worth the name
+constexpr double kLongest_s = 0.025;      ///< a device with a longer delay cannot render a usable wall
 constexpr double kStep_s = 2.5e-4;
-constexpr double kWorstError_s = 0.0005;  ///< half of the tick that the formula counts in
-constexpr double kUnexplained = 0.05;     ///< of the answer: a gimbal with friction leaves 0.001, an answer of another kind more than half
-constexpr double kLeastForce_N = 0.01;    ///< of a sine: less never reached the device
+constexpr double kWorstError_s = 0.0005;  ///< half a tick, the T/2 of the formula
+/// Share of the response. A gimbal with friction leaves 0.001, a response of another type more than half.
+constexpr double kUnexplained = 0.05;
+constexpr double kLeastForce_N = 0.01;    ///< per sine: a smaller force never reached the device
 
 using Spectrum = std::array<Complex, kSines>;
 
 double omega(std::size_t sine) { return 2.0 * core::kPi * DelayRecord::kFrequencies_Hz[sine]; }
 
-/// Amplitudes at the sines, of one second under a Hann window, its mean taken off before.
+/// Amplitudes at the sines for one second of samples under a Hann window, after the mean is subtracted.
 Spectrum spectrumOf(const double* values) {
     double mean = 0.0;
     for (std::size_t n = 0; n < kWindow; ++n)
@@ -50,7 +51,7 @@ struct Burst {
     Spectrum force{}, place{};
 };
 
-/// F/X at each sine, and how sure it is.
+/// F/X at each sine, and its weight.
 struct Response {
     Spectrum inverse{};                    ///< N/m
     std::array<double, kSines> weight{};
@@ -68,7 +69,8 @@ Response responseOf(const std::vector<Burst>& bursts) {
         const Complex h = cross / force2;
         for (const Burst& burst : bursts)
             rest += std::norm(burst.place[i] - h * burst.force[i]);
-        const double variance = rest / static_cast<double>(bursts.size() - 1) / force2 + 1e-8 * std::norm(h); // no answer is surer than 1e-4
+        // The last term is a floor: no response counts as more accurate than 1e-4.
+        const double variance = rest / static_cast<double>(bursts.size() - 1) / force2 + 1e-8 * std::norm(h);
         out.inverse[i] = 1.0 / h;
         out.weight[i] = std::norm(h) * std::norm(h) / variance;
     }
@@ -79,10 +81,11 @@ struct Fit {
     double rest = std::numeric_limits<double>::infinity();
     double delay_s = std::numeric_limits<double>::quiet_NaN();
     double mass_kg = 0.0;
-    double unexplained = 1.0; ///< share of the answer's weighted square that the model leaves
+    double unexplained = 1.0; ///< share of the response's weighted sum of squares that the model leaves
 };
 
-/// Weighted least squares of y on N columns of kSines rows: the coefficients, and what is left.
+/// Weighted least squares of y on N columns of kSines rows: returns the coefficients and the residual sum of
+/// squares.
 template <int N> std::pair<Eigen::Matrix<double, N, 1>, double> solve(const Eigen::Matrix<double, kRows, N>& columns, const Eigen::Vector<double, kRows>& y,
                                                                       const Eigen::Vector<double, kRows>& rootWeight) {
     const Eigen::Matrix<double, kRows, N> weighted = rootWeight.asDiagonal() * columns;
@@ -91,12 +94,14 @@ template <int N> std::pair<Eigen::Matrix<double, N, 1>, double> solve(const Eige
     return {found, (weighted * found - wanted).squaredNorm()};
 }
 
-/// What is left of the answer for one delay: its real part is k − m ω², its imaginary one b ω + e/ω, apart from each other.
+/// Fits the model for one delay. The real part is k − m ω², the imaginary part b ω + e/ω; each is fitted on
+/// its own.
 Fit fitAt(const Response& response, double delay_s) {
     Eigen::Matrix<double, kRows, 2> real, imaginary;
     Eigen::Vector<double, kRows> y, z, weight;
     for (std::size_t i = 0; i < kSines; ++i) {
-        const double w = omega(i), u = w / omega(kSines - 1); // of order 1, as the columns should be
+        // u is of order 1, so that the columns are well scaled.
+        const double w = omega(i), u = w / omega(kSines - 1);
         const Complex d = response.inverse[i] * std::polar(1.0, -w * (delay_s + 0.5 * core::kTickSeconds));
         const auto row = static_cast<Eigen::Index>(i);
         real.row(row) << 1.0, -u * u;
@@ -111,9 +116,11 @@ Fit fitAt(const Response& response, double delay_s) {
     return {rest, delay_s, mass_kg, rest / weight.cwiseAbs2().dot(y.cwiseAbs2() + z.cwiseAbs2())};
 }
 
-/// The best delay of a grid, then by the parabola through its neighbours. Its rest is infinite where there is none.
+/// Finds the best delay of a grid and refines it with the parabola through its neighbours. `rest` is infinite
+/// if there is no best delay inside the grid.
 Fit bestFit(const Response& response) {
-    const int first = -4; // an answer before the command is noise, but noise round no delay at all has two sides
+    // A response before the command is noise, but noise around a delay of zero falls on both sides of it.
+    const int first = -4;
     const int last = static_cast<int>(std::lround(kLongest_s / kStep_s));
     std::vector<double> rest;
     Fit best;
@@ -134,7 +141,7 @@ Fit bestFit(const Response& response) {
     return fitAt(response, (at + (bend > 0.0 ? 0.5 * (before - after) / bend : 0.0)) * kStep_s);
 }
 
-/// Standard error of the delay: each burst left out in turn.
+/// Standard error of the delay by the jackknife: each burst is left out in turn.
 double jackknife_s(const std::vector<Burst>& bursts) {
     std::vector<double> delays;
     for (std::size_t left = 0; left < bursts.size(); ++left) {

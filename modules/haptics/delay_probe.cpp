@@ -9,12 +9,14 @@ namespace chiron::haptics {
 
 namespace {
 
-constexpr int kRise_ticks = 100;   ///< to full force
-constexpr int kSettle_ticks = 250; ///< what a hand on a tool does of its own at 2-5 Hz has died away
-constexpr int kGap_ticks = 150;    ///< without force
-constexpr std::int64_t kTwoTicks_ns = 1'700'000; ///< from here on one was left out: ticks are half a period apart at least, and late by less
-/// In 32nds of a turn: of 3000 random starts, each improved one phase at a time, those with the lowest peak, 3.15 times the highest sine's
-/// amplitude (the amplitudes' sum is 5.1 times).
+constexpr int kRise_ticks = 100;   ///< rise to full force
+constexpr int kSettle_ticks = 250; ///< by then the hand's own motion with the tool, at 2-5 Hz, has died away
+constexpr int kGap_ticks = 150;    ///< pause without force
+/// Ticks at least this far apart have a skipped one between them: ticks are at least half a period apart, and
+/// late by less than that.
+constexpr std::int64_t kTwoTicks_ns = 1'700'000;
+/// In 32nds of a turn. Out of 3000 random starts, each improved one phase at a time, these have the lowest
+/// peak: 3.15 times the amplitude of the highest sine (the amplitudes add up to 5.1 times).
 constexpr std::array<double, DelayRecord::kFrequencies_Hz.size()> kPhase{14, 16, 23, 7, 28, 21, 28, 20, 4};
 constexpr int kBurst_ticks = kSettle_ticks + DelayRecord::kWindow_ticks;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making the scene allocates its record and ending it frees memory, so both are kept apart from the code that the tick calls.
+// The constructor allocates the record and the destructors free memory, so they are kept apart from the code
+// that the tick calls.
 #include "haptics/delay_probe.h"
 
 namespace chiron::haptics {

@@ -5,7 +5,7 @@
 
 namespace chiron::haptics {
 
-/// Neither force nor torque has an entry that is infinite or not a number.
+/// Returns true if no entry of force or torque is infinite or not a number.
 inline bool isFinite(const core::Wrench& w) noexcept { return w.force.allFinite() && w.torque.allFinite(); }
 
 } // namespace chiron::haptics

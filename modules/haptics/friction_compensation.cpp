@@ -13,9 +13,11 @@ using Square = Eigen::Matrix<double, 6, 6>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLever_m = 0.1; ///< makes torques comparable with forces, for the solver alone
-constexpr double kRidge = 1e-9;  ///< of the largest entry: what no axis drives stays zero
+constexpr double kRidge = 1e-9;  ///< share of the largest diagonal entry; directions that no axis drives stay
+                                 ///< zero
 
-/// x of M x = y for a symmetric positive definite M, by Cholesky (Eigen's own may allocate). Not finite where M is not.
+/// Solves M x = y for a symmetric positive definite M by Cholesky decomposition (Eigen's own may allocate).
+/// The result is not finite if M is not positive definite.
 Vec6 solve(Square M, Vec6 y) noexcept {
     for (Eigen::Index j = 0; j < 6; ++j) {
         for (Eigen::Index k = 0; k < j; ++k)
@@ -89,7 +91,8 @@ core::Wrench FrictionCompensation::wrench_D(const devices::IToolKinematics& kine
     const devices::AxisValues wanted = efforts(rates);
     if (std::all_of(wanted.begin(), wanted.end(), [](double effort) { return effort == 0.0; }))
         return wrench;
-    // τ = A f with A = Jᵀ column by column: f of least squares. A compensated axis has a motor, so τ lies in what A gives.
+    // Solves τ = A f for f by least squares; A = Jᵀ is computed column by column. A compensated axis has a
+    // motor, so τ lies in the range of A.
     Columns A;
     Eigen::Matrix<double, core::kMaxCoordinates, 1> tau;
     for (Eigen::Index column = 0; column < 6; ++column) {

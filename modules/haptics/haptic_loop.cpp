@@ -23,7 +23,7 @@ bool HapticLoop::tick(const realtime::HapticTick& now) noexcept {
 }
 
 void HapticLoop::timing(const realtime::TickTiming& timing) noexcept {
-    constexpr std::uint64_t kSnapshotEvery = 256; // ticks: four a second are enough for a screen
+    constexpr std::uint64_t kSnapshotEvery = 256; // ticks: four snapshots per second are enough for a screen
     m_statistics.add(timing);
     if (m_statistics.ticks() % kSnapshotEvery == 0)
         m_statisticsTap.publish(m_statistics);
@@ -72,7 +72,8 @@ void HapticLoop::applyPendingCommands() noexcept {
             m_answered = command.argument;
             break;
         case CommandKind::none:
-        case CommandKind::confirmHold: // the supervisor's, like pause and resume: limit() hands it all of them
+        // For the supervisor, like pause and resume: limit() passes all commands to it.
+        case CommandKind::confirmHold:
         case CommandKind::stopForce:
         case CommandKind::rearm:
             break;
@@ -92,10 +93,10 @@ void HapticLoop::admitTool(const realtime::HapticTick& now, std::size_t i) noexc
     const core::ToolState pose_D = kinematics.pose(in.sample);
     Tool& tool = m_tools[i];
     const Admission admission = m_supervisor.admit(now, static_cast<int>(i), in.sample, pose_D, in.age_us);
-    if (admission != Admission::repeated) // a packet read again stays what it was
+    if (admission != Admission::repeated) // a packet that is read again keeps its verdict
         tool.refused = admission == Admission::dropped;
     if (admission != Admission::fresh)
-        return; // the last good state goes on
+        return; // the last good state stays
     const simulation::VelocityEstimator::Rates& rates = tool.velocity.update(in.sample);
     core::Vec3 v_DT = core::Vec3::Zero();
     core::Vec3 w_DT = core::Vec3::Zero();
@@ -119,7 +120,7 @@ void HapticLoop::respond(const realtime::HapticTick& now) noexcept {
     in.tools = m_states;
     for (std::size_t i = 0; i < m_count; ++i)
         if (!m_tools[i].hasPose)
-            in.tools.count = 0; // a tool nobody has heard of yet touches nothing
+            in.tools.count = 0; // a tool without a good packet so far touches nothing
     for (std::size_t i = 0; i < m_count; ++i)
         in.dampingBudget_Ns_per_m[i] = m_supervisor.dampingBudget_Ns_per_m(static_cast<int>(i));
     in.started = m_started;
@@ -147,7 +148,8 @@ void HapticLoop::limit(const realtime::HapticTick& now) noexcept {
     m_shown.ended = m_endWanted || m_out.phase == core::TrialPhase::finished;
     if (!m_shown.ended)
         return;
-    for (SafeTool& tool : m_safe.tools) { // the last tick leaves every motor off
+    // The last tick leaves every motor off.
+    for (SafeTool& tool : m_safe.tools) {
         tool.wrench_W = {};
         tool.wrench_D = {};
         tool.compensation_D = {};

@@ -22,49 +22,52 @@
 
 namespace chiron::haptics {
 
-/// One tool of a loop: its device and where its workspace lies in W.
+/// One tool of a loop: its device and the position of its workspace in W.
 struct LoopTool {
     devices::IDevice& device;
     devices::WorkspaceMapping mapping;
 };
 
-/// What a loop is put together from. Everything outlives the loop.
+/// The parts of a loop. All of them must outlive it, except where stated.
 struct HapticLoopParts {
     std::span<const LoopTool> tools; ///< 1..kMaxTools; read during create() only
     ITickInputs& inputs;             ///< LiveInputs or RecordedInputs
     SafetySupervisor& supervisor;    ///< configured by create(), for these tools
     SafetySettings safety;
     SceneExchange& scenes;           ///< the scene offered before create() is the first one
-    core::IFrameSink& recorder;      ///< every executed tick's frame
+    core::IFrameSink& recorder;      ///< receives the frame of every executed tick
 };
 
-/// The 1 kHz loop of one session: sample -> scene -> supervisor -> device, recorded and shown. A TickTask: runners and
-/// replays call tick(). The same code runs live and in replay; only ITickInputs differs (architecture.md, Determinism).
-///
-/// Thread: create() and destruction anywhere while no tick runs; tick() and timing() on the haptic thread; display() and
-/// statisticsTap() are read by one other thread each. Destroying it gives its scene back through the exchange.
+/// The 1 kHz loop of one session: sample -> scene -> supervisor -> device; each tick is recorded and shown.
+/// It is a TickTask: runners and replays call tick(). The same code runs live and in replay; only ITickInputs
+/// differs (architecture.md, Determinism). The destructor gives the scene back through the exchange.
+/// Thread: create() and destruction on any thread while no tick runs; tick() and timing() on the haptic
+/// thread; display() and statisticsTap() are read by one other thread each.
 class HapticLoop {
 public:
-    /// Fails (badInput) on a wrong number of tools, a missing first scene, or what the supervisor refuses.
+    /// Builds a loop and configures its supervisor.
+    /// Errors: badInput for a wrong number of tools, a missing first scene, or settings that the supervisor
+    /// refuses.
     static core::Result<std::unique_ptr<HapticLoop>> create(const HapticLoopParts& parts);
     HapticLoop(const HapticLoop&) = delete;
     HapticLoop& operator=(const HapticLoop&) = delete;
     ~HapticLoop();
 
-    /// One tick. False when the session is over: after the end command, or when the scene has finished; the devices were
-    /// then commanded zero force in this very tick.
+    /// Runs one tick. Returns false if the session is over, that is after the end command or when the scene
+    /// has finished; in this same tick the devices were commanded zero force.
     bool tick(const realtime::HapticTick& now) noexcept;
 
-    /// From PeriodicRunner, after each tick.
+    /// Called by PeriodicRunner after each tick.
     void timing(const realtime::TickTiming& timing) noexcept;
 
-    /// What the last tick showed; haptic thread (for taps of a session's own), or while no tick runs.
+    /// Returns the display state of the last tick.
+    /// Thread: haptic (for a session's own taps), or any while no tick runs.
     const DisplayState& shown() const noexcept { return m_shown; }
     realtime::LatestValue<DisplayState>& display() noexcept { return m_displayTap; }
-    /// A snapshot every 256 ticks, while the loop runs.
+    /// Holds a snapshot every 256 ticks while the loop runs.
     realtime::LatestValue<LoopStatistics>& statisticsTap() noexcept { return m_statisticsTap; }
     const LoopStatistics& statistics() const noexcept { return m_statistics; } ///< only while no tick runs
-    /// What the passivity controller has kept from people so far, J in W; only while no tick runs.
+    /// Energy that the passivity controller has withheld from people so far, J in W; only while no tick runs.
     double passivityKept_J() const noexcept { return m_safe.energyKept_J; }
     std::uint64_t droppedFrames() const noexcept { return m_droppedFrames; }   ///< only while no tick runs
 
@@ -83,14 +86,14 @@ private:
     void fillDisplay(const realtime::HapticTick& now) noexcept;
     ToolDisplay displayOf(std::size_t i) const noexcept;
 
-    /// What the loop keeps of one tool from tick to tick.
+    /// State of one tool that the loop keeps from tick to tick.
     struct Tool {
         devices::WorkspaceMap map;
         simulation::VelocityEstimator velocity;
         FrictionCompensation friction;
         core::Wrench compensation_W; ///< of the last good sample
-        bool hasPose = false; ///< a good packet has come
-        bool refused = false; ///< the packet that is there now was refused
+        bool hasPose = false; ///< a good packet has arrived
+        bool refused = false; ///< the current packet was refused
     };
 
     std::size_t m_count;
@@ -102,7 +105,7 @@ private:
     core::IFrameSink& m_recorder;
     simulation::IScene* m_scene;
 
-    // Of the tick in hand.
+    // State of the current tick.
     TickInputs m_in;
     core::ToolStates m_states;
     simulation::SceneOutput m_out;
@@ -111,17 +114,17 @@ private:
     DisplayState m_shown;
     bool m_swapped = false;
     bool m_mark = false;
-    bool m_present = false; ///< commands of a study, of this tick
+    bool m_present = false; ///< study commands of this tick
     bool m_answer = false;
     std::uint16_t m_presented = 0;
     std::uint16_t m_answered = 0;
     std::size_t m_reports = 0; ///< report commands of this tick
     std::array<std::uint16_t, core::kMaxCommandsPerTick> m_report{};
 
-    // What commands left behind.
+    // State that commands have set.
     bool m_started = false;
     bool m_pauseWanted = false;
-    bool m_resuming = false; ///< resumed, and force is not back yet: the trial's clock still stands
+    bool m_resuming = false; ///< resumed, but force is not back yet: the trial's clock is still stopped
     bool m_endWanted = false;
     bool m_paused = false;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tick leaves behind: the frame that is recorded and the state that is shown.
+// The results of a tick: the frame that is recorded and the state that is shown.
 #include "haptics/haptic_loop.h"
 
 #include "core/contact_bits.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Putting a loop together and taking it apart; allocates, so it is apart from what the tick calls.
+// Construction and destruction of a loop. They allocate, so they are kept apart from the code that the tick
+// calls.
 #include "haptics/haptic_loop.h"
 
 #include <vector>

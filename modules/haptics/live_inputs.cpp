@@ -7,7 +7,8 @@
 namespace chiron::haptics {
 
 namespace {
-/// Whole units of `unit_ns` from `since` to `now`, 0 if it lies ahead, at most what T holds.
+/// Returns the whole units of `unit_ns` from `since` to `now`: 0 if `since` is later, and at most the largest
+/// value of T.
 template <class T>
 T age(std::int64_t now_ns, std::int64_t since_ns, std::int64_t unit_ns) noexcept {
     std::int64_t elapsed_ns = 0;

@@ -8,8 +8,9 @@
 
 namespace chiron::haptics {
 
-/// How punctual the loop was: lateness and duration of every executed tick, late ticks and skipped deadlines.
-/// Trivially copyable: a copy is a snapshot. Thread: written by the haptic thread; others get copies.
+/// Timing statistics of the loop: lateness and duration of every executed tick, late ticks and skipped
+/// deadlines. Trivially copyable: a copy is a snapshot.
+/// Thread: the haptic thread writes; others get copies.
 class LoopStatistics {
 public:
     static constexpr std::int64_t kLate_ns = 100'000; ///< a tick that starts more than 100 µs late counts (speed.md)

@@ -20,7 +20,7 @@ double lever2(const SafetyToolLimits& limits) noexcept {
     return lever * lever;
 }
 
-/// -b v, cut so that a vector with a component along v loses at most that component.
+/// Adds -b v, limited so that a vector with a component along v loses at most that component.
 void addDamping(core::Vec3& shown, const core::Vec3& rate, double b) noexcept {
     const double rate2 = rate.squaredNorm();
     const double power = shown.dot(rate);
@@ -133,7 +133,7 @@ void PassivityController::regroup(int count, const PassivityBodies& bodies) noex
             continue;
         }
         const double had = m_accounts[from].observer.supplied_J();
-        if (!m_used[from]) { // nobody stays behind
+        if (!m_used[from]) { // no tool stays behind
             m_accounts[from].observer.moveAll(m_accounts[to].observer);
         } else if (!before[to]) {
             const PassivityContact& contact = bodies.contacts[to];
@@ -165,7 +165,8 @@ bool PassivityController::applyTo(Account& account, const Limits& limits, int co
 bool PassivityController::giveWay(Account& account, int count, const PassivityContact& contact,
                                   Wrenches& wrenches) const noexcept {
     const double allowed = m_settings.passivityExcess_J;
-    account.settle(account.share < 1.0 ? allowed : kSurplus_J); // what shook once has no credit
+    account.settle(account.share < 1.0 ? allowed : kSurplus_J); // a body that has shaken gets no more surplus
+                                                                // than this
     const double whole = renderedEnergy_J(contact, contact.gain, count); // at c = 1
     const double excess = account.stored_J - std::min(account.observer.supplied_J(), account.observer.late_J());
     if (excess > allowed && whole > kLoaded_J)
@@ -210,7 +211,7 @@ void PassivityController::Account::settle(double surplus_J) noexcept {
 void PassivityController::Account::fall(double by) noexcept {
     share = std::max(kLeastShare, share - by);
     if (risen)
-        rise *= 0.5; // it shook again
+        rise *= 0.5; // the body shook again
     risen = false;
 }
 
@@ -221,9 +222,10 @@ void PassivityController::Account::recover(double most) noexcept {
 
 bool PassivityController::inject(double excess_J, const Limits& limits, int count, const core::ToolStates& states,
                                  const PassivityContact& contact, Wrenches& wrenches) const noexcept {
-    double taken = 0.0;  // Σ(u·v + r² w·ω) of the tools that touch: what damping of 1 N·s/m takes, W
-    double rate2 = 0.0;  // Σ(u² + r² w²) of the same
-    double speed2 = 0.0; // Σv² of the same
+    // Σ(u·v + r² w·ω) over the touching tools: the power that damping of 1 N·s/m takes, W.
+    double taken = 0.0;
+    double rate2 = 0.0;  // Σ(u² + r² w²) over the same tools
+    double speed2 = 0.0; // Σv² over the same tools
     double scale = std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     for (int tool = 0; tool < count; ++tool) {

@@ -8,14 +8,14 @@ namespace chiron::haptics {
 
 namespace {
 
-/// Rotation vector from one pose to the next; 2·vec(q₁q₀⁻¹) is exact to the third order of the angle, and a
-/// tick's angle is milliradians.
+/// Returns the rotation vector from one pose to the next. 2·vec(q₁q₀⁻¹) is exact to the third order of the
+/// angle, and the angle of one tick is milliradians.
 core::Vec3 smallRotation(const core::Quat& from, const core::Quat& to) noexcept {
     const core::Quat turn = to * from.conjugate();
     return (turn.w() < 0.0 ? -2.0 : 2.0) * turn.vec();
 }
 
-/// -Σ f·Δx + τ·θ
+/// Returns -Σ (f·Δx + τ·θ).
 double workOf(const core::ToolWrenches& held, const core::ToolStates& from, const core::ToolStates& to) noexcept {
     double work = 0.0;
     for (int tool = 0; tool < std::min(held.count, to.count); ++tool) {

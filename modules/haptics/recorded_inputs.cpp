@@ -18,7 +18,7 @@ void RecordedInputs::gather(const realtime::HapticTick& now, std::span<devices::
         tool.sample.jawCounts = recorded.jawCounts;
         tool.sample.buttons = recorded.buttons;
         tool.sample.packet = recorded.packet;
-        // The supervisor and the scene judge again.
+        // The supervisor and the scene set these bits anew.
         tool.sample.status = recorded.status & ~(core::sample_status::kRefused | core::kContactStatusMask);
         tool.sample.deviceTime_us = recorded.deviceTime_us;
         tool.sample.arrival_ns = now.now_ns() - static_cast<std::int64_t>(recorded.age_us) * 1'000;

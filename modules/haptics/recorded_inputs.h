@@ -6,9 +6,10 @@
 
 namespace chiron::haptics {
 
-/// Inputs of a replay: the recorded commands, packets, ages and heartbeat age of one frame at a time. Use:
-/// `inputs.setFrame(frame); loop.tick(ticks.next(frame.header.now_ns));` for each frame in order; the loop's sink then
-/// receives the re-simulated frame. Thread: one.
+/// Inputs of a replay: the recorded commands, packets, ages and heartbeat age, one frame at a time. Call
+/// `inputs.setFrame(frame); loop.tick(ticks.next(frame.header.now_ns));` for each frame in order; the loop's
+/// sink then receives the re-simulated frame.
+/// Thread: one.
 class RecordedInputs final : public ITickInputs {
 public:
     ~RecordedInputs() override;

@@ -9,7 +9,7 @@ namespace chiron::haptics {
 
 namespace {
 
-/// A scaled wrench must not miss its cap by the last bit of the multiplication.
+/// Keeps a scaled wrench from exceeding its cap by the last bit of the multiplication.
 constexpr double kInside = 1.0 - 1e-12;
 
 double ratio(double cap, double value) noexcept {

@@ -5,8 +5,8 @@
 
 namespace chiron::haptics {
 
-/// Which rows of the supervisor's table act. Everything but a test leaves it as it is: it exists so that the
-/// property test can show that it fails without each guard.
+/// Selects which rows of the supervisor's table act. Only tests change it: with it the property test shows
+/// that it fails without each guard.
 struct GuardMask {
     static constexpr std::uint32_t kCaps = 1u << 0;
     static constexpr std::uint32_t kSlew = 1u << 1;

@@ -14,7 +14,7 @@ bool isSamePacket(const core::DeviceSample& a, const core::DeviceSample& b) noex
            a.buttons == b.buttons && a.deviceTime_us == b.deviceTime_us && a.status == b.status;
 }
 
-/// Packet numbers wrap: newer means ahead by less than half the range.
+/// Packet numbers wrap around: a packet is newer if it is ahead by less than half the range.
 bool isNewer(std::uint32_t packet, std::uint32_t than) noexcept {
     return static_cast<std::int32_t>(packet - than) > 0;
 }
@@ -33,8 +33,8 @@ void SafetySampleSanity::reset(const SafetySettings& settings, std::uint32_t per
 void SafetySampleSanity::forgetReference() noexcept {
     m_hasReference = false;
     m_bad = 0;
-    // The packet seen last, if it was refused, gets a second look: after a jump the tool may simply be where
-    // it says.
+    // If the last packet was refused, it is checked again: after a jump the tool may really be where it
+    // reports.
     m_hasSeen = m_hasSeen && m_seenWasGood;
 }
 
@@ -73,7 +73,7 @@ bool SafetySampleSanity::isSane(const realtime::HapticTick& now, const core::Dev
         !std::isfinite(pose_D.jaw_rad)) {
         return false;
     }
-    // Negated comparisons: a NaN is bad.
+    // The comparisons are negated, so that a NaN counts as bad.
     if (!(std::abs(pose_D.q_WT.coeffs().norm() - 1.0) <= m_quaternionTolerance)) {
         return false;
     }

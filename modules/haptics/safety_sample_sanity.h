@@ -11,39 +11,40 @@
 
 namespace chiron::haptics {
 
-/// The sanity stage of one tool (models.md §5, "sample sanity"): decides whether a sample may be used and
-/// keeps the age of the newest good one. Trivially copyable; no clock of its own.
+/// The sanity stage of one tool (models.md §5, "sample sanity"). It decides whether a sample may be used and
+/// keeps the age of the newest good one. Trivially copyable; it has no clock of its own.
 class SafetySampleSanity {
 public:
-    /// Forgets everything: the next finite packet with a unit quaternion becomes the reference. period_us
-    /// ≥ 1.
+    /// Forgets everything: the next finite packet with a unit quaternion becomes the reference. period_us ≥
+    /// 1.
     void reset(const SafetySettings& settings, std::uint32_t period_us, bool guarded) noexcept;
 
-    /// `pose_D` is kinematics.pose(sample); `age_us` is now - arrival of that sample in whole microseconds.
-    /// A packet is new when its number, counts, jaw, buttons, device time or status differ from the one seen
-    /// last (not its arrival time, which a replay does not have). A jump may be jump_m for each period that
-    /// has passed, by the packet numbers and by executed ticks alike, so that a lost packet does not make the
-    /// next one bad. A driver that has no packet yet sets sample_status::kInvalid, so that its empty sample is no
-    /// reference.
+    /// Checks a sample. `pose_D` is kinematics.pose(sample); `age_us` is now - arrival of that sample in
+    /// whole microseconds. A packet is new if its number, counts, jaw, buttons, device time or status differ
+    /// from those of the previous one (the arrival time does not count, because a replay does not have it). A
+    /// jump may be jump_m for each period that has passed, by the packet numbers and by executed ticks alike,
+    /// so that a lost packet does not make the next one bad. A driver that has no packet yet sets
+    /// sample_status::kInvalid, so that its empty sample does not become the reference.
     Admission admit(const realtime::HapticTick& now, const core::DeviceSample& sample,
                     const core::ToolState& pose_D, std::uint32_t age_us) noexcept;
 
-    /// After a fault was re-armed: the next sane packet becomes the reference, whatever its number and place.
+    /// For use after a fault was re-armed: the next sane packet becomes the reference, whatever its number
+    /// and position.
     void forgetReference() noexcept;
 
     bool hasGood() const noexcept { return m_hasGood; }
     bool hasReference() const noexcept {
         return m_hasReference;
-    } ///< a good packet since the last forgetReference()
+    } ///< a good packet has come since the last forgetReference()
     bool droppedThisTick() const noexcept { return m_dropped; }
     std::uint32_t badInARow() const noexcept { return m_bad; }
     std::uint32_t age_us() const noexcept {
         return m_age_us;
-    } ///< of the newest good packet at the last admit()
+    } ///< of the newest good packet, at the last admit()
     const core::DeviceSample& good() const noexcept { return m_good; }
     const core::DeviceSample& seen() const noexcept {
         return m_seen;
-    } ///< good or not: its stop button counts
+    } ///< the newest packet, good or not: its stop button counts
 
 private:
     bool isSane(const realtime::HapticTick& now, const core::DeviceSample& sample,

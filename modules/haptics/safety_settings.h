@@ -5,16 +5,17 @@
 
 namespace chiron::haptics {
 
-/// Every number of the supervisor's table (models.md §5) as data; stored with each session, so that a replay
-/// uses the numbers of its day. Plain and trivially copyable. One tick is 1 ms of executed loop. Ranges are
-/// checked by SafetySupervisor::configure, which refuses a value outside them.
+/// All numbers of the supervisor's table (models.md §5). They are stored with each session, so that a replay
+/// uses the numbers of that session. Trivially copyable. One tick is 1 ms of the executed loop.
+/// SafetySupervisor::configure checks the ranges and refuses a value outside them.
 struct SafetySettings {
-    // Caps: the smallest of device rating, exercise and site counts.
+    // Caps: the smallest of the device's rating, the exercise's cap and the site's cap applies.
     double siteForce_N = 4.0;         ///< > 0; models.md §5
     double siteTorque_Nm = 0.150;     ///< > 0; models.md §5
     double exerciseForce_N = 4.0;     ///< > 0; from the level's content
     double exerciseTorque_Nm = 0.150; ///< > 0; from the level's content
-    double capKnee = 0.0; ///< 0 … 0.5, of the cap: from 1 − this on a force bends into it (bentToCap); 0: it is cut off
+    /// Share of the cap, 0 … 0.5: from 1 − this on a force bends into the cap (bentToCap); 0: it is cut off.
+    double capKnee = 0.0;
 
     // Slew, on rising magnitude and on direction; decreases are exempt.
     double slewForce_N_per_ms = 2.0;     ///< > 0; models.md §5
@@ -34,28 +35,31 @@ struct SafetySettings {
 
     // Sample sanity.
     double quaternionTolerance = 0.01;   ///< |‖q‖ - 1| above this is bad
-    double jump_m = 0.020;               ///< further than this within one device period is bad
+    double jump_m = 0.020;               ///< a larger step within one device period is bad
     std::uint32_t badPacketsToFault = 3; ///< in a row
 
     // Watchdog; P is the device's declared period.
-    std::uint32_t watchdogStart_us = 5000; ///< ramp down from max(this, startPeriods·P)
+    std::uint32_t watchdogStart_us = 5000; ///< the ramp down starts at max(this, startPeriods·P)
     std::uint32_t watchdogStartPeriods = 3;
-    std::uint32_t watchdogRamp_us = 10000;  ///< zero this much later
+    std::uint32_t watchdogRamp_us = 10000;  ///< force is zero this much later
     std::uint32_t watchdogFault_us = 30000; ///< latched fault at max(this, faultPeriods·P)
     std::uint32_t watchdogFaultPeriods = 10;
     std::uint32_t slowestRendering_us = 4000; ///< a device with a longer period may not render force
-    std::uint32_t noMovement_us = 2000000;    ///< input-only devices: say "no movement"; never a fault
+    std::uint32_t noMovement_us = 2000000;    ///< input-only devices report "no movement" after this; never a
+                                              ///< fault
 
     // Frozen window and pause.
     bool heartbeatWatched = true;          ///< false without a window (headless)
-    std::uint32_t heartbeatLimit_ms = 250; ///< at this age of the newest heartbeat force leaves ...
-    std::uint32_t heartbeatRamp_ms = 500;  ///< ... in this time (from full gain)
+    std::uint32_t heartbeatLimit_ms = 250; ///< from this age of the newest heartbeat on, force ramps to zero
+                                           ///< ...
+    std::uint32_t heartbeatRamp_ms = 500;  ///< ... within this time (from full gain)
     std::uint32_t pauseRamp_ms = 500;
 
     // Passivity.
-    double passivityExcess_J = 0.001; ///< energy shown beyond what was supplied; above it damping is injected
+    double passivityExcess_J = 0.001; ///< energy returned beyond what was supplied; above this, damping is
+                                      ///< injected
     double passivityMinimumSpeed_m_per_s =
-        0.001; ///< below it nothing is injected: the estimate is encoder noise
+        0.001; ///< below this speed nothing is injected, because the estimate is encoder noise
 };
 
 } // namespace chiron::haptics

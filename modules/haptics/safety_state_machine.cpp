@@ -13,7 +13,7 @@ namespace {
 /// The gain is counted in billionths, so that a ramp of n ticks ends after exactly n ticks.
 constexpr std::uint32_t kFullGain = 1'000'000'000;
 
-/// A falling ramp is never slower than asked for ...
+/// A falling ramp is never slower than requested ...
 constexpr std::uint32_t fallOf(std::uint32_t ramp_ms) noexcept {
     return ramp_ms == 0 ? kFullGain : (kFullGain + ramp_ms - 1) / ramp_ms;
 }
@@ -77,8 +77,8 @@ void SafetyStateMachine::latchOverVelocity(const SafetyConditions& in) noexcept 
     if (!in.tooFast || m_gain == 0 || !m_mask.has(GuardMask::kOverVelocity)) {
         return;
     }
-    // No more damping than force was allowed, and none where force was on its way out: such a ramp ends at
-    // zero.
+    // The damping has at most the gain that force had, and none if force was already ramping down: such a
+    // ramp ends at zero.
     const bool leaving = m_state == ForceState::pausing || m_state == ForceState::heldByHeartbeat;
     m_dampingGain = leaving ? 0 : m_gain;
     m_latched |= guard_bits::kOverVelocity;
@@ -161,7 +161,7 @@ void SafetyStateMachine::stepForce(const SafetyConditions& in) noexcept {
         m_state = ForceState::heldByHeartbeat;
     }
     if (m_state == ForceState::heldByHeartbeat) {
-        // A ramp that has begun ends at zero: a window that answers again resumes through arming.
+        // A ramp that has begun ends at zero; a window that responds again resumes through arming.
         if (m_gain == 0 && !windowFrozen(in)) {
             startArming();
             return;
@@ -178,7 +178,8 @@ void SafetyStateMachine::stepForce(const SafetyConditions& in) noexcept {
     if (m_state == ForceState::on) {
         return;
     }
-    // After a late spell the gain climbs back at the arming ramp's rate, from where it is: no kick.
+    // After late samples the gain rises from its present value at the rate of the arming ramp, so that there
+    // is no kick.
     m_state = ForceState::ramping;
     m_gain = raised(m_gain, m_settings.armingRamp_ms);
     if (m_gain == kFullGain) {
@@ -195,7 +196,8 @@ void SafetyStateMachine::stepPausing(const SafetyConditions& in) noexcept {
 }
 
 void SafetyStateMachine::stepDamping(const SafetyConditions& in) noexcept {
-    // Damping needs a velocity of now and a person who is there: a frozen window or a pause ends it at once.
+    // Damping needs a current velocity and a person who is present: a frozen window or a pause ends it at
+    // once.
     const bool mayDamp = !windowFrozen(in) && !(m_paused && m_mask.has(GuardMask::kPause));
     m_dampingGain = mayDamp ? std::min(m_dampingGain, gainOf(in.watchdogScale)) : 0;
 }

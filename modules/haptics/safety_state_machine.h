@@ -11,10 +11,10 @@
 
 namespace chiron::haptics {
 
-/// What the state machine looks at in one tick, over all tools that render force.
+/// Inputs of the state machine in one tick, over all tools that render force (stopButton: over all tools).
 struct SafetyConditions {
     std::array<core::Command, core::kMaxCommandsPerTick> commands{};
-    std::uint32_t faults = 0;   ///< guard_bits of causes that hold now; any of them latches a fault
+    std::uint32_t faults = 0;   ///< guard_bits whose causes hold now; any of them latches a fault
     double watchdogScale = 1.0; ///< 1 fresh .. 0 late
     std::uint16_t heartbeatAge_ms = 0;
     bool stopButton = false;
@@ -26,8 +26,8 @@ struct SafetyConditions {
     bool tooFast = false;      ///< faster than the over-velocity limit
 };
 
-/// Decides the one gain (0..1) that every requested force is multiplied by (models.md §5: arming, pause,
-/// stop, frozen window, watchdog's ramp, faults). One step a tick; ramps are counted in executed ticks.
+/// Decides the one gain (0..1) that multiplies every requested force (models.md §5: arming, pause, stop,
+/// frozen window, watchdog's ramp, faults). One step per tick; ramps are counted in executed ticks.
 class SafetyStateMachine {
 public:
     void reset(const SafetySettings& settings, GuardMask mask) noexcept;
@@ -35,7 +35,7 @@ public:
 
     core::ForceState state() const noexcept { return m_state; }
     double gain() const noexcept; ///< 0..1
-    /// Over-velocity is latched: only damping, with this gain, may be shown. 0 otherwise.
+    /// Gain of the damping that alone may be shown while over-velocity is latched; 0 otherwise.
     double dampingGain() const noexcept;
     std::uint32_t guards() const noexcept { return m_guards; } ///< of the last step
     ArmingWait waitsFor() const noexcept { return m_waitsFor; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people ask of the state machine: pause, resume, confirm, stop, re-arm.
+// Commands of people to the state machine: pause, resume, confirm, stop, re-arm.
 #include "haptics/safety_state_machine.h"
 
 namespace chiron::haptics {
@@ -31,7 +31,7 @@ void SafetyStateMachine::applyCommands(const SafetyConditions& in) noexcept {
             break;
         }
     }
-    // Stop beats whatever else came in the same tick, in either order.
+    // Stop overrides every other command of the same tick, in either order.
     if (stopAsked && m_mask.has(GuardMask::kStop)) {
         stop();
     }
@@ -62,7 +62,8 @@ void SafetyStateMachine::rearm(const SafetyConditions& in) noexcept {
     if (m_state != ForceState::stopped && m_state != ForceState::fault) {
         return;
     }
-    // A cause that still holds keeps the latch; bad packets alone do not: their reference is taken anew.
+    // A cause that still holds keeps the latch. Bad packets alone do not, because their reference is taken
+    // anew.
     if (in.stopButton || (in.faults & ~guard_bits::kSampleFault) != 0) {
         return;
     }

@@ -15,8 +15,8 @@ namespace guard_bits = core::guard_bits;
 
 namespace {
 
-/// Above this a request is scaled down before any norm is taken, so that squares cannot overflow. Far above
-/// any cap.
+/// A larger request is scaled down before any norm is taken, so that squares cannot overflow. Far above any
+/// cap.
 constexpr double kHuge = 1e6;
 
 double largest(const core::Wrench& w) noexcept {
@@ -90,7 +90,8 @@ SafetySupervisor::Wrenches SafetySupervisor::requestedWrenches(const SafetyInput
             m_requestFinite = false;
             continue;
         }
-        // What the device cannot give at all is left out; everything else is scaled, direction kept.
+        // Parts that the device cannot render at all are removed; everything else is scaled, which keeps the
+        // direction.
         if (m_limits[i].forceCap_N <= 0.0) {
             w.force.setZero();
         }
@@ -136,7 +137,7 @@ void SafetySupervisor::observeSample(std::size_t tool, SafetyConditions& conditi
         faults |= guard_bits::kDeviceFault;
     }
     m_guards |= faults | (sanity.droppedThisTick() ? guard_bits::kBadSample : 0u);
-    // Stop counts in a refused packet too: the safe reading of a doubtful one.
+    // The stop button counts in a refused packet too: this is the safe reading of a doubtful packet.
     conditions.stopButton = conditions.stopButton || (sanity.seen().buttons & core::kButtonStop) != 0;
     if (!limits.renders) {
         return;
@@ -168,7 +169,8 @@ void SafetySupervisor::observeMotion(const SafetyInput& in, const Wrenches& requ
 void SafetySupervisor::forgetReferences(bool inputOnly) noexcept {
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
-        // Input-only tools have no force to protect: after three bad packets they start afresh by themselves.
+        // Input-only tools have no force to guard: after badPacketsToFault bad packets they start afresh by
+        // themselves.
         if (inputOnly ? !m_limits[i].renders && m_sanity[i].badInARow() >= m_settings.badPacketsToFault
                       : m_limits[i].renders) {
             m_sanity[i].forgetReference();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the supervisor: may allocate (error texts), so it is kept apart from the code of the tick.
+// Set-up of the supervisor. It may allocate (error texts), so it is kept apart from the code of the tick.
 #include "haptics/safety_supervisor.h"
 #include "haptics/safety_watchdog.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages after the gain: passivity, over-velocity damping, caps, slew, finite check, and the answer.
+// The stages after the gain: passivity, over-velocity damping, caps, slew, finite check, and the output.
 #include "haptics/finite_wrench.h"
 #include "haptics/safety_caps.h"
 #include "haptics/safety_display.h"
@@ -36,7 +36,8 @@ PassivityBodies SafetySupervisor::bodiesOf(const SafetyInput& in, const Wrenches
 
 void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& requested, std::size_t body,
                                    PassivityContact& contact) const noexcept {
-    const bool all = !in.scene.energyByBody && body == 0; // a scene that does not say: everything is body 0's
+    const bool all = !in.scene.energyByBody && body == 0; // without energy per body, everything belongs to
+                                                          // body 0
     contact.stored_J = usable(all ? in.scene.storedEnergy_J : in.scene.energyByBody ? in.scene.bodyEnergy_J[body] : 0.0);
     contact.stiffness_N_per_m = usable(all                     ? in.scene.contactStiffness_N_per_m
                                        : in.scene.energyByBody ? in.scene.bodyStiffness_N_per_m[body]
@@ -48,11 +49,11 @@ void SafetySupervisor::fillContact(const SafetyInput& in, const Wrenches& reques
     int members = 0;
     bool pushes = false;
     contact.givesWay = in.scene.energyByBody;
-    // A body that is held is touched, slack or not: its stiffness says so.
+    // A body that is held counts as touched even if it is slack; its stiffness shows that it is held.
     contact.touching = contact.stored_J > 0.0 || (contact.givesWay && contact.stiffness_N_per_m > 0.0);
     for (int tool = 0; tool < m_count; ++tool) {
         const auto i = static_cast<std::size_t>(tool);
-        // Who feels it on the pad alone gives and takes no energy here.
+        // A tool that displays force to the pad alone exchanges no energy here.
         contact.members[i] = contact.members[i] && m_limits[i].pushesHand;
         if (!contact.members[i]) {
             continue;
@@ -98,7 +99,7 @@ void SafetySupervisor::applyOverVelocityDamping(const SafetyInput& in, Wrenches&
     for (int tool = 0; tool < std::min(m_count, in.states.count); ++tool) {
         const auto i = static_cast<std::size_t>(tool);
         const core::Vec3 v_D =
-            in.states.tools[i].v_WT / m_limits[i].scale; // along W's axes, at the hand's speed
+            in.states.tools[i].v_WT / m_limits[i].scale; // along the axes of W, at the hand's speed
         if (!m_limits[i].renders || !m_limits[i].pushesHand || m_limits[i].forceCap_N <= 0.0 || !v_D.allFinite()) {
             continue;
         }
@@ -123,8 +124,8 @@ void SafetySupervisor::applyCapsAndSlew(const SafetyInput& in, Wrenches& wrenche
         if (m_mask.has(GuardMask::kSlew)) {
             w.force = limitSlew(m_last[i].force, w.force, m_settings.slewForce_N_per_ms, slewed);
             w.torque = limitSlew(m_last[i].torque, w.torque, m_settings.slewTorque_Nm_per_ms, slewed);
-            // Part of the last wrench may be in the answer, and the pose has moved since: the caps of *this*
-            // pose hold. Scaling down is a decrease, so the slew still holds too.
+            // The result may contain part of the last wrench, and the pose has changed since, so the caps of
+            // *this* pose are applied again. Scaling down is a decrease, so the slew limit still holds.
             if (slewed && m_mask.has(GuardMask::kCaps)) {
                 capped = applyCaps(m_limits[i], m_sanity[i].good(), w) || capped;
             }
@@ -144,8 +145,9 @@ void SafetySupervisor::applyFiniteCheck(Wrenches& wrenches) noexcept {
     }
 }
 
-/// What the device is handed: with the feed-forward of its friction, as large as the gain and at most a tenth of the tool's cap, and all of it
-/// within the caps of this pose. The books of energy know nothing of it: it is less than what friction takes (friction_compensation.h).
+/// Returns the wrenches for the devices: with the feed-forward of their friction, scaled by the gain and at
+/// most a tenth of the tool's cap, and the sum within the caps of this pose. The energy balance leaves the
+/// feed-forward out, because it is less than what friction takes (friction_compensation.h).
 SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput& in, const Wrenches& wrenches) noexcept {
     constexpr double kMostOfCap = 0.1;
     Wrenches whole = wrenches;
@@ -173,14 +175,14 @@ SafetySupervisor::Wrenches SafetySupervisor::withCompensation(const SafetyInput&
 }
 
 core::DisplayPose SafetySupervisor::displayOf(const SafetyInput& in, std::size_t tool, const SafeTool& safe) noexcept {
-    // Over-velocity's damping is no tissue force: a pad shows nothing of it.
+    // Over-velocity damping is not a tissue force, so a pad shows nothing of it.
     const bool shows = safe.enabled && m_machine.dampingGain() <= 0.0;
     core::DisplayPose display = displayUnder(in.scene.display[tool], in.scene.tissue.tools[tool].force.norm(),
                                              safe.wrench_W.force.norm(), shows, m_limits[tool].forceCap_N);
     if (m_mask.has(GuardMask::kSlew)) {
         bool limited = false;
         display = slewDisplay(m_lastDisplay[tool], display, m_settings.slewForce_N_per_ms, limited);
-        // Of a device that pushes the hand the display is a picture alone: no guard acts on anybody.
+        // On a device that pushes the hand, the display is only a picture, so no guard acts on a person.
         m_guards |= limited && !m_limits[tool].pushesHand ? guard_bits::kSlew : 0u;
     }
     m_lastDisplay[tool] = display;
@@ -203,7 +205,7 @@ void SafetySupervisor::publish(const SafetyInput& in, const Wrenches& wrenches, 
         safe.display = displayOf(in, i, safe);
         safe.display_D = m_limits[i].map.displayToD(safe.display);
         safe.noMovement = !m_limits[i].renders && m_sanity[i].age_us() >= m_settings.noMovement_us;
-        if (m_limits[i].pushesHand) // else no work is done on this port
+        if (m_limits[i].pushesHand) // otherwise no work is done at this port
             commanded.tools[i] = wrenches[i];
     }
     m_last = wrenches;

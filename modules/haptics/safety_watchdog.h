@@ -9,8 +9,8 @@
 
 namespace chiron::haptics {
 
-/// The watchdog's thresholds for a device of period P (models.md §5): ramp from max(5 ms, 3P), zero 10 ms
-/// later, fault at max(30 ms, 10P); never a fault before the ramp has ended.
+/// Sets the watchdog's thresholds for a device of period P (models.md §5): the ramp starts at max(5 ms, 3P),
+/// force is zero 10 ms later, and a fault is latched at max(30 ms, 10P), but never before the ramp has ended.
 inline void setWatchdog(const SafetySettings& settings, SafetyToolLimits& limits) noexcept {
     const auto atLeast = [&limits](std::uint32_t least_us, std::uint32_t periods) {
         const std::uint64_t age_us =
@@ -23,7 +23,8 @@ inline void setWatchdog(const SafetySettings& settings, SafetyToolLimits& limits
         std::max(atLeast(settings.watchdogFault_us, settings.watchdogFaultPeriods), limits.watchdogZero_us);
 }
 
-/// 1 while the newest good packet is young enough, then linearly to 0. Thread: haptic.
+/// Returns 1 while the newest good packet is young enough, then a value that falls linearly to 0.
+/// Thread: haptic.
 inline double watchdogScale(const SafetyToolLimits& limits, std::uint32_t age_us) noexcept {
     if (age_us <= limits.watchdogStart_us) {
         return 1.0;

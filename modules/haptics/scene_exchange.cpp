@@ -11,7 +11,8 @@ SceneExchange::~SceneExchange() {
 
 bool SceneExchange::offer(std::unique_ptr<simulation::IScene>& scene) {
     if (m_onTheirWay == kCapacity)
-        return false; // so the retire ring, of the same size, can never be full
+        // This keeps the retire ring, which has the same size, from ever being full.
+        return false;
     m_offered.tryPush(scene.release());
     ++m_onTheirWay;
     return true;

@@ -9,10 +9,12 @@
 
 namespace chiron::haptics {
 
-/// Steps a scene's slow model on a thread of its own while a session runs in real time (architecture.md, Threads). The
-/// thread sets the models' floating-point environment, looks for a request every 2 ms (a request waits 33 ticks for its
-/// answer) and answers it; it asks for no priority, so that it never delays a tick. From construction to stop() nobody else
-/// may step the model, which has to outlive this. Construction and stop(): one thread; stop() waits for the step in hand.
+/// Steps a scene's slow model on a thread of its own while a session runs in real time
+/// (architecture.md, Threads). The thread sets the models' floating-point environment, looks for a request
+/// every 2 ms (an answer takes effect 33 ticks after its request) and answers it. It requests no priority, so
+/// that it never delays a tick. From construction to stop() nothing else may step the model, which must
+/// outlive this object.
+/// Thread: construction and stop() on one thread; stop() waits for the step in progress.
 class SlowModelThread {
 public:
     static constexpr std::chrono::microseconds kLook{2000};

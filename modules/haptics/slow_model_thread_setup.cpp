@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The slow model's own thread: no code of the tick.
+// The thread of the slow model; the tick calls nothing here.
 #include "haptics/slow_model_thread.h"
 
 #include "core/fp_environment.h"

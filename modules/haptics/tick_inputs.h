@@ -13,28 +13,30 @@
 
 namespace chiron::haptics {
 
-/// One tool's packet as the loop takes it in.
+/// One tool's packet as the loop receives it.
 struct ToolInput {
     core::DeviceSample sample;
-    std::uint32_t age_us = 0; ///< now - arrival in whole microseconds, saturated: recorded, and what the watchdog uses
+    /// now - arrival in whole microseconds, saturated. It is recorded, and the watchdog uses it.
+    std::uint32_t age_us = 0;
 };
 
-/// Everything from outside that can change what a tick does. What is here is recorded; what is not here cannot matter.
+/// All inputs from outside that can change the result of a tick. They are recorded, so nothing else can
+/// influence a replay.
 struct TickInputs {
     std::array<core::Command, core::kMaxCommandsPerTick> commands{}; ///< unused ones are CommandKind::none
-    std::uint16_t heartbeatAge_ms = 0; ///< saturated; 0 where no heartbeat is wanted
+    std::uint16_t heartbeatAge_ms = 0; ///< saturated; 0 if no heartbeat is watched
     std::array<ToolInput, core::kMaxTools> tools{};
     /// When a slow model's answer takes effect; recorded as event_bits::kSlowApplied of the tick in which it did.
     simulation::SlowUpdate slow = simulation::SlowUpdate::asDue;
 };
 
-/// Where a loop's inputs come from: devices, people and clocks (LiveInputs), or a recording (RecordedInputs). The seam
-/// that makes a replay run the same code as the session did.
+/// Source of a loop's inputs: devices, people and clocks (LiveInputs), or a recording (RecordedInputs).
+/// Because of this interface a replay runs the same code as the session did.
 class ITickInputs {
 public:
     virtual ~ITickInputs() = default;
-    /// Fills the inputs of this tick, one tool a device (at most kMaxTools). Thread: haptic; never blocks, allocates or
-    /// throws.
+    /// Fills the inputs of this tick, one tool per device (at most kMaxTools).
+    /// Thread: haptic; never blocks, allocates or throws.
     virtual void gather(const realtime::HapticTick& now, std::span<devices::IDevice* const> devices,
                         TickInputs& inputs) noexcept = 0;
 };

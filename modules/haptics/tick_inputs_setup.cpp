@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Taking the inputs apart: a deleting destructor frees, so it stays out of the objects with tick code.
+// Destructors of the inputs. A deleting destructor frees memory, so it is kept out of the objects with tick
+// code.
 #include "haptics/live_inputs.h"
 #include "haptics/recorded_inputs.h"
 

@@ -25,7 +25,7 @@ void AttitudeSensor::reset(const Quat& q_DT) noexcept {
     m_rateBias = noise(p.rateBias_rad_per_s);
     m_accelerationBias = noise(p.accelerationBias_m_per_s2);
     m_heading = MarkovNoise(p.headingError_rad, p.headingTime_s, core::kTickSeconds * p.headingPeriod_ticks, m_random);
-    // Long at rest: tilt as its accelerometer says, heading as the field says.
+    // After a long rest: the tilt is that of the accelerometer, the heading that of the magnetic field.
     const Vec3 up(0.0, 0.0, 1.0);
     const Vec3 tilt_D = up.cross(q_DT * m_accelerationBias) / core::kStandardGravity;
     m_attitude = turned(q_DT, Vec3(-tilt_D.x(), -tilt_D.y(), m_heading.value()));
@@ -48,7 +48,7 @@ void AttitudeSensor::readTilt(const Quat& q_DT, const Vec3& a_D) noexcept {
 
 void AttitudeSensor::readHeading(const Quat& q_DT) noexcept {
     m_heading.advance(m_random);
-    // The part of the attitude's error that lies about the vertical.
+    // The component of the attitude error about the vertical.
     const Vec3 error_D = rotationVectorOf(turned(q_DT, Vec3(0.0, 0.0, m_heading.value())) * m_attitude.conjugate());
     m_turn_T = m_attitude.conjugate() * Vec3(0.0, 0.0, error_D.z());
 }

@@ -9,7 +9,8 @@
 
 namespace chiron::mechanisms {
 
-/// Incremental encoders read once a tick, and how old their counts are when the host sees them: 0..3 ticks.
+/// Incremental encoders that are read once per tick, with a delay of 0..3 ticks until the host sees the
+/// counts.
 template <std::size_t Axes>
 class EncoderLine {
 public:
@@ -19,7 +20,7 @@ public:
     EncoderLine(const Values& resolution, int delay_ticks) noexcept
         : m_resolution(resolution), m_delay(std::clamp(delay_ticks, 0, kLength - 1)) {}
 
-    void settle(const Values& values) noexcept { ///< it has long been there
+    void settle(const Values& values) noexcept { ///< fills the line as if it had been there for long
         for (Counts& counts : m_line)
             read(values, counts);
     }
@@ -30,7 +31,7 @@ public:
     const Counts& counts() const noexcept {
         return m_line[static_cast<std::size_t>((m_newest + kLength - m_delay) % kLength)];
     }
-    Values sensed() const noexcept { ///< what the host takes the coordinates to be
+    Values sensed() const noexcept { ///< the coordinates as the host computes them
         Values values;
         for (std::size_t axis = 0; axis < Axes; ++axis)
             values[axis] = counts()[axis] * m_resolution[axis];

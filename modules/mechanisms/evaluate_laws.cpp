@@ -48,7 +48,8 @@ void evaluateForces(std::span<const double> p, std::span<const double> in, std::
                                        torque[0],           torque[1]};
     for (std::size_t i = 0; i < values.size(); ++i)
         out[i] = values[i];
-    // The three exact directions are orthonormal, so the realised force errs by the norm of the difference.
+    // The three exact directions are orthonormal, so the error of the resulting force is the norm of the
+    // difference.
     out[8] = difference.norm();
     out[9] = f.norm() > 0.0 ? 100.0 * difference.norm() / f.norm() : 0.0;
 }
@@ -86,7 +87,7 @@ FiveBarLoop loopOf(std::span<const double> p, std::span<const double> in) noexce
     return FiveBarKinematics(geometry).loop(in[0], in[1]);
 }
 
-/// The links meet, and not in line, where no force goes through them.
+/// Checks that the links meet and are not in line: in line they transmit no force.
 std::string linkageProblem(std::span<const double> p, std::span<const double> in) {
     if (in.empty())
         return {};

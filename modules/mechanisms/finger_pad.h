@@ -9,9 +9,10 @@
 
 namespace chiron::mechanisms {
 
-/// A finger's pad on the platform (FingerPadParameters): its ball's centre O stands at (0, 0, R + z₀) of F, so that a level
-/// platform at z = z₀ just touches it. Penetration δ = R − n·(O − c), whose gradient turns the force into the platform's
-/// generalised force −F ∂δ/∂(z, β, α). What relaxes is the state of `PadRelaxation`. Pure; no allocation.
+/// A finger's pad on the platform (FingerPadParameters), modelled as a ball. The ball's centre O is at (0, 0,
+/// R + z₀) of F, so that a level platform at z = z₀ just touches it. The gradient of the penetration δ = R −
+/// n·(O − c) turns the force into the platform's generalised force −F ∂δ/∂(z, β, α). The relaxing part is the
+/// state of `PadRelaxation`. Pure; allocates nothing.
 class FingerPad {
 public:
     explicit FingerPad(const FingerPadParameters& parameters) noexcept : m_p(parameters) {}
@@ -25,7 +26,7 @@ public:
         const double depth = std::clamp(depth_m, 0.0, 0.01);
         return m_p.stiffness_N_per_m / m_p.hardening_per_m * std::expm1(m_p.hardening_per_m * depth);
     }
-    /// `relaxed_N`: what has relaxed of the elastic force.
+    /// `relaxed_N` is the part of the elastic force that has relaxed.
     double force(double depth_m, double rate_m_per_s, double relaxed_N = 0.0) const noexcept {
         if (!(depth_m > 0.0))
             return 0.0;
@@ -41,12 +42,13 @@ public:
     double stiffnessAt(double force_N) const noexcept {
         return m_p.stiffness_N_per_m + m_p.hardening_per_m * std::max(0.0, force_N);
     }
-    /// Height at which a platform that leans so presses it by `depth_m` (negative: stands off).
+    /// Returns the height at which a platform with this lean presses the pad by `depth_m` (negative: the
+    /// platform stands off).
     double heightFor(const FingertipLoop& at, double depth_m) const noexcept {
         const double along = at.normal.x() * at.centre.x() + at.normal.y() * at.centre.y();
         return m_p.radius_m + m_p.surface_m - (m_p.radius_m - depth_m + along) / at.normal.z();
     }
-    /// Where it touches, from the platform's middle, in the platform's own axes (m).
+    /// Returns the point of contact, from the platform's middle, in the platform's own axes (m).
     core::Vec2 place(const FingertipLoop& at) const noexcept {
         const core::Vec3 to = at.turn.transpose() * (centre() - at.centre);
         return {to.x(), to.y()};
@@ -58,9 +60,11 @@ private:
     FingerPadParameters m_p;
 };
 
-/// What relaxes of a pad's force, in two parts that follow the elastic force late (Fung's quasi-linear viscoelasticity with two
-/// exponentials of equal share): r_i˙ = (c/2 · F_el − r_i)/τ_i. Pressed for long, a pad gives 1 − c of what it gives at once;
-/// pressed and let go, it gives less on the way back. Haptic thread; no allocation.
+/// The relaxed part of a pad's force, in two terms that follow the elastic force with a lag (Fung's
+/// quasi-linear viscoelasticity with two exponentials of equal share): r_i˙ = (c/2 · F_el − r_i)/τ_i. After a
+/// long press a pad gives 1 − c of its initial force; when it is pressed and released, it gives less on the
+/// way back.
+/// Thread: haptic; allocates nothing.
 class PadRelaxation {
 public:
     void reset() noexcept { m_part = {}; }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSingular = 1e-6;
 
-/// A tube of a length along −y from its joint: a thin rod, with a bearing's radius about its own axis.
+/// A tube of a given length along −y from its joint: a thin rod, with a bearing's radius about its own axis.
 ChainLink tube(const Vec3& origin, double length, double mass) noexcept {
     constexpr double kRadius_m = 0.012;
     const double across = mass * (length * length / 12.0 + 0.5 * kRadius_m * kRadius_m), along = mass * kRadius_m * kRadius_m;

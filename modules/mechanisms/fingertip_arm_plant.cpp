@@ -68,7 +68,7 @@ void FingertipArmPlant::step(double dt_s, const core::Wrench& onTool_D) noexcept
     load[kJaw] += p.fingerStiffness_Nm_per_rad * (m_fingers_rad - m_q[kJaw]);
     for (int joint = 0; joint < kJoints; ++joint)
         load[joint] += m_friction[static_cast<std::size_t>(joint)].advance(p.friction[static_cast<std::size_t>(joint)], m_rates[joint], dt_s);
-    // (M + dt D) q̇⁺ = M q̇ + dt τ: what is viscous never makes energy, however light a joint is.
+    // (M + dt D) q̇⁺ = M q̇ + dt τ: implicit viscosity never makes energy, however light a joint is.
     const FingertipArmJoints momentum = inertia * m_rates + dt_s * load;
     for (int joint = 0; joint < kJoints; ++joint)
         inertia(joint, joint) += dt_s * p.friction[static_cast<std::size_t>(joint)].viscous;

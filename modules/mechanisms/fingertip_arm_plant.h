@@ -11,28 +11,34 @@ namespace chiron::mechanisms {
 
 /// P3's console arm as a hand moves it, seven links in series:
 ///   M(q) q̈ + c(q, q̇) + (1 − κ) g(q) = Jᵀ f_hand + τ_fingers + τ_stop − friction(q̇)   (LuGre, viscous part implicit),
-/// κ the share of weight that is balanced, τ_fingers a spring and a damper on the lever's joint. It has no motors: whatever effort is asked
-/// of it, none comes. Read by absolute magnetic encoders on the three arm joints (resolution, noise, run-out), by the handle's
-/// IMU (attitude_sensor.h) and, for the grasp, by a Hall sensor. Counts: yaw, shoulder, elbow, then the IMU's rotation vector. Ends of travel
-/// are rubber stops that damp on the way in only. Semi-implicit Euler. Deterministic; haptic thread; no allocation. D, SI.
-/// Source: P3 §2.2; devices.md §5; models.md §3, Arm.
+/// where κ is the share of the weight that is balanced and τ_fingers comes from a spring and a damper on the
+/// lever's joint. The arm has no motors: it ignores every requested effort. Its sensors are absolute magnetic
+/// encoders on the three arm joints (resolution, noise, run-out), the handle's IMU (attitude_sensor.h) and a
+/// Hall sensor for the grasp. The counts are yaw, shoulder, elbow, then the IMU's rotation vector. The ends
+/// of travel are rubber stops that damp only on the way in. The integration is semi-implicit Euler; the
+/// result is deterministic. Source: P3 §2.2; devices.md §5; models.md §3, Arm.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class FingertipArmPlant final : public Plant {
 public:
     static constexpr std::size_t kAxes = 6;
 
     FingertipArmPlant(const FingertipArmParameters& parameters, std::uint64_t seed) noexcept;
 
-    /// At rest there, pad down (identity), jaw closed, sensors from their start. A place out of reach: the middle of the box.
+    /// Places the arm at rest at this position, pad down (identity), jaw closed, with the sensors in their
+    /// initial state. If the position is out of reach, the middle of the box is used.
     void reset(const core::Vec3& p_DT) noexcept;
 
     void beginTick(const AxisEfforts&, bool) noexcept override {} ///< no motors
-    void holdLever(double fingers_rad) noexcept { m_fingers_rad = fingers_rad; } ///< where the fingers hold the lever from now on
+    /// Sets where the fingers hold the lever from now on.
+    void holdLever(double fingers_rad) noexcept { m_fingers_rad = fingers_rad; }
     void step(double dt_s, const core::Wrench& onTool_D) noexcept override;
-    void endTick() noexcept override; ///< the sensors are read
+    void endTick() noexcept override; ///< reads the sensors
 
     ToolMotion motion() const noexcept override;
     std::span<const std::int32_t> encoderCounts() const noexcept override { return m_counts; }
-    std::int32_t jawCounts() const noexcept { return m_jawCounts; } ///< the Hall sensor's
+    std::int32_t jawCounts() const noexcept { return m_jawCounts; } ///< of the Hall sensor
     core::Wrench measured_D() const noexcept override { return {}; }
     bool saturated() const noexcept override { return false; }
     int substeps() const noexcept override { return m_parameters.substeps; }
@@ -44,9 +50,11 @@ public:
     const FingertipArmJoints& rates() const noexcept { return m_rates; }
     FingertipArmJoints& ratesForTests() noexcept { return m_rates; }
     const AttitudeSensor& imu() const noexcept { return m_imu; }
-    double energy_J() const noexcept; ///< kinetic, of the weight that is not balanced, bristles, stops and the pinch
+    /// Kinetic energy and the energy of the unbalanced weight, bristles, stops and the pinch.
+    double energy_J() const noexcept;
 
-    /// What a hand moves along with the handle where it stands now, kg and kg·m²: a third of the trace of (J M⁻¹ Jᵀ)⁻¹ for force and for torque.
+    /// Inertia that a hand moves at the handle's present pose, kg and kg·m²: a third of the trace of (J M⁻¹
+    /// Jᵀ)⁻¹ for force and for torque.
     double apparentMass_kg() const noexcept;
     double apparentInertia_kgm2() const noexcept;
 

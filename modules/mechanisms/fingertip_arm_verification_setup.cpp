@@ -22,7 +22,7 @@ constexpr int kArmHandle = FingertipArmParameters::kHandle;
 constexpr int kPoseJoints = 6; // the seventh is the lever
 constexpr double kDifference_rad = 1e-6;
 
-/// Corners, edges, faces and inside of the box that sessions use.
+/// Visits corners, edges, faces and inside of the box that sessions use.
 template <class Visit>
 void overTheBox(const FingertipArmParameters& p, int steps, Visit&& visit) {
     for (int i = 0; i <= steps; ++i)
@@ -33,12 +33,12 @@ void overTheBox(const FingertipArmParameters& p, int steps, Visit&& visit) {
             }
 }
 
-/// Pad down, and leaned or turned as far as a hand does in palpation.
+/// Attitudes with the pad down, and leaned or turned as far as a hand does in palpation.
 std::array<Vec3, 6> attitudes() {
     return {Vec3(0.0, 0.0, 0.0), Vec3(0.6, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.6, 0.0), Vec3(0.0, 0.0, 0.8)};
 }
 
-/// Place and attitude of the handle as a vector at q + step·e_joint beside the one at q − step·e_joint.
+/// Central difference of the handle's position and attitude by one joint angle.
 Eigen::Matrix<double, 6, 1> difference(FingertipArmDynamics& chain, const FingertipArmJoints& q, int joint) {
     FingertipArmJoints shifted = q;
     shifted[joint] = q[joint] + kDifference_rad;
@@ -85,7 +85,8 @@ void checkPose(FingertipArmVerification& v, FingertipArmDynamics& chain, const F
     v.countMost_m = std::max(v.countMost_m, counts.maxCoeff());
 }
 
-/// At rest there: what it weighs on a hand, how far it sinks without one, what a hand moves along, where its encoders say it is.
+/// Checks the arm at rest at a position: its weight on a hand, its sinking without one, the mass that a hand
+/// moves, and the position that its encoders report.
 void checkRest(FingertipArmVerification& v, const FingertipArmParameters& p, std::uint64_t seed, const Vec3& at) {
     FingertipArmPlant arm(p, seed);
     arm.reset(at);
@@ -103,10 +104,10 @@ void checkRest(FingertipArmVerification& v, const FingertipArmParameters& p, std
     v.sinks_m = std::max(v.sinks_m, (arm.motion().p_DT - at).norm());
 }
 
-/// What the joints' friction takes from a hand at this speed, at this posture.
+/// Returns the force that the joints' friction takes from a hand at this velocity and posture.
 double givenFriction_N(const FingertipArmPlant& arm, const Vec3& velocity) {
     const auto jacobian = arm.dynamics().jacobian(kArmHandle, arm.dynamics().joint(kArmHandle));
-    Eigen::Matrix<double, 6, 1> wanted = Eigen::Matrix<double, 6, 1>::Zero(); // the attitude stays
+    Eigen::Matrix<double, 6, 1> wanted = Eigen::Matrix<double, 6, 1>::Zero(); // the attitude is fixed
     wanted.head<3>() = velocity;
     const Eigen::Matrix<double, 6, 6> ofPose = jacobian.leftCols<kPoseJoints>();
     const Eigen::Matrix<double, 6, 1> rates = ofPose.partialPivLu().solve(wanted);
@@ -118,9 +119,10 @@ double givenFriction_N(const FingertipArmPlant& arm, const Vec3& velocity) {
     return power_W / velocity.norm();
 }
 
-/// One way through the middle by a stiff hand that holds the attitude: mean force along the way, and mean of what was given.
+/// Moves through the middle in one direction by a stiff hand that holds the attitude. Returns the mean force
+/// along the way and the mean of the given friction.
 std::pair<double, double> drag(const FingertipArmParameters& p, int axis, double velocity_m_per_s) {
-    constexpr double kHalfWay_m = 0.03, kJudged_m = 0.01; // from where it starts to where it runs evenly
+    constexpr double kHalfWay_m = 0.03, kJudged_m = 0.01; // start, and the part that runs at constant speed
     constexpr double kStiffness_N_per_m = 1000.0, kDamping_Ns_per_m = 30.0; // critical with 0.2 kg
     constexpr double kTurn_Nm_per_rad = 2.0, kTurnDamping_Nms_per_rad = 0.03;
     const Vec3 middle = 0.5 * (p.boxMinimum_m + p.boxMaximum_m);

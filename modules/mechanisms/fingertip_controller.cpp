@@ -33,7 +33,8 @@ std::size_t FingertipController::lateIndex() const noexcept {
     return (m_now + kLine - static_cast<std::size_t>(std::clamp(m_c.senseDelay_ticks, 0, static_cast<int>(kLine) - 1))) % kLine;
 }
 
-/// Moves s towards the wanted depth: at a rate of the distance near it, along v² = 2 a |e| farther off, never faster than allowed.
+/// Returns the speed towards the target: proportional to the distance near it, v² = 2 a |e| farther away, and
+/// at most `fastest`.
 namespace {
 double boundedSpeed(double error, double rate, double acceleration, double fastest) noexcept {
     const double way = std::abs(error), knee = acceleration / (rate * rate);
@@ -55,8 +56,8 @@ void FingertipController::shape(double wanted_N) noexcept {
     m_expectedLine[m_now] = m_expected_N;
 }
 
-/// What the resistors would say without their hysteresis, which is taken to follow the force that is expected: the readings'
-/// noise would wipe out its state.
+/// Returns the reading without the resistors' hysteresis. The hysteresis is taken to follow the expected
+/// force, because the readings' noise would erase its state.
 double FingertipController::unhysteretic(double reading_N, double expected_N) noexcept {
     const double change = (expected_N - m_expectedBefore_N) / m_c.sensorHysteresisForce_N;
     m_expectedBefore_N = expected_N;
@@ -73,16 +74,17 @@ void FingertipController::correct(double reading_N) noexcept {
     const double stiffness = m_pad.stiffnessAt(std::max(expected, force_N));
     const double gain = m_c.forceBandwidth_rad_per_s / std::max(stiffness, m_c.leastStiffness_N_per_m);
     if (m_limited && error > 0.0)
-        return; // the motors are at their limit already
+        return; // the motors are already at their limit
     if (expected > 0.0)
         m_correction_m = std::clamp(m_correction_m + m_forcePeriod_s * gain * (error + m_c.forceDerivative_s * change),
                                     -m_c.correctionLimit_m, m_c.correctionLimit_m);
     else
-        m_correction_m *= 1.0 - std::min(1.0, m_forcePeriod_s / 0.2); // nothing to hold: back to what was identified
+        // No force to hold: return to what was identified.
+        m_correction_m *= 1.0 - std::min(1.0, m_forcePeriod_s / 0.2);
 }
 
-/// The angles as the depth: bounded in speed and acceleration, slower where a stiff pad makes newtons of what is not known of the
-/// finger's shape.
+/// Moves the angles like the depth, with bounded speed and acceleration. They move more slowly where a stiff
+/// pad turns what is unknown of the finger's shape into newtons.
 void FingertipController::turn(const core::DisplayPose& wanted) noexcept {
     const double dt = core::kTickSeconds, rate = m_c.leanApproach_per_s;
     const FingertipPose aim = m_kinematics.limited({0.0, wanted.pitch_rad, wanted.roll_rad});
@@ -90,7 +92,7 @@ void FingertipController::turn(const core::DisplayPose& wanted) noexcept {
     constexpr double kStill_rad = 0.05, kAbove_N = 0.05;
     m_turning = std::min(1.0, std::hypot(to[0] - m_lean[0], to[1] - m_lean[1]) / kStill_rad);
     const double stiffness = m_pad.stiffnessAt(std::max(m_expected_N, std::min(wanted.normalForce_N, mostWanted_N())));
-    const bool waits = m_expected_N > mostWanted_N() + kAbove_N; // the force comes down first
+    const bool waits = m_expected_N > mostWanted_N() + kAbove_N; // the force has to decrease first
     const double fastest = waits ? 0.0 : m_c.fastest_rad_per_s * std::min(1.0, m_c.turningStiffness_N_per_m / stiffness);
     for (std::size_t i = 0; i < 2; ++i) {
         const double speed = boundedSpeed(to[i] - m_lean[i], rate, m_c.acceleration_rad_per_s2, fastest);
@@ -130,10 +132,11 @@ Vec3 FingertipController::tick(const core::DisplayPose& wanted, double force_N, 
                  m_c.derivative_Ns_per_m * (rates - m_speed);
     const double excess_N = FingertipKinematics::onPlatform(at, force).x() - m_c.pressingLimit_N * m_pad.gradient(at).x();
     m_limited = excess_N > 0.0;
-    if (m_limited) // whatever the sensors say
+    if (m_limited) // whatever the sensors report
         force -= FingertipKinematics::driveForces(at, Vec3(excess_N, 0.0, 0.0));
     for (int i = 0; i < 3; ++i) {
-        if (std::abs(force[i]) >= m_forceLimit_N || (m_limited && error[i] > 0.0)) // it cannot follow: no use in summing up
+        // It cannot follow, so the error is not integrated.
+        if (std::abs(force[i]) >= m_forceLimit_N || (m_limited && error[i] > 0.0))
             continue;
         m_integral[i] = std::clamp(m_integral[i] + dt * m_c.integral_N_per_ms * error[i], -m_c.integralLimit_N, m_c.integralLimit_N);
     }

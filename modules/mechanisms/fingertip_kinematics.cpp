@@ -17,7 +17,7 @@ constexpr double kHalfRoot3 = 0.86602540378443864676;
 constexpr std::array<double, 3> kCos{1.0, -0.5, -0.5};
 constexpr std::array<double, 3> kSin{0.0, kHalfRoot3, -kHalfRoot3};
 
-/// M and its derivatives by pitch and roll, the forced turn γ included.
+/// M and its derivatives by pitch and roll, including the forced rotation γ.
 struct Turned {
     Mat3 m, byPitch, byRoll;
 };
@@ -76,7 +76,8 @@ bool FingertipKinematics::forward(const Vec3& drives, FingertipPose& pose) const
         if (missing.cwiseAbs().maxCoeff() < 1e-14)
             return at.reached;
         Vec3 change = at.jacobian.partialPivLu().solve(missing);
-        // The angles in steps of at most a quarter radian, so that Newton stays in this assembly.
+        // The angles change by at most a quarter radian per step, so that Newton's method stays in this
+        // assembly mode.
         change *= std::min(1.0, 0.25 / std::max(1e-12, change.tail<2>().cwiseAbs().maxCoeff()));
         pose = FingertipPose::of(pose.vector() + change);
     }

@@ -9,19 +9,20 @@
 
 namespace chiron::mechanisms {
 
-/// Lengths of P3's reverse linear delta, m. P3 prints none; r is that of devices.md §5, the rest are ASSUMPTIONS: the rails
-/// beside a finger 16 mm wide, and legs that stand at 13° to the vertical at level, so that they push straight.
+/// Lengths of P3's reverse linear delta, m. P3 prints none. r is that of devices.md §5; the rest are
+/// ASSUMPTIONS: rails beside a finger 16 mm wide, and legs at 13° to the vertical when level, so that they
+/// push straight.
 struct FingertipGeometry {
-    double railRadius_m = 0.017;     ///< R0, of the three vertical rails about the finger's axis
-    double platformRadius_m = 0.012; ///< r, of the joints on the platform
+    double railRadius_m = 0.017;     ///< R0: distance of the three vertical rails from the finger's axis
+    double platformRadius_m = 0.012; ///< r: radius of the joints on the platform
     double leg_m = 0.022;            ///< L
-    double minimumZ_m = -0.008;      ///< travel of the platform's middle; 0: level with a pad that it just touches
+    double minimumZ_m = -0.008;      ///< travel of the platform's middle; 0: level, just touching a pad
     double maximumZ_m = 0.008;
     double maximumPitch_rad = core::radFromDeg(30.0); ///< P3
     double maximumRoll_rad = core::radFromDeg(20.0);  ///< P3
 };
 
-/// Where the platform is: height along the rails (m), pitch β about x, roll α about y (rad).
+/// Pose of the platform: height along the rails (m), pitch β about x, roll α about y (rad).
 struct FingertipPose {
     double z_m = 0.0;
     double pitch_rad = 0.0;
@@ -30,7 +31,8 @@ struct FingertipPose {
     static FingertipPose of(const core::Vec3& v) noexcept { return {v[0], v[1], v[2]}; }
 };
 
-/// Everything at one pose. Frame F: x across the finger, y along it, z towards the pad; origin where the rails' axis is.
+/// All kinematic quantities at one pose. Frame F: x across the finger, y along it, z towards the pad; its
+/// origin lies on the axis of the rails.
 struct FingertipLoop {
     core::Vec3 centre = core::Vec3::Zero();       ///< c = (c_x, c_y, z)
     core::Mat3 turn = core::Mat3::Identity();     ///< M
@@ -39,36 +41,41 @@ struct FingertipLoop {
     core::Mat3 jacobian = core::Mat3::Identity(); ///< G = ∂q/∂(z, β, α)
     core::Mat3 centreBy = core::Mat3::Zero();     ///< ∂c/∂(z, β, α), columns
     core::Mat3 normalBy = core::Mat3::Zero();     ///< ∂n/∂(z, β, α), columns
-    bool reached = true;                          ///< every leg is long enough for it
+    bool reached = true;                          ///< every leg is long enough
 };
 
-/// P3's platform: three vertical rails at radius R0 and angles φ_i = 0°, 120°, 240°, legs L to the joints at radius r
-/// (devices.md §5):
+/// P3's platform: three vertical rails at radius R0 and angles φ_i = 0°, 120°, 240°, with legs of length L to
+/// the joints at radius r (devices.md §5):
 ///   p_i = c + M r (cos φ_i, sin φ_i, 0),  s_i = R0 − (cos φ_i p_ix + sin φ_i p_iy),  q_i = p_iz − √(L² − s_i²).
-/// Legs confined to radial planes force M₁₂ = M₂₁, c_x = r(M₁₁ − M₂₂)/2, c_y = −r M₂₁ with M = R_x(β) R_y(α) R_z(γ),
-/// γ = atan2(M⁰₁₂ − M⁰₂₁, M⁰₁₁ + M⁰₂₂) from M⁰ = R_x(β) R_y(α). Which joints P3 used is unstated. Forces: with
-/// q˙ = G (z˙, β˙, α˙), drive forces f give the platform Gᵀ f; singular where det G = 0 or a leg lies flat.
-/// Pure, any thread, no allocation.
+/// Legs that are confined to radial planes force M₁₂ = M₂₁, c_x = r(M₁₁ − M₂₂)/2, c_y = −r M₂₁ with M =
+/// R_x(β) R_y(α) R_z(γ), γ = atan2(M⁰₁₂ − M⁰₂₁, M⁰₁₁ + M⁰₂₂) from M⁰ = R_x(β) R_y(α). P3 does not state which
+/// joints it used. With q˙ = G (z˙, β˙, α˙), drive forces f give the platform the force Gᵀ f. The pose is
+/// singular where det G = 0 or a leg lies flat. Pure.
+/// Thread: any; allocates nothing.
 class FingertipKinematics {
 public:
     explicit FingertipKinematics(const FingertipGeometry& geometry = {}) noexcept : m_geometry(geometry) {}
 
     const FingertipGeometry& geometry() const noexcept { return m_geometry; }
     FingertipLoop loop(const FingertipPose& pose) const noexcept;
-    /// q_i, m. Fails (badInput) beyond the travel, where a leg does not reach, or near a singular pose.
+    /// Returns q_i, m.
+    /// Errors: badInput beyond the travel, where a leg does not reach, or near a singular pose.
     core::Result<core::Vec3> inverse(const FingertipPose& pose) const;
-    /// The pose of three drives, by Newton from `guess`; true where it met within 1e-14 m.
+    /// Finds the pose for three drive positions by Newton's method, with the given `pose` as first guess;
+    /// returns true if it converged within 1e-14 m.
     bool forward(const core::Vec3& drives, FingertipPose& pose) const noexcept;
-    core::Result<FingertipPose> forward(const core::Vec3& drives) const; ///< from level; fails (badInput) as inverse()
+    /// Starts from level.
+    /// Errors: badInput as for inverse().
+    core::Result<FingertipPose> forward(const core::Vec3& drives) const;
 
-    /// Drive forces (N) that give the platform the generalised force Q = (F_z, τ_β, τ_α): G⁻ᵀ Q.
+    /// Returns the drive forces (N) that give the platform the generalised force Q = (F_z, τ_β, τ_α): G⁻ᵀ Q.
     static core::Vec3 driveForces(const FingertipLoop& loop, const core::Vec3& onPlatform) noexcept {
         return loop.jacobian.transpose().partialPivLu().solve(onPlatform);
     }
     static core::Vec3 onPlatform(const FingertipLoop& loop, const core::Vec3& driveForces) noexcept {
         return loop.jacobian.transpose() * driveForces;
     }
-    FingertipPose limited(const FingertipPose& pose) const noexcept; ///< into the travel
+    FingertipPose limited(const FingertipPose& pose) const noexcept; ///< clamps to the travel
 
     static constexpr double kLeastLegRise = 0.2;       ///< √(L² − s²)/L below which a leg lies too flat to push
     static constexpr double kLeastDeterminant = 0.02; ///< of det G/r², which is 3√3/2 at level

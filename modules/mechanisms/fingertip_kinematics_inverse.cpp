@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can fail, and says why: not for the tick.
+// Functions that can fail and state the reason: not for the tick.
 #include "mechanisms/fingertip_kinematics.h"
 
 #include <Eigen/LU>
@@ -10,7 +10,7 @@
 namespace chiron::mechanisms {
 
 namespace {
-constexpr double kSlack = 1e-9; ///< a limit itself is inside, whatever the last bits of a round trip
+constexpr double kSlack = 1e-9; ///< a limit itself counts as inside, despite rounding in a round trip
 
 auto refuse(const std::string& what) { return core::fail(core::ErrorCode::badInput, "fingertip platform: " + what); }
 

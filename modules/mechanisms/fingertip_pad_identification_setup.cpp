@@ -11,14 +11,15 @@ namespace chiron::mechanisms {
 
 namespace {
 
-constexpr double kMost_N = 2.2;      ///< beyond P3's palpations, and half of what the pad may get
+constexpr double kMost_N = 2.2;      ///< above P3's palpations, and half of what the pad may get
 constexpr double kLeast_N = 0.05;    ///< below it the readings are noise
-constexpr double kSpeed_m_per_s = 0.012; ///< a press in an eighth of a second, as in palpation: less has relaxed by then
+/// A press in an eighth of a second, as in palpation: little has relaxed by then.
+constexpr double kSpeed_m_per_s = 0.012;
 constexpr int kPresses = 3;
 
 core::Error refusal(const char* what) { return {core::ErrorCode::badInput, std::string("finger pad: ") + what}; }
 
-/// F = A e^{β(z − z_m)} − B at one β, and what is left of the readings.
+/// F = A e^{β(z − z_m)} − B at one β, and the residual of the readings.
 struct LinearFit {
     double a = 0.0, b = 0.0, residual = 0.0;
 };
@@ -42,7 +43,7 @@ LinearFit fitAt(const std::vector<PadReading>& readings, double beta, double mid
     return fit;
 }
 
-/// A stiff servo on the drives' encoders, all three alike, as the position loop has it.
+/// A stiff servo on the drives' encoders, with the same command for all three, like the position loop.
 class SlowPress {
 public:
     SlowPress(const FingertipPlatformParameters& parameters, std::uint64_t seed)
@@ -52,7 +53,7 @@ public:
         m_before = encoders();
         m_heights.fill(m_pose.z_m);
     }
-    /// One tick with the platform's height moving at this speed.
+    /// Runs one tick with the platform's height moving at this speed.
     PadReading tick(double speed_m_per_s) {
         m_pose.z_m += core::kTickSeconds * speed_m_per_s;
         const core::Vec3 at = encoders();
@@ -67,7 +68,9 @@ public:
         m_force.tick(m_plant.padForce_N(), m_plant.padPlace());
         FingertipPose sensed = m_pose;
         m_kinematics.forward(encoders(), sensed);
-        m_heights[m_now] = sensed.z_m; // of when the reading that comes now was taken, by what its delay is said to be
+        // The reading below belongs to an earlier height (by the stated delay of the sensors), so heights go
+        // through a delay line.
+        m_heights[m_now] = sensed.z_m;
         const std::size_t late = static_cast<std::size_t>(std::clamp(m_p.control.senseDelay_ticks, 0, static_cast<int>(kLine) - 1));
         const double height_m = m_heights[(m_now + kLine - late) % kLine];
         m_now = (m_now + 1) % kLine;
@@ -109,7 +112,7 @@ core::Result<FingerPadParameters> fitPad(const std::vector<PadReading>& readings
     if (used.size() < 20)
         return tl::unexpected(refusal("at least 20 readings of a finger that is pressed are expected"));
     middle /= static_cast<double>(used.size());
-    double low = 100.0, high = 8000.0; // golden section over ln β: one minimum
+    double low = 100.0, high = 8000.0; // golden section over ln β, where the residual has one minimum
     constexpr double kGolden = 0.6180339887498949;
     for (int n = 0; n < 60; ++n) {
         const double left = high * std::pow(low / high, kGolden), right = low * std::pow(high / low, kGolden);

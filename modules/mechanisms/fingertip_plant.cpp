@@ -63,7 +63,7 @@ void FingertipPlant::step(double dt_s, const Vec3& motorForces) noexcept {
     m_loop = m_kinematics.loop(m_pose);
 }
 
-/// The slots of the rails and joints end a little beyond what is commanded.
+/// The slots of the rails and joints end a little beyond the commanded range.
 void FingertipPlant::stopAtEnds() noexcept {
     const FingertipGeometry& g = m_p.geometry;
     constexpr double kBeyond_m = 0.0005, kBeyond_rad = 0.07;

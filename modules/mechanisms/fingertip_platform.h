@@ -9,23 +9,24 @@
 
 namespace chiron::mechanisms {
 
-/// P3's fingertip platform under a finger: plant, sensors and loops, stepped by the tick. The same commands and the same seed
-/// give the same bits. Haptic thread; no allocation. Source: P3 §2.1; devices.md §5.
+/// P3's fingertip platform under a finger: plant, sensors and control loops, stepped by the tick. The same
+/// commands and the same seed give the same bits. Source: P3 §2.1; devices.md §5.
+/// Thread: haptic; allocates nothing.
 class FingertipPlatform {
 public:
     FingertipPlatform(const FingertipPlatformParameters& parameters, std::uint64_t seed) noexcept;
 
     void reset() noexcept; ///< off, level, just clear of the pad; sensors tared
-    /// One tick of 1 ms: what is to be displayed; `enabled` false: motors off.
+    /// Runs one tick of 1 ms. `wanted` is to be displayed; with `enabled` false the motors are off.
     void tick(const core::DisplayPose& wanted, bool enabled) noexcept;
 
-    const core::DisplayPose& truth() const noexcept { return m_truth; } ///< what the pad really gets
-    double sensedForce_N() const noexcept { return m_force.force_N(); } ///< by the three resistors
-    double sensedPitch_rad() const noexcept { return m_imu.pitch_rad(); } ///< by the platform's IMU
+    const core::DisplayPose& truth() const noexcept { return m_truth; } ///< the true action on the pad
+    double sensedForce_N() const noexcept { return m_force.force_N(); } ///< from the three resistors
+    double sensedPitch_rad() const noexcept { return m_imu.pitch_rad(); } ///< from the platform's IMU
     double sensedRoll_rad() const noexcept { return m_imu.roll_rad(); }
     bool saturated() const noexcept { return m_saturated; } ///< a motor ran at its limit in the last tick
 
-    /// The finger moves in its holder, along z, m: towards the platform is negative.
+    /// Moves the finger in its holder, along z, m; a negative value is towards the platform.
     void shiftFinger(double up_m) noexcept { m_plant.shiftFinger(up_m); }
     const FingertipPlant& plant() const noexcept { return m_plant; }
     const FingertipForceSensors& forceSensors() const noexcept { return m_force; }

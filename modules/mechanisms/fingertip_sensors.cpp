@@ -27,7 +27,8 @@ void FingertipForceSensors::reset() noexcept {
         s.gain = 1.0 + m_p.gainSd * m_random.normal();
         s.exponent = 1.0 + m_p.exponentSd * m_random.normal();
         s.late = s.before = m_p.preload_N;
-        double mean = 0.0; // a tare is a mean over many readings: finer than a count
+        // A tare is a mean over many readings, so it is finer than a count.
+        double mean = 0.0;
         constexpr int kReadings = 64;
         for (int n = 0; n < kReadings; ++n)
             mean += loadOf(countsFor(i, m_p.preload_N, m_p.adcNoise_counts * m_random.normal())) / kReadings;
@@ -78,7 +79,7 @@ bool FingertipForceSensors::tick(double force_N, const core::Vec2& place_m) noex
     double total = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Sensor& s = m_sensor[i];
-        // Loaded it shows too little, unloading too much; what is static shows truly.
+        // While loading it shows too little, while unloading too much; a static load is shown truly.
         const double shown = load[i] - m_p.hysteresis * (load[i] - m_p.preload_N) * s.turn - m_p.creep * (load[i] - s.late) +
                              m_p.noise_N / std::sqrt(3.0) * m_random.normal();
         m_counts[i] = countsFor(i, shown, m_p.adcNoise_counts * m_random.normal());

@@ -10,22 +10,25 @@
 
 namespace chiron::mechanisms {
 
-/// Three force-sensitive resistors under the plate, each in a voltage divider behind the converter (P3 §2.1):
-///   conductance ∝ (load with hysteresis and creep)^p,  V/3.3 V = x/(1 + x),  x = divider · gain · load^p,
-/// counted in 2^bits steps, and back through the divider as the host does, which knows the divider but neither gain error nor
-/// p. The plate rests on the three like on a tripod, so that a force F at (u, v) loads sensor i with F(1/3 + ⅔ (u, v)·e_i/r).
-/// Readings come every `period_ticks`, `delay_ticks` late. Haptic thread; no allocation.
+/// Three force-sensitive resistors under the plate, each in a voltage divider in front of the converter
+/// (P3 §2.1):
+///   conductance ∝ (load with hysteresis and creep)^p,  V/3.3 V = x/(1 + x),  x = divider · gain · load^p.
+/// The voltage is counted in 2^bits steps and converted back as the host does, which knows the divider but
+/// neither the gain error nor p. The plate rests on the three like a tripod, so that a force F at (u, v)
+/// loads sensor i with F(1/3 + ⅔ (u, v)·e_i/r). Readings come every `period_ticks`, `delay_ticks` late.
+/// Thread: haptic; allocates nothing.
 class FingertipForceSensors {
 public:
     FingertipForceSensors(const FingertipForceSensorParameters& parameters, std::uint64_t seed) noexcept;
 
-    void reset() noexcept; ///< unloaded for long, and tared
-    /// Once a tick: the force on the plate and where. True where a reading is new.
+    void reset() noexcept; ///< unloaded for a long time, and tared
+    /// Runs one tick with the force on the plate and its position. Returns true if a reading is new.
     bool tick(double force_N, const core::Vec2& place_m) noexcept;
 
-    double force_N() const noexcept { return m_line[index(m_p.delay_ticks)]; } ///< sum of the three, as the host knows it
+    double force_N() const noexcept { return m_line[index(m_p.delay_ticks)]; } ///< sum of the three, as the
+                                                                               ///< host knows it
     const std::array<int, 3>& counts() const noexcept { return m_counts; }     ///< newest
-    double resolution_N(double load_N) const noexcept; ///< newtons a count of one sensor at a load on it
+    double resolution_N(double load_N) const noexcept; ///< newtons per count of one sensor at a load on it
     int fullScale() const noexcept { return (1 << m_p.adcBits) - 1; }
 
 private:
@@ -39,8 +42,8 @@ private:
     core::Random m_random;
     struct Sensor {
         double gain = 1.0, exponent = 1.0;
-        double turn = 0.0; ///< where in its hysteresis, −1..1
-        double late = 0.0; ///< load that creep has followed
+        double turn = 0.0; ///< position in its hysteresis, −1..1
+        double late = 0.0; ///< load that creep has followed so far
         double before = 0.0;
         double tare_N = 0.0;
     };
@@ -51,7 +54,7 @@ private:
     int m_until = 0;
 };
 
-/// Pitch and roll of the platform by its own IMU: constant bias, noise, at its own rate.
+/// Pitch and roll of the platform from its own IMU: constant bias, noise, at its own rate.
 class FingertipImu {
 public:
     FingertipImu(const FingertipImuParameters& parameters, std::uint64_t seed) noexcept;

@@ -95,7 +95,8 @@ void takeSteps(const FingertipPlatformParameters& parameters, std::uint64_t seed
     }
 }
 
-/// All that may be asked: P3's 4 N at once, from 2 N, leaning to the corners, and as a sine of 0.5 Hz.
+/// Makes the largest permitted requests: P3's 4 N at once, from 2 N, leaning to the corners, and as a sine of
+/// 0.5 Hz.
 void askTheMost(const FingertipPlatformParameters& parameters, std::uint64_t seed, FingertipVerification& out) {
     FingertipPlatform platform(parameters, seed);
     constexpr double kMost = FingertipBounds::kLimit_N;
@@ -161,7 +162,7 @@ void takePoses(const FingertipPlatformParameters& parameters, std::uint64_t seed
     out.sdErrorTrue_deg = real.sd;
 }
 
-/// Mean of several steps, since friction lets each begin a little differently.
+/// Returns the mean over several steps, since friction lets each start a little differently.
 double latencyOf(const FingertipPlatformParameters& parameters, std::uint64_t seed) {
     FingertipPlatform platform(parameters, seed);
     constexpr int kSteps = 8, kMost = 300;
@@ -203,7 +204,8 @@ FingertipPlatformParameters degraded(FingertipPlatformParameters p, const std::s
     return p;
 }
 
-/// Mean of the motor forces asked while all three drives are pushed up or down at one speed by a stiff servo.
+/// Returns the mean of the requested motor forces while a stiff servo pushes all three drives up or down at
+/// one speed.
 double effortAt(const FingertipPlatformParameters& parameters, double speed) {
     FingertipPlant plant(parameters);
     plant.reset({parameters.geometry.minimumZ_m + 0.004 - (speed > 0.0 ? 0.0015 : -0.0015), 0.0, 0.0});
@@ -274,7 +276,8 @@ std::vector<FingertipFinger> otherFingers(const FingerPadParameters& assumed) {
 core::Result<std::vector<FingertipOnFinger>> verifyFingertipOnFingers(const FingertipPlatformParameters& parameters, std::uint64_t seed,
                                                                       const FingertipVerificationSettings& settings) {
     std::vector<FingertipOnFinger> table;
-    for (const auto& [name, pad] : otherFingers(parameters.control.pad)) { // what the controller begins with
+    for (const auto& [name, pad] : otherFingers(parameters.control.pad)) { // the finger that the controller
+                                                                           // starts with
         FingertipPlatformParameters on = parameters;
         on.pad = pad;
         auto verified = verifyFingertip(on, seed, settings);
@@ -306,7 +309,7 @@ core::Result<std::vector<FingertipDegradation>> degradeFingertip(const Fingertip
 
 FingertipFriction identifyFingertipFriction(const FingertipPlatformParameters& parameters) {
     constexpr double kSlow = 0.005, kFast = 0.02; // m/s
-    // There and back over the same travel: what the bands pull cancels.
+    // Both directions over the same travel, so that the pull of the bands cancels.
     const double slow = 0.5 * (effortAt(parameters, kSlow) - effortAt(parameters, -kSlow));
     const double fast = 0.5 * (effortAt(parameters, kFast) - effortAt(parameters, -kFast));
     const double viscous = (fast - slow) / (kFast - kSlow);

@@ -7,17 +7,23 @@
 
 namespace chiron::mechanisms {
 
-/// P1's mechanism with motors at the base and elastic tendons to its joints; q: joints, m: motors, both as seen at the joint:
+/// P1's mechanism with motors at the base and elastic tendons to its joints; q: joints, m: motors, both as
+/// seen at the joint:
 ///   M(q) q̈ + h(q, q̇) + (1 − κ) g(q) = τ_t + τ_stop + Jᵀ f_hand,   τ_t = k_t (m − q) + d_t (ṁ − q̇),
 ///   J_r m̈ = τ_motor − τ_t − friction(ṁ)   (LuGre, viscous part implicit).
-/// Motors follow their command through the amplifier's lag, each limited to its share for rendering plus what carries the
-/// weight. Encoders sit on the motor axes: the host does not see the tendons stretch. Ends of travel are rubber stops.
-/// Semi-implicit Euler at 1 ms / substeps. Deterministic, no allocation, haptic thread. D, SI. Source: P1 §2, devices.md §5.
+/// The motors follow their command with the amplifier's lag. Each is limited to its share for rendering plus
+/// what carries the weight. The encoders sit on the motor axes, so the host does not see the tendons stretch.
+/// The ends of travel are rubber stops. The integration is semi-implicit Euler at 1 ms / substeps; the result
+/// is deterministic. Source: P1 §2, devices.md §5.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class FiveBarPlant final : public Plant {
 public:
     explicit FiveBarPlant(const FiveBarPlantParameters& parameters) noexcept;
 
-    void reset(const FiveBarVector& q) noexcept; ///< at rest there, motors off, encoders settled
+    /// Places it at rest at this configuration, motors off, encoders settled.
+    void reset(const FiveBarVector& q) noexcept;
 
     void beginTick(const AxisEfforts& render, bool enabled) noexcept override;
     void step(double dt_s, const core::Wrench& onTool_D) noexcept override;
@@ -35,22 +41,24 @@ public:
     const FiveBarVector& q() const noexcept { return m_q; }
     const FiveBarVector& rates() const noexcept { return m_rates; }
     const FiveBarVector& motorAngles() const noexcept { return m_motorAngle; }
-    double energy_J() const noexcept; ///< of links, endoscope, rotors, weight that is not balanced, tendons
+    /// Energy of links, endoscope, rotors, unbalanced weight and tendons.
+    double energy_J() const noexcept;
 
 private:
     FiveBarVector stopTorques() const noexcept;
 
     FiveBarPlantParameters m_parameters;
     FiveBarDynamics m_dynamics; ///< placed at m_q
-    FiveBarDynamics m_host;     ///< placed where the encoders say: what the feed-forward works with
+    /// Placed at the configuration that the encoders report; the feed-forward uses it.
+    FiveBarDynamics m_host;
     EncoderLine<FiveBarPlantParameters::kAxes> m_encoders;
     std::array<LugreFriction, FiveBarPlantParameters::kAxes> m_friction{};
     FiveBarVector m_q = FiveBarVector::Zero();
     FiveBarVector m_rates = FiveBarVector::Zero();
     FiveBarVector m_motorAngle = FiveBarVector::Zero();
     FiveBarVector m_motorRate = FiveBarVector::Zero();
-    FiveBarVector m_target = FiveBarVector::Zero();      ///< motor torques asked for, limited
-    FiveBarVector m_motor = FiveBarVector::Zero();       ///< motor torques now, after the amplifier
+    FiveBarVector m_target = FiveBarVector::Zero();      ///< requested motor torques, limited
+    FiveBarVector m_motor = FiveBarVector::Zero();       ///< present motor torques, after the amplifier
     FiveBarVector m_feedForward = FiveBarVector::Zero(); ///< share of m_target that carries weight
     core::Wrench m_measured_D;
     bool m_saturated = false;

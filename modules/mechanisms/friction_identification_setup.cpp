@@ -12,17 +12,19 @@ namespace chiron::mechanisms {
 namespace {
 
 constexpr std::array<std::size_t, 3> kMotorAxes{0, 1, 3};
-constexpr double kServo_Hz = 8.0;         ///< of the position servo that moves and holds: well below the amplifiers' lag
+/// Bandwidth of the position servo that moves and holds the axes: well below that of the amplifiers' lag.
+constexpr double kServo_Hz = 8.0;
 constexpr double kServoDamping = 0.8;     ///< of critical
-constexpr double kSpeedLag_s = 0.005;     ///< of the speed that the servo takes from counts
-constexpr double kMetresPerRadian = 0.2;  ///< depth against heading and pitch: the tip's distance from the pivot
-constexpr double kTurn_s = 0.3;           ///< at rest at each end
+constexpr double kSpeedLag_s = 0.005;     ///< lag of the speed that the servo computes from counts
+constexpr double kMetresPerRadian = 0.2;  ///< depth relative to heading and pitch: the tip's distance from
+                                          ///< the pivot
+constexpr double kTurn_s = 0.3;           ///< pause at rest at each end
 
 double unitOf(std::size_t axis) { return axis == 3 ? kMetresPerRadian : 1.0; }
 
 std::array<double, 4> valuesOf(const GimbalCoordinates& q) { return {q.h, q.p, q.r, q.d}; }
 
-/// The plant under a position servo that sees counts only.
+/// The plant under a position servo that sees only counts.
 class Servo {
 public:
     Servo(GimbalPlant& plant, const GimbalCoordinates& middle) : m_plant(plant), m_wanted(valuesOf(middle)) {
@@ -35,7 +37,7 @@ public:
         }
         m_seen = sensed();
     }
-    /// One tick of moving `axis` at `speed`, the others held; the effort of that axis.
+    /// Runs one tick that moves `axis` at `speed` and holds the others; returns the effort of that axis.
     double tick(std::size_t axis, double speed) {
         m_wanted[axis] += speed * core::kTickSeconds;
         const std::array<double, 4> now = sensed();
@@ -72,7 +74,8 @@ private:
     bool m_saturated = false;
 };
 
-/// Mean effort over the settled middle of one way of `length` at `speed`; the same places forwards and backwards.
+/// Returns the mean effort over the settled middle of a movement of `length` at `speed`, at the same
+/// positions forwards and backwards.
 double meanEffort(Servo& servo, std::size_t axis, double speed, double length, double settled) {
     const int ticks = static_cast<int>(std::lround(length / std::abs(speed) / core::kTickSeconds));
     const int margin = static_cast<int>(0.5 * settled * ticks);
@@ -87,7 +90,7 @@ double meanEffort(Servo& servo, std::size_t axis, double speed, double length, d
     return sum / std::max(ticks - 2 * margin, 1);
 }
 
-/// F(v): once towards an end to come to rest there, then back and forth.
+/// Measures F(v): first moves to an end and rests there, then moves forth and back.
 double frictionAt(Servo& servo, std::size_t axis, double speed, double half, double settled) {
     (void)meanEffort(servo, axis, -speed, half, settled);
     const double forwards = meanEffort(servo, axis, speed, 2.0 * half, settled);

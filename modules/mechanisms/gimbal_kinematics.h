@@ -19,14 +19,15 @@ struct GimbalCoordinates {
 using GimbalVector = Eigen::Vector4d;               ///< (h, p, r, d): rates, efforts (N·m, N·m, N·m, N)
 using GimbalJacobian = Eigen::Matrix<double, 6, 4>; ///< linear then angular velocity in D from (ḣ, ṗ, ṙ, ḋ)
 
-/// Forces along heading, pitch and depth in newtons, P2's F_h, F_p, F_d. Torque is F_h·d cos p and F_p·d.
+/// Forces along heading, pitch and depth in newtons: P2's F_h, F_p, F_d. The torques are F_h·d cos p and
+/// F_p·d.
 struct PolarForces {
     double heading_N = 0.0;
     double pitch_N = 0.0;
     double depth_N = 0.0;
 };
 
-/// Which map turns a Cartesian force into axis efforts.
+/// The map from a Cartesian force to axis efforts.
 enum class PolarMap {
     exact,       ///< τ = Jᵀf, conserves power; the default
     asPublished, ///< P2's three formulas, exact only where h or p is zero (models.md §2.1)
@@ -34,16 +35,17 @@ enum class PolarMap {
 
 /// P2's H,P,R,D gimbal, right-handed, SI.
 ///
-/// Vendor axes V (P2, figure 5): origin in the gimbal's pivot, z along the instrument when h = p = 0, so that
+/// Vendor axes V (P2, figure 5): the origin is the gimbal's pivot, and z points along the instrument when h =
+/// p = 0, so that
 ///   tip_V = d·u,  u = (sin h cos p, sin p, cos h cos p).
-/// D (device base): the table point under the pivot, z up. The gimbal stands over the table and the
-/// instrument points down, so V is D turned by 180° about x and lifted; this is the only place where the axes
-/// are swapped:
+/// D (device base): its origin is the point of the table under the pivot, z up. The gimbal stands over the
+/// table and the instrument points down, so V is D turned by 180° about x and lifted; this is the only place
+/// where the axes are swapped:
 ///   p_D = R_DV p_V + (0, 0, pivotHeight),  R_DV = diag(1, −1, −1).
 /// Heading to the right is +x_D, pitch towards −y_D. The tool frame T equals D at h = p = r = 0:
 ///   R_DT = R_DV · R_y(h) R_x(−p) R_z(r) · R_VD.
-/// Singular where d cos p = 0. Pure functions, any thread, no allocation. Source: models.md §2.1, devices.md
-/// §5.
+/// Singular where d cos p = 0. Pure functions. Source: models.md §2.1, devices.md §5.
+/// Thread: any; allocates nothing.
 class GimbalKinematics {
 public:
     explicit GimbalKinematics(double pivotHeight_m = kDefaultPivotHeight_m) noexcept
@@ -63,18 +65,18 @@ public:
     core::Vec3 tip_D(const GimbalCoordinates& q) const noexcept;
     core::Quat orientation_DT(const GimbalCoordinates& q) const noexcept;
 
-    /// (h, p, d) of a tip in D, with the given roll. |h|, |p| < 90°. Fails where the tip is level with or
-    /// above the pivot, or within 1 mm of it.
+    /// Returns (h, p, d) for a tip in D, with the given roll. |h|, |p| < 90°.
+    /// Errors: badInput if the tip is level with or above the pivot, or within 1 mm of it.
     core::Result<GimbalCoordinates> inverse(const core::Vec3& p_DT, double roll_rad = 0.0) const;
 
     GimbalJacobian jacobian_D(const GimbalCoordinates& q) const noexcept;
 
-    /// Efforts (N·m, N·m, N·m, N) that put `wrench_D` on the tool at the tip. asPublished uses P2's force
-    /// formulas with lever arms d cos p and d; torque always goes through Jᵀ.
+    /// Returns the efforts (N·m, N·m, N·m, N) that put `wrench_D` on the tool at the tip. asPublished uses
+    /// P2's force formulas with lever arms d cos p and d; torque always goes through Jᵀ.
     static GimbalVector efforts(const GimbalCoordinates& q, const core::Wrench& wrench_D,
                                 PolarMap map) noexcept;
-    /// The force on the tool in D that heading, pitch and depth efforts really give: J⁻ᵀτ (roll carries
-    /// none).
+    /// Returns the force on the tool in D that heading, pitch and depth efforts really give: J⁻ᵀτ (roll
+    /// carries none).
     static core::Vec3 force_D(const GimbalCoordinates& q, const GimbalVector& efforts) noexcept;
 
     /// P2: F_h = F_x cos h − F_z sin h, F_p = F_y cos p − F_z sin p, F_d = F_x sin h + F_y sin p + F_z cos h
@@ -82,8 +84,9 @@ public:
     static PolarForces polarAsPublished(double h, double p, const core::Vec3& f_V) noexcept;
     /// The same three from τ = Jᵀf: τ_h/(d cos p), τ_p/d, F_d. Orthonormal: the norm is the force's.
     static PolarForces polarExact(double h, double p, const core::Vec3& f_V) noexcept;
-    /// P2's weight: F_h = mg sin h, F_p = mg sin p, F_d = mg cos h cos p, literally. Not the image of one
-    /// force under P2's own map (models.md §2.1), so for evaluation only, never rendered.
+    /// P2's weight: F_h = mg sin h, F_p = mg sin p, F_d = mg cos h cos p, literally. These are not the image
+    /// of one force under P2's own map (models.md §2.1), so the function is for evaluation only and is never
+    /// rendered.
     static PolarForces weightAsPublished(double h, double p, double mass_kg) noexcept;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Used to set up, and its failure allocates a text: apart from what the tick calls.
+// Used for set-up. A failure allocates a text, so this is kept apart from the code that the tick calls.
 #include "mechanisms/gimbal_kinematics.h"
 
 #include <cmath>

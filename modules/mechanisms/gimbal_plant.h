@@ -10,20 +10,25 @@
 
 namespace chiron::mechanisms {
 
-/// The gimbal's dynamics, M(q)q̈ + c(q,q̇) + g(q) + friction = τ_motor + Jᵀf_hand, with the instrument as a rod
-/// of mass m and transverse inertia I whose centre of mass lies s = d − c from the pivot:
-///   M_h = (m s² + I) cos²p + I_h,  M_p = m s² + I + I_p,  M_r = I_r,  M_d = m + m_d  (diagonal; the spin of
-///   the thin rod about its own axis is left out), Coriolis terms from ∂M, g from V = −m g s cos h cos p.
-/// Semi-implicit Euler, viscous terms implicit, bristles implicit (LugreFriction); positions are clamped at
-/// the end stops. Deterministic, no allocation, haptic thread. D, SI. Source: models.md §4, devices.md §5.
+/// The gimbal's dynamics, M(q)q̈ + c(q,q̇) + g(q) + friction = τ_motor + Jᵀf_hand, with the instrument as a
+/// rod of mass m and transverse inertia I whose centre of mass lies s = d − c from the pivot:
+///   M_h = (m s² + I) cos²p + I_h,  M_p = m s² + I + I_p,  M_r = I_r,  M_d = m + m_d
+/// (diagonal; the spin of the thin rod about its own axis is left out), Coriolis terms from ∂M, and g from V
+/// = −m g s cos h cos p. The integration is semi-implicit Euler with implicit viscous terms and bristles
+/// (LugreFriction); positions are clamped at the end stops. Deterministic. Source: models.md §4,
+/// devices.md §5.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class GimbalPlant final : public Plant {
 public:
     explicit GimbalPlant(const GimbalPlantParameters& parameters) noexcept;
 
-    void reset(const GimbalCoordinates& q) noexcept; ///< at rest there, motors off, encoders settled
+    void reset(const GimbalCoordinates& q) noexcept; ///< at rest at this configuration, motors off, encoders
+                                                     ///< settled
 
-    /// Once a tick: efforts asked of the motors for rendering (N·m, N·m, –, N); gravity feed-forward is added
-    /// from the newest counts. `enabled` false opens the amplifiers: no effort at all.
+    /// Starts a tick with the motor efforts requested for rendering (N·m, N·m, –, N); gravity feed-forward is
+    /// added from the newest counts. With `enabled` false the amplifiers are open: no effort at all.
     void beginTick(const GimbalVector& renderEfforts, bool enabled) noexcept;
     void beginTick(const AxisEfforts& render, bool enabled) noexcept override {
         beginTick(GimbalVector(render[0], render[1], render[2], render[3]), enabled);
@@ -31,10 +36,10 @@ public:
     /// One integration step of 1 ms / substeps under a force on the tool at the tip (D).
     void integrate(double dt_s, const core::Vec3& f_T_D) noexcept;
     void step(double dt_s, const core::Wrench& onTool_D) noexcept override { integrate(dt_s, onTool_D.force); }
-    /// Once a tick, after the steps: the encoders are read.
+    /// Ends a tick after its steps: reads the encoders.
     void endTick() noexcept override;
 
-    ToolMotion motion() const noexcept override; ///< the hand holds a point: no orientation
+    ToolMotion motion() const noexcept override; ///< the hand holds a point, so there is no orientation
 
     const GimbalKinematics& kinematics() const noexcept { return m_kinematics; }
     const GimbalPlantParameters& parameters() const noexcept { return m_parameters; }
@@ -42,7 +47,7 @@ public:
     const GimbalVector& rates() const noexcept { return m_rates; }
     const core::Vec3& p_DT() const noexcept { return m_p_DT; } ///< true tip
     const core::Vec3& v_DT() const noexcept { return m_v_DT; }
-    /// Encoder counts as the host sees them (delayed by sampleDelay_ticks), h, p, r, d.
+    /// Encoder counts h, p, r, d as the host sees them (delayed by sampleDelay_ticks).
     const std::array<std::int32_t, 4>& counts() const noexcept { return m_encoders.counts(); }
     std::span<const std::int32_t> encoderCounts() const noexcept override { return counts(); }
     /// Force on the tool in D that the motors really gave over the last tick, without the gravity
@@ -69,15 +74,16 @@ private:
     GimbalKinematics m_kinematics;
     GimbalCoordinates m_q;
     GimbalVector m_rates = GimbalVector::Zero();
-    GimbalVector m_target = GimbalVector::Zero();      ///< motor efforts asked for, clamped
-    GimbalVector m_motor = GimbalVector::Zero();       ///< motor efforts now, after the amplifier
+    GimbalVector m_target = GimbalVector::Zero();      ///< requested motor efforts, clamped
+    GimbalVector m_motor = GimbalVector::Zero();       ///< present motor efforts, after the amplifier
     GimbalVector m_feedForward = GimbalVector::Zero(); ///< share of m_target that carries the weight
     std::array<LugreFriction, 4> m_friction{};
     EncoderLine<4> m_encoders;
     core::Vec3 m_p_DT = core::Vec3::Zero();
     core::Vec3 m_v_DT = core::Vec3::Zero();
     core::Vec3 m_measured_D = core::Vec3::Zero();
-    // Per step, kept from updateTip(): vendor unit directions of the three tip motions.
+    // State of the present step, set by updateTip(): unit directions in D in which the three axes move the
+    // tip.
     core::Vec3 m_alongHeading_D = core::Vec3::Zero();
     core::Vec3 m_alongPitch_D = core::Vec3::Zero();
     core::Vec3 m_alongDepth_D = core::Vec3::Zero();

@@ -11,21 +11,23 @@
 
 namespace chiron::mechanisms {
 
-/// The arm that closes the loop: a point mass drawn to the desired motion by a spring and a damper, holding
-/// the tool through a stiff damped grip:
-///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T)  (on the
-///   tool).
-/// The reaction delay holds back the intention; the arm's mechanics answer at once (inside the stiffness loop
-/// the delay would be unstable from 30 ms). Tremor enters as the force that makes the free hand, tool
-/// included, move by the tremor's displacement. D, SI. Haptic thread; no allocation. Source: models.md §4.
+/// The arm that closes the loop: a point mass that a spring and a damper pull towards the desired motion and
+/// that holds the tool through a stiff damped grip:
+///   m ẍ = k(x_d − x) + b(ẋ_d − ẋ) + f_tremor − f_grip,   f_grip = k_g(x − x_T) + b_g(ẋ − ẋ_T) (on the tool).
+/// The reaction delay acts on the intention only; the arm's mechanics respond at once (inside the stiffness
+/// loop the delay would be unstable from 30 ms). Tremor enters as the force that makes the free hand, with
+/// the tool, move by the tremor's displacement. Source: models.md §4.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class Hand {
 public:
     Hand(const HandParameters& parameters, std::uint64_t seed, double toolMass_kg) noexcept;
 
-    /// At rest there, wanting to stay, the tool turned like that.
+    /// Places the hand at rest at this pose, with the intention to stay there.
     void reset(const core::Vec3& p_D, const core::Quat& q_D = core::Quat::Identity()) noexcept;
-    /// Once a tick: the mind's newest intention enters the delay line, the one due comes out; tremor moves
-    /// on.
+    /// Starts a tick: the operator's newest intention enters the delay line, the delayed one takes effect,
+    /// and the tremor advances.
     void beginTick(const HandIntention& wanted) noexcept;
     core::Vec3 gripForceOnTool(const core::Vec3& p_DT, const core::Vec3& v_DT) const noexcept; ///< N, D
     /// One integration step (semi-implicit Euler, damping implicit) under the reaction to the grip force.
@@ -33,7 +35,8 @@ public:
 
     const core::Vec3& p_D() const noexcept { return m_p; }
     const core::Vec3& v_D() const noexcept { return m_v; }
-    const HandIntention& acting() const noexcept { return m_acting; } ///< the delayed intention now in force
+    const HandIntention& acting() const noexcept { return m_acting; } ///< the delayed intention that is now
+                                                                      ///< in effect
 
 private:
     static constexpr std::size_t kLine = 512;

@@ -9,25 +9,30 @@
 
 namespace chiron::mechanisms {
 
-/// What a hand feels and sees at one tick, *before* its own perceptual noise (the strategy adds it).
+/// The true input of a hand's senses at one tick, *before* perceptual noise, which the strategy adds.
 struct HandPerception {
     double time_s = 0.0; ///< executed ticks · 1 ms since the device was opened
     core::Vec3 p_DT =
-        core::Vec3::Zero(); ///< where the hand really is, D (m); a grip's deflection away from the tip
+        core::Vec3::Zero(); ///< true position of the hand, D (m); it is off the tip by the grip's deflection
     core::Vec3 v_DT = core::Vec3::Zero(); ///< m/s
     core::Vec3 f_T_D =
-        core::Vec3::Zero(); ///< force that the plant really puts on the hand, D (N), mean over the last tick
-    core::VisibleCues cues; ///< what the screen shows (object in W)
+        core::Vec3::Zero(); ///< force that the plant really exerts on the hand, D (N), mean over the last
+                            ///< tick
+    core::VisibleCues cues; ///< cues on the screen (object in W)
     core::Vec3 p_DObject =
-        core::Vec3::Zero(); ///< the shown object's centre in D; zero unless cues.objectShown
-    core::Quat q_DT = core::Quat::Identity(); ///< how the hand holds the tool; identity where the device does not turn
+        core::Vec3::Zero(); ///< centre of the shown object in D; zero unless cues.objectShown
+    /// Orientation in which the hand holds the tool; identity if the device does not turn.
+    core::Quat q_DT = core::Quat::Identity();
     core::Vec3 w_DT = core::Vec3::Zero();     ///< rad/s
-    bool fingertip = false; ///< the finger pad is pressed by a platform (P3); the arm itself then feels no force
-    core::DisplayPose pad;  ///< what the platform truly does to the pad: force along its normal (N), pitch and roll (rad)
-    core::Vec3 t_T_D = core::Vec3::Zero(); ///< torque that the plant really puts on the hand, D (N·m), mean over the last tick
+    /// A platform presses the finger pad (P3); the arm itself then feels no force.
+    bool fingertip = false;
+    /// True action of the platform on the pad: force along its normal (N), pitch and roll (rad).
+    core::DisplayPose pad;
+    /// Torque that the plant really exerts on the hand, D (N·m), mean over the last tick.
+    core::Vec3 t_T_D = core::Vec3::Zero();
 };
 
-/// What a hand wants: where to be, and which buttons to hold.
+/// The intention of a hand: where to be, and which buttons to hold.
 struct HandIntention {
     core::Vec3 p_DDesired = core::Vec3::Zero();
     core::Vec3 v_DDesired = core::Vec3::Zero();
@@ -37,8 +42,9 @@ struct HandIntention {
     double jaw_rad = 0.0;
 };
 
-/// A scripted trainee's mind for one exercise: called once a tick inside the simulated device, so noexcept
-/// and free of allocation. Seeded and reproducible: the same perceptions give the same intentions.
+/// Decision model of a scripted trainee for one exercise. It is called once per tick inside the simulated
+/// device. It is seeded and reproducible: the same perceptions give the same intentions.
+/// Thread: haptic; noexcept, allocates nothing.
 class HandStrategy {
 public:
     HandStrategy() = default;

@@ -3,8 +3,8 @@
 
 namespace chiron::mechanisms {
 
-/// Parameters of one axis' friction; rotary axes in N·m and rad, linear ones in N and m. coulomb = 0 leaves
-/// the viscous part alone.
+/// Parameters of one axis's friction; rotary axes in N·m and rad, linear ones in N and m. With coulomb = 0
+/// only the viscous part remains.
 struct LugreParameters {
     double coulomb = 0.0;          ///< F_c
     double bristleStiffness = 0.0; ///< σ0
@@ -12,12 +12,12 @@ struct LugreParameters {
     double viscous = 0.0;          ///< σ2
 };
 
-/// LuGre friction without Stribeck effect (stiction = Coulomb): ż = v − σ0|v|z/F_c, F = σ0 z + σ1 ż + σ2 v,
-/// with the bristle integrated implicitly, z⁺ = (z + v dt)/(1 + σ0|v|dt/F_c): |z| never exceeds F_c/σ0 at any
-/// step. Source: devices.md §5 (Canudas de Wit et al. 1995).
+/// LuGre friction without Stribeck effect (stiction = Coulomb): ż = v − σ0|v|z/F_c, F = σ0 z + σ1 ż + σ2 v.
+/// The bristle is integrated implicitly, z⁺ = (z + v dt)/(1 + σ0|v|dt/F_c), so that |z| never exceeds F_c/σ0
+/// at any step. Source: devices.md §5 (Canudas de Wit et al. 1995).
 class LugreFriction {
 public:
-    /// Bristle force −(σ0 z + σ1 ż) over one step at rate v; the viscous part is left to the integrator
+    /// Returns the bristle force −(σ0 z + σ1 ż) over one step at rate v; the integrator adds the viscous part
     /// (implicit).
     double advance(const LugreParameters& p, double v, double dt_s) noexcept {
         if (!(p.coulomb > 0.0))

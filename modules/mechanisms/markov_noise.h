@@ -7,8 +7,8 @@
 
 namespace chiron::mechanisms {
 
-/// Stationary first-order Gauss–Markov noise (Ornstein–Uhlenbeck), stepped exactly: x⁺ = a x + σ√(1−a²) n,
-/// a = e^{−dt/τ}. Starts in its stationary state.
+/// Stationary first-order Gauss–Markov noise (Ornstein–Uhlenbeck), stepped exactly: x⁺ = a x + σ√(1−a²) n, a
+/// = e^{−dt/τ}. It starts in its stationary state.
 class MarkovNoise {
 public:
     MarkovNoise() = default;

@@ -7,7 +7,8 @@
 
 namespace chiron::mechanisms {
 
-/// The shorter turn of a unit quaternion as axis times angle, rad. Any thread.
+/// Returns the shorter rotation of a unit quaternion as axis times angle, rad.
+/// Thread: any.
 inline core::Vec3 rotationVectorOf(const core::Quat& q) noexcept {
     const double sine = q.vec().norm();
     const double side = q.w() < 0.0 ? -1.0 : 1.0;
@@ -16,7 +17,7 @@ inline core::Vec3 rotationVectorOf(const core::Quat& q) noexcept {
     return side * scale * q.vec();
 }
 
-/// q turned by the rotation vector r in the frame it is given in: exp(r) q, unit.
+/// Returns q turned by the rotation vector r, in the frame in which r is expressed: exp(r) q, unit.
 inline core::Quat turned(const core::Quat& q, const core::Vec3& r) noexcept {
     const double half = 0.5 * r.norm();
     const double scale = half < 1e-9 ? 0.5 : 0.5 * std::sin(half) / half;

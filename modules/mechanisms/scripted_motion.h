@@ -8,8 +8,10 @@
 
 namespace chiron::mechanisms {
 
-/// A hand that follows a prescribed path and neither feels nor sees: p(t) = centre + Σ a_i sin(2π f_i t +
-/// φ_i), with its exact velocity. For calibration, recordings and tests. D, SI.
+/// A hand that follows a prescribed path and uses no perception: p(t) = centre + Σ a_i sin(2π f_i t + φ_i),
+/// with its exact velocity. For calibration, recordings and tests.
+/// Unit: SI.
+/// Frame: D.
 class ScriptedMotion final : public HandStrategy {
 public:
     struct Term {
@@ -23,7 +25,7 @@ public:
 
 private:
     core::Vec3 m_centre_D;
-    std::vector<Term> m_terms; ///< filled before the first tick, only read in it
+    std::vector<Term> m_terms; ///< filled before the first tick, then only read
 };
 
 } // namespace chiron::mechanisms

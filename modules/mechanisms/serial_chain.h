@@ -12,21 +12,27 @@
 
 namespace chiron::mechanisms {
 
-/// One link of a serial chain of revolute joints, and the joint that carries it. Where every joint stands at 0 all link frames are
-/// parallel to the base frame, so lengths are read off one drawing of the arm.
+/// One link of a serial chain of revolute joints, with the joint that carries it. When every joint is at 0,
+/// all link frames are parallel to the base frame, so that all lengths can be read from one drawing of the
+/// arm.
 struct ChainLink {
-    core::Vec3 origin_m = core::Vec3::Zero(); ///< the joint, from the joint before, in the frame of the link before (the base's for the first)
-    core::Vec3 axis = core::Vec3::UnitZ();    ///< unit, the same in both frames
+    /// Position of the joint from the joint before, in the frame of the link before (the base's for the
+    /// first).
+    core::Vec3 origin_m = core::Vec3::Zero();
+    core::Vec3 axis = core::Vec3::UnitZ();    ///< unit vector, the same in both frames
     double mass_kg = 0.0;
     core::Vec3 centreOfMass_m = core::Vec3::Zero();  ///< from the joint, in the link's own frame
     core::Mat3 inertia_kgm2 = core::Mat3::Zero();    ///< about the centre of mass, in the link's own frame
 };
 
-/// Rigid-body kinematics and dynamics of N revolute joints in series, fixed base, everything expressed in the base frame B:
+/// Rigid-body kinematics and dynamics of N revolute joints in series on a fixed base:
 ///   M(q) q̈ + c(q, q̇) + g(q) = τ + Σ Jᵀ f.
-/// place(q) first; the rest is of that pose. Inverse dynamics by the recursive Newton–Euler algorithm (Luh, Walker & Paul 1980), inertia by
-/// composite bodies (Walker & Orin 1982); both as in Featherstone, Rigid Body Dynamics Algorithms, 2008, chapters 5 and 6, written
-/// out in vectors. SI. No allocation; any thread.
+/// Call place(q) first; all other functions refer to that pose. Inverse dynamics use the recursive
+/// Newton–Euler algorithm (Luh, Walker & Paul 1980), the inertia composite bodies (Walker & Orin 1982); both
+/// as in Featherstone, Rigid Body Dynamics Algorithms, 2008, chapters 5 and 6, written out in vectors.
+/// Unit: SI.
+/// Frame: B (base), for everything.
+/// Thread: any; allocates nothing.
 template <int N>
 class SerialChain {
 public:
@@ -56,10 +62,10 @@ public:
     const core::Mat3& orientation(int link) const noexcept { return m_bodies[at(link)].turn; }
     const core::Vec3& joint(int link) const noexcept { return m_bodies[at(link)].origin; }
     const core::Vec3& axis(int link) const noexcept { return m_bodies[at(link)].axis; }
-    /// A point of a link, given in the link's frame, m.
+    /// Returns a point of a link that is given in the link's frame, m.
     core::Vec3 point(int link, const core::Vec3& fromJoint_m) const noexcept { return joint(link) + orientation(link) * fromJoint_m; }
 
-    /// Of a point (in B) that belongs to a link; columns of the joints behind it are 0.
+    /// Jacobian of a point (in B) that belongs to a link; the columns of joints beyond that link are 0.
     Jacobian jacobian(int link, const core::Vec3& point_B) const noexcept {
         Jacobian j = Jacobian::Zero();
         for (int i = 0; i <= link; ++i) {
@@ -68,7 +74,7 @@ public:
         }
         return j;
     }
-    /// Jᵀ f of a wrench on a link about a point of it: generalised efforts, N·m.
+    /// Returns Jᵀ f for a wrench on a link about a point of it: generalised efforts, N·m.
     Vector efforts(int link, const core::Vec3& point_B, const core::Wrench& wrench_B) const noexcept {
         Vector tau = Vector::Zero();
         for (int i = 0; i <= link; ++i)
@@ -84,7 +90,8 @@ public:
         }
     }
 
-    /// Recursive Newton–Euler: the efforts that give these accelerations. `down_m_per_s2`: gravity, along −z of B.
+    /// Returns the efforts that give these accelerations, by recursive Newton–Euler. `down_m_per_s2`:
+    /// gravity, along −z of B.
     Vector inverseDynamics(const Vector& rates, const Vector& accelerations, double down_m_per_s2) const noexcept {
         std::array<core::Vec3, static_cast<std::size_t>(N)> force, moment;
         core::Vec3 w = core::Vec3::Zero(), dw = core::Vec3::Zero(), a(0.0, 0.0, down_m_per_s2), at_m = core::Vec3::Zero();
@@ -101,7 +108,8 @@ public:
             moment[at(i)] = body.inertia * dw + w.cross(body.inertia * w);
         }
         Vector tau;
-        core::Vec3 f = core::Vec3::Zero(), n = core::Vec3::Zero(); // on link i by link i − 1, about its joint
+        // On link i, by link i − 1, about its joint.
+        core::Vec3 f = core::Vec3::Zero(), n = core::Vec3::Zero();
         for (int i = N - 1; i >= 0; --i) {
             const Body& body = m_bodies[at(i)];
             if (i + 1 < N)
@@ -112,15 +120,16 @@ public:
         }
         return tau;
     }
-    Vector bias(const Vector& rates) const noexcept { return inverseDynamics(rates, Vector::Zero(), 0.0); } ///< c: Coriolis and centrifugal
+    /// c: Coriolis and centrifugal terms.
+    Vector bias(const Vector& rates) const noexcept { return inverseDynamics(rates, Vector::Zero(), 0.0); }
     Vector gravity() const noexcept { return inverseDynamics(Vector::Zero(), Vector::Zero(), core::kStandardGravity); } ///< g = ∂V/∂q
 
-    /// M(q): symmetric, positive definite while no joint carries nothing.
+    /// M(q): symmetric, and positive definite as long as every joint carries some inertia.
     Matrix inertia() const noexcept {
         Matrix m;
         double mass = 0.0;
-        core::Vec3 centre = core::Vec3::Zero(); // of everything from link j on
-        core::Mat3 about = core::Mat3::Zero();  // its inertia about that
+        core::Vec3 centre = core::Vec3::Zero(); // of all links from j on
+        core::Mat3 about = core::Mat3::Zero();  // its inertia about that centre
         for (int j = N - 1; j >= 0; --j) {
             const Body& body = m_bodies[at(j)];
             const double own = m_links[at(j)].mass_kg;
@@ -138,14 +147,14 @@ public:
         return m;
     }
 
-    double potential_J() const noexcept { ///< of the weight, 0 at the height of B's origin
+    double potential_J() const noexcept { ///< of the weight; 0 at the height of B's origin
         double energy = 0.0;
         for (int i = 0; i < N; ++i)
             energy += m_links[at(i)].mass_kg * core::kStandardGravity * (m_bodies[at(i)].origin.z() + m_bodies[at(i)].arm.z());
         return energy;
     }
 
-    /// x of M x = b, M symmetric and positive definite, by M = L D Lᵀ.
+    /// Solves M x = b for x, M symmetric and positive definite, by M = L D Lᵀ.
     static Vector solve(Matrix m, Vector b) noexcept {
         Vector pivot; // reciprocals of D; L grows in the lower half, L D in the upper
         for (int k = 0; k < N; ++k) {

@@ -8,13 +8,13 @@
 
 namespace chiron::mechanisms {
 
-/// Physiological tremor: per axis six sines with frequencies drawn uniformly in 8–12 Hz and random phases, so
-/// that the displacement is strictly band-limited and its long-run rms is the one asked for. Each sine is a
-/// rotating phasor (no sin or cos a tick), whose velocity and acceleration are exact.
+/// Physiological tremor: per axis six sines with frequencies drawn uniformly from 8–12 Hz and random phases,
+/// so that the displacement is strictly band-limited and has the requested long-run rms. Each sine is a
+/// rotating phasor (no sin or cos per tick), whose velocity and acceleration are exact.
 class Tremor {
 public:
     Tremor(double rmsPerAxis_m, core::Random& random) noexcept;
-    void advance() noexcept; ///< by one tick of 1 ms
+    void advance() noexcept; ///< advances by one tick of 1 ms
     const core::Vec3& displacement_m() const noexcept { return m_displacement; }
     const core::Vec3& velocity() const noexcept { return m_velocity; }         ///< m/s
     const core::Vec3& acceleration() const noexcept { return m_acceleration; } ///< m/s²
@@ -23,7 +23,7 @@ private:
     static constexpr int kSines = 6;
     struct Phasor {
         double re = 0.0, im = 0.0; ///< amplitude included
-        double c = 1.0, s = 0.0;   ///< rotation a tick
+        double c = 1.0, s = 0.0;   ///< rotation per tick
         double omega = 0.0;        ///< rad/s
     };
     void sum() noexcept;

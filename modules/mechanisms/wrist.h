@@ -9,18 +9,22 @@
 
 namespace chiron::mechanisms {
 
-/// What turns the tool, the rotational counterpart of Hand: an isotropic inertia drawn to the desired orientation by a spring
-/// and a damper, holding the tool through a stiff damped grip:
+/// The wrist that turns the tool, the rotational counterpart of Hand: an isotropic inertia that a spring and
+/// a damper pull towards the desired orientation and that holds the tool through a stiff damped grip:
 ///   I ω˙ = k log(q_d q⁻¹) + b (ω_d − ω) + τ_tremor − τ_grip,  τ_grip = k_g log(q q_T⁻¹) + b_g (ω − ω_T)  (on the tool).
-/// log: the rotation vector, whose spring torque is the gradient of ½ k angle². The reaction delay is the hand's: it hands
-/// over the intention that acts. D, SI. Haptic thread; no allocation. Source: models.md §4.
+/// log is the rotation vector, whose spring torque is the gradient of ½ k angle². The reaction delay is in
+/// Hand, which hands over the intention that acts. Source: models.md §4.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class Wrist {
 public:
-    /// `toolInertia_kgm2`: of what it holds, so that tremor moves the free hand by its displacement.
+    /// `toolInertia_kgm2`: of the held tool, so that tremor moves the free hand by its displacement.
     Wrist(const HandParameters& parameters, std::uint64_t seed, double toolInertia_kgm2) noexcept;
 
-    void reset(const core::Quat& q_D) noexcept; ///< at rest there, wanting to stay
-    /// Once a tick: the intention that acts now (Hand::acting()); tremor moves on.
+    void reset(const core::Quat& q_D) noexcept; ///< at rest at this orientation, with the intention to stay
+                                                ///< there
+    /// Starts a tick with the intention that acts now (Hand::acting()); the tremor advances.
     void beginTick(const HandIntention& acting) noexcept;
     core::Vec3 gripTorqueOnTool(const core::Quat& q_DT, const core::Vec3& w_DT) const noexcept; ///< N·m, D
     /// One integration step (semi-implicit Euler, damping implicit) under the reaction to the grip's torque.

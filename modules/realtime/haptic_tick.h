@@ -7,13 +7,14 @@ namespace chiron::realtime {
 
 class TickSource;
 
-/// Proof of being inside the 1 kHz loop: only a TickSource (owned by the runner) can make one, so a function that takes
-/// `const HapticTick&` can be called from a tick alone. Such functions are noexcept and neither allocate, lock, log,
-/// throw nor touch Qt.
+/// Proof that the caller is inside the 1 kHz loop: only a TickSource (owned by the runner) can make one, so a
+/// function that takes `const HapticTick&` can be called only from a tick. Such functions are noexcept and do
+/// not allocate, lock, log, throw or use Qt.
 class HapticTick {
 public:
-    std::uint64_t index() const noexcept { return m_index; } ///< executed ticks; the model step is 1 ms each
-    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; the only place where a missed deadline shows
+    std::uint64_t index() const noexcept { return m_index; } ///< ticks executed before this one; each is a
+                                                             ///< model step of 1 ms
+    std::int64_t now_ns() const noexcept { return m_now_ns; } ///< monotonic; a missed deadline shows only here
 
 private:
     friend class TickSource;
@@ -22,7 +23,7 @@ private:
     std::int64_t m_now_ns;
 };
 
-/// Makes the ticks of one run, in order. Runners own one; nobody else should.
+/// Makes the ticks of one run, in order. Only a runner should own one.
 class TickSource {
 public:
     HapticTick next(std::int64_t now_ns) noexcept { return HapticTick(m_next++, now_ns); }

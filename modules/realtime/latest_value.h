@@ -8,13 +8,14 @@
 
 namespace chiron::realtime {
 
-/// The newest value from one writer to one reader: a triple buffer. Writer and reader never wait for each other, never
-/// allocate, and the reader never sees half a value or an older one than it saw before; values in between are lost on
-/// purpose. Thread: publish() by one thread, read() and latest() by one other.
+/// Passes the newest value from one writer to one reader through a triple buffer. Writer and reader never
+/// wait for each other and never allocate. The reader never sees a partly written value or one older than it
+/// saw before; values in between are lost on purpose.
+/// Thread: publish() on one thread, read() and latest() on one other.
 ///
-/// How: three slots; the writer owns one, the reader one, and `m_middle` names the third with a bit that says whether it
-/// is news. Each side exchanges its slot with the middle one (Simpson 1990 describes the family; the exchange form needs
-/// no sequence numbers).
+/// Of the three slots the writer owns one and the reader one; `m_middle` holds the index of the third and a
+/// bit that says whether that slot is new. Each side exchanges its slot with the middle one (Simpson 1990
+/// describes the family; the exchange form needs no sequence numbers).
 template <class T>
 class LatestValue {
     static_assert(std::is_trivially_copyable_v<T>, "only values that can be copied bytewise travel between threads");
@@ -31,14 +32,14 @@ public:
                     kIndexMask;
     }
 
-    /// Reader only; wait-free. Copies the newest value; true if it was not read before.
+    /// Reader only; wait-free. Copies the newest value; returns true if it was not read before.
     bool read(T& value) noexcept {
         const bool news = refresh();
         value = m_slots[m_reading].value;
         return news;
     }
 
-    /// Reader only; the newest value in place, valid until the next read() or latest().
+    /// Reader only. Returns the newest value in place; it is valid until the next read() or latest().
     const T& latest() noexcept {
         refresh();
         return m_slots[m_reading].value;

@@ -16,7 +16,7 @@ void MonotonicClock::waitUntil(std::int64_t deadline_ns) const noexcept {
     if (now_ns() < wake_ns) {
         const timespec wake{static_cast<std::time_t>(wake_ns / 1'000'000'000), wake_ns % 1'000'000'000};
         while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR) {
-            // A signal woke us early: the deadline is absolute, so sleeping again costs nothing.
+            // A signal ended the sleep early. The deadline is absolute, so sleeping again costs nothing.
         }
     }
     while (now_ns() < deadline_ns)

@@ -7,17 +7,19 @@ namespace chiron::realtime {
 
 inline constexpr std::int64_t kTickPeriod_ns = 1'000'000; ///< 1 kHz
 
-/// What a run did.
+/// Result of a run.
 struct RunReport {
     std::uint64_t executed = 0;
-    std::uint64_t skipped = 0; ///< deadlines passed over
+    std::uint64_t skipped = 0; ///< deadlines without a tick
 };
 
-/// The 1 kHz runner: absolute deadlines start + k·1 ms on `Clock` (MonotonicClock, or VirtualClock in tests). Each
-/// deadline is served at most once and never to catch up: deadlines that are over when their tick could start, and the
-/// next one if it lies less than half a period after a late start, are skipped and counted, so two ticks are never
-/// closer than half a period. HapticTick::index stays contiguous; a gap shows in now_ns alone.
-/// Thread: run() is called on the haptic thread, after setUpRealtimeThread(); `stop` may be set from any other.
+/// The 1 kHz runner. Its absolute deadlines are start + k·1 ms on `Clock` (MonotonicClock, or VirtualClock in
+/// tests). Each deadline is served at most once, and the runner never catches up: it skips and counts
+/// deadlines that have passed when their tick could start, and also the next one if that lies less than half
+/// a period after a late start. Two ticks are therefore never closer than half a period. HapticTick::index
+/// stays contiguous; a gap shows only in now_ns.
+/// Thread: run() is called on the haptic thread, after setUpRealtimeThread(); `stop` may be set from any
+/// other.
 template <class Clock>
 class PeriodicRunner {
 public:
@@ -25,7 +27,7 @@ public:
     PeriodicRunner(const PeriodicRunner&) = delete;
     PeriodicRunner& operator=(const PeriodicRunner&) = delete;
 
-    /// Runs until `stop` is set or the task asks for it; the first tick starts at once.
+    /// Runs until `stop` is set or the task ends the run; the first tick starts at once.
     template <TickTask Task>
     RunReport run(Task& task, const std::atomic<bool>& stop) noexcept {
         RunReport report;
@@ -58,7 +60,8 @@ private:
     TickSource& m_ticks;
 };
 
-/// Runs ticks back to back with now_ns = index · 1 ms: as fast as the machine can, no clock read, the same every time.
+/// Runs ticks back to back with now_ns = index · 1 ms: faster than real time and without reading a clock, so
+/// that each run gives the same result.
 class AsFastRunner {
 public:
     explicit AsFastRunner(TickSource& ticks) noexcept : m_ticks(ticks) {}

@@ -41,7 +41,8 @@ void lockMemory(RealtimeStatus& status) {
                               " bytes, unlimited would permit it";
         return;
     }
-    // ONFAULT: what was touched stays, what was only reserved does not fill the machine.
+    // ONFAULT locks only pages that were touched, so that memory that was merely reserved does not fill the
+    // machine.
     status.memoryLocked = mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
     status.memoryDetail = status.memoryLocked ? "memory locked"
                                               : std::string("memory not locked: ") + std::strerror(errno);
@@ -53,7 +54,8 @@ RealtimeStatus setUpRealtimeThread(int priority) {
     RealtimeStatus status;
     core::setModelFloatingPointEnvironment();
     touchStack();
-    prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL); // ns; the default of 50 µs is half of what we spin
+    // In ns; the default slack of 50 µs is half of the time that we spin.
+    prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
     askForPriority(priority, status);
     lockMemory(status);
     return status;

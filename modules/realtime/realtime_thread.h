@@ -6,21 +6,23 @@
 
 namespace chiron::realtime {
 
-/// What the system granted to the calling thread, and why not, in words for a log or the station check.
+/// The rights that the system granted to the calling thread, and the reasons for those it refused, as texts
+/// for a log or the station check.
 struct RealtimeStatus {
     bool priorityGranted = false; ///< SCHED_FIFO
-    std::string priorityDetail;   ///< "SCHED_FIFO priority 80", or the reason and what would help
-    bool memoryLocked = false;    ///< mlockall: no page fault in the tick
+    std::string priorityDetail;   ///< "SCHED_FIFO priority 80", or the reason and a remedy
+    bool memoryLocked = false;    ///< mlockall: the tick has no page faults
     std::string memoryDetail;
 };
 
 inline constexpr int kHapticPriority = 80; ///< above ordinary real-time work, below the kernel's migration threads (99)
-inline constexpr std::size_t kTouchedStack_bytes = 256 * 1024; ///< assumption: a tick needs a small part of this
+inline constexpr std::size_t kTouchedStack_bytes = 256 * 1024; ///< assumption: a tick needs a small part of
+                                                               ///< this
 
-/// Makes the calling thread fit for the tick: model floating-point environment, touched stack, finest timer slack,
-/// SCHED_FIFO and locked memory where permitted. Never fails: without permission the thread runs as an ordinary one and
-/// the status says why. Memory is locked only where the limit is unlimited: a finite
-/// limit would make later allocations of the whole program fail. Blocks; not in the tick.
+/// Prepares the calling thread for the tick: model floating-point environment, touched stack, smallest timer
+/// slack, and SCHED_FIFO and locked memory where permitted. It never fails: without permission the thread
+/// runs as an ordinary one, and the status gives the reason. Memory is locked only if the limit is unlimited;
+/// with a finite limit, later allocations of the whole program would fail. Blocks; not for the tick.
 RealtimeStatus setUpRealtimeThread(int priority = kHapticPriority);
 
 } // namespace chiron::realtime

@@ -8,9 +8,10 @@
 
 namespace chiron::realtime {
 
-/// A wait-free queue from one producer to one consumer, N a power of two. Indices run freely and are masked; each side
-/// keeps a cached copy of the other's index and reads the shared one only when the cache says full or empty, so that a
-/// push costs one release store. Never allocates after construction. Thread: tryPush() by one thread, tryPop() by one other.
+/// A wait-free queue from one producer to one consumer; N is a power of two. The indices run freely and are
+/// masked. Each side keeps a cached copy of the other's index and reads the shared one only when the copy
+/// says full or empty, so that a push costs one release store.
+/// Thread: tryPush() on one thread, tryPop() on one other; allocates nothing after construction.
 template <class T, std::size_t N>
 class SpscRing {
     static_assert(N >= 2 && (N & (N - 1)) == 0, "the capacity is a power of two");
@@ -21,7 +22,7 @@ public:
     SpscRing(const SpscRing&) = delete;
     SpscRing& operator=(const SpscRing&) = delete;
 
-    /// Producer only. False when full: nothing was stored, the caller counts it.
+    /// Producer only. Returns false if the ring is full: nothing was stored, and the caller counts the loss.
     bool tryPush(const T& value) noexcept {
         const std::size_t tail = m_tail.load(std::memory_order_relaxed);
         if (tail - m_cachedHead == N) {
@@ -34,7 +35,7 @@ public:
         return true;
     }
 
-    /// Consumer only. False when empty: `value` is untouched.
+    /// Consumer only. Returns false if the ring is empty; `value` is unchanged.
     bool tryPop(T& value) noexcept {
         const std::size_t head = m_head.load(std::memory_order_relaxed);
         if (head == m_cachedTail) {
@@ -50,9 +51,9 @@ public:
     static constexpr std::size_t capacity() noexcept { return N; }
 
 private:
-    alignas(64) std::atomic<std::size_t> m_head{0}; // consumer's line
+    alignas(64) std::atomic<std::size_t> m_head{0}; // the consumer's cache line
     std::size_t m_cachedTail = 0;
-    alignas(64) std::atomic<std::size_t> m_tail{0}; // producer's line
+    alignas(64) std::atomic<std::size_t> m_tail{0}; // the producer's cache line
     std::size_t m_cachedHead = 0;
     alignas(64) std::array<T, N> m_slots{};
 };

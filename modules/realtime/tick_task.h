@@ -10,15 +10,16 @@
 
 namespace chiron::realtime {
 
-/// How punctual one executed tick was, as its runner measured it.
+/// Timing of one executed tick, as its runner measured it.
 struct TickTiming {
     std::int64_t lateness_ns = 0; ///< start - deadline, ≥ 0
     std::int64_t duration_ns = 0; ///< of task.tick()
-    std::uint32_t skipped = 0;    ///< deadlines that were passed over before this tick
+    std::uint32_t skipped = 0;    ///< deadlines skipped before this tick
 };
 
-/// What a runner drives: `tick(const HapticTick&) noexcept`, returning nothing, or bool with false = stop after this tick.
-/// Optional: `timing(const TickTiming&) noexcept`, called after each tick (the statistics of the loop).
+/// A task that a runner drives: `tick(const HapticTick&) noexcept`, which returns nothing, or a bool where
+/// false means stop after this tick. Optional: `timing(const TickTiming&) noexcept`, called after each tick
+/// (statistics of the loop).
 template <class T>
 concept TickTask = requires(T& task, const HapticTick& now) {
     { task.tick(now) } noexcept;
@@ -30,7 +31,7 @@ concept ObservesTiming = requires(T& task, const TickTiming& timing) {
     { task.timing(timing) } noexcept;
 };
 
-/// Runs one tick; true to go on.
+/// Runs one tick; returns true if the run goes on.
 template <TickTask Task>
 bool runTick(Task& task, const HapticTick& now) noexcept {
     if constexpr (std::is_same_v<decltype(task.tick(now)), bool>) {

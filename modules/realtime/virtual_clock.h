@@ -5,8 +5,9 @@
 
 namespace chiron::realtime {
 
-/// A clock that moves only when told: PeriodicRunner on it needs no time and is repeatable. waitUntil() jumps to the
-/// deadline plus `wakeDelay_ns`; a task that "takes" time calls advance(). Single thread.
+/// A clock that moves only on request, so that PeriodicRunner needs no real time and is repeatable.
+/// waitUntil() jumps to the deadline plus the delay set with delayNextWake(); a task that "takes" time calls
+/// advance(). Single thread.
 class VirtualClock {
 public:
     explicit VirtualClock(std::int64_t start_ns = 0) noexcept : m_now_ns(start_ns) {}
@@ -18,7 +19,7 @@ public:
         m_wakeDelay_ns = 0;
     }
     void advance(std::int64_t duration_ns) noexcept { m_now_ns += duration_ns; }
-    /// The next wake-up from sleep comes this much too late, as on a busy machine.
+    /// Makes the next wake-up from sleep late by this much, as on a busy machine.
     void delayNextWake(std::int64_t delay_ns) noexcept { m_wakeDelay_ns = delay_ns; }
 
 private:

@@ -20,10 +20,10 @@ using Block = std::array<std::uint64_t, kBlockValues>;
 using PackBlock = void (*)(const std::uint64_t* values, std::uint8_t* out) noexcept;
 using UnpackBlock = void (*)(const std::uint8_t* in, std::uint64_t* values) noexcept;
 
-/// 64-bit words of a whole block of that width.
+/// Number of 64-bit words of a whole block of that width.
 template <unsigned width> constexpr std::size_t kWords = (kBlockValues * width + kWordBits - 1) / kWordBits;
 
-// One function a width, unrolled: every shift is known to the compiler, which is what makes packing cheap.
+// One unrolled function per width: the compiler knows every shift, which makes packing fast.
 template <unsigned width, std::size_t i>
 inline void packValue(const std::uint64_t* values, std::uint64_t* words) noexcept {
     constexpr std::size_t kWord = i * width / kWordBits;

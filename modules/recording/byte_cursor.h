@@ -17,8 +17,8 @@ namespace chiron::recording {
 static_assert(std::endian::native == std::endian::little,
               "the recording's formats are written as little-endian words");
 
-/// Zig-zag: small magnitudes of either sign become small unsigned numbers. Modulo 2^64, so defined for every
-/// value.
+/// Zig-zag coding: small magnitudes of either sign become small unsigned numbers. Arithmetic is modulo 2^64,
+/// so it is defined for every value.
 constexpr std::uint64_t zigZag(std::uint64_t v) noexcept {
     return (v << 1) ^ (0 - (v >> 63));
 }
@@ -31,21 +31,20 @@ template <std::unsigned_integral T> void appendWord(std::vector<std::uint8_t>& o
     out.insert(out.end(), bytes, bytes + sizeof(T));
 }
 
-/// LEB128: seven bits a byte, low first; at most ten bytes.
+/// LEB128: seven bits per byte, low first; at most ten bytes.
 inline void appendVarint(std::vector<std::uint8_t>& out, std::uint64_t value) {
     for (; value >= 0x80; value >>= 7)
         out.push_back(static_cast<std::uint8_t>(value | 0x80));
     out.push_back(static_cast<std::uint8_t>(value));
 }
 
-/// Short string with a length byte; the caller keeps it below 256 bytes.
+/// Appends a short string with a length byte; the caller keeps it below 256 bytes.
 inline void appendText(std::vector<std::uint8_t>& out, std::string_view text) {
     out.push_back(static_cast<std::uint8_t>(text.size()));
     out.insert(out.end(), text.begin(), text.end());
 }
 
-/// Reads forward through bytes that nobody vouches for: every read is checked, nothing is returned past the
-/// end.
+/// Reads forward through untrusted bytes: every read is checked, and nothing past the end is returned.
 class ByteCursor {
 public:
     explicit ByteCursor(std::span<const std::uint8_t> bytes) noexcept : m_bytes(bytes) {}

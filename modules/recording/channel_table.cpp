@@ -20,7 +20,7 @@ std::string place(std::size_t offset) {
     return "channel table, byte " + std::to_string(offset) + ": ";
 }
 
-/// What a channel must satisfy, or nothing; `index` is its place in the list.
+/// Returns what is wrong with a channel, or nothing; `index` is its position in the list.
 std::optional<std::string> flawOf(const Channel& c, std::size_t index, const std::vector<Channel>& all) {
     if (c.tool != kNoTool && c.tool >= core::kMaxTools)
         return "tool " + std::to_string(c.tool) + ", expected 0.." + std::to_string(core::kMaxTools - 1) +

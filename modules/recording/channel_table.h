@@ -13,26 +13,29 @@
 
 namespace chiron::recording {
 
-/// What the recording must know of one coordinate of a tool (from devices::AxisDescriptor, which it may not
-/// link).
+/// Describes one coordinate of a tool to the recording (taken from devices::AxisDescriptor, which this module
+/// may not link).
 struct AxisChannel {
     std::string id;          ///< e.g. "heading"
     std::string unit;        ///< "m" or "rad"
-    double resolution = 0.0; ///< unit a count
+    double resolution = 0.0; ///< unit per count
 };
 
-/// What the recording must know of one tool.
+/// Describes one tool to the recording.
 struct ToolChannels {
     std::vector<AxisChannel> axes; ///< 1..kMaxCoordinates, in the order of ToolFrame::counts
     double jawResolution_rad = 0.0;
     std::uint32_t period_us =
-        1000; ///< declared time between packets: predicts device time from the packet number
+        1000; ///< declared time between packets: predicts the device time from the packet number
 };
 
-/// What the recording holds of the scene beside the tools.
+/// The channels of the scene that are recorded in addition to the tools.
 struct SceneChannels {
-    std::vector<core::QuantityDescription> quantities; ///< in the order of TickHeader::quantities; at most core::kMaxQuantities
-    bool energy = false; ///< the passivity books: "energy.supplied" and "energy.stored", at kEnergyResolution_J
+    /// In the order of TickHeader::quantities; at most core::kMaxQuantities.
+    std::vector<core::QuantityDescription> quantities;
+    /// The passivity observer's energy balance: "energy.supplied" and "energy.stored", at
+    /// kEnergyResolution_J.
+    bool energy = false;
 };
 
 enum class ChannelKind : std::uint8_t { lossless = 0, quantised = 1 };
@@ -45,27 +48,34 @@ struct Channel {
     std::uint8_t tool = kNoTool;
     std::string id;          ///< unique within its tool, e.g. "tick", "axis.heading", "tissue.fz"
     std::string unit;        ///< "1", "m", "rad", "N", "N*m", "ns", "us", "ms"
-    double resolution = 1.0; ///< unit a count
-    std::string frame;       ///< frame that the value is expressed in ("W", "D"), empty if it has none
+    double resolution = 1.0; ///< unit per count
+    /// Frame in which the value is expressed ("W", "D"); empty if it has none.
+    std::string frame;
     ChannelKind kind = ChannelKind::lossless;
-    std::uint8_t slot = 0;        ///< coordinate number of an "axis." channel, place of a "quantity." one in the header
-    int reference = kNoReference; ///< a column may hold value − factor · value of this earlier channel
+    /// Coordinate number of an "axis." channel, index of a "quantity." channel in the header.
+    std::uint8_t slot = 0;
+    /// Index of an earlier channel: a column may hold value − factor · value of that channel.
+    int reference = kNoReference;
     std::int64_t factor = 0;
 };
 
-/// The description that opens a recording. Readers find channels by (tool, id), never by position, and skip
-/// the ones they do not know. Copyable; immutable after it is made.
+/// The description at the start of a recording. Readers find channels by (tool, id), never by position, and
+/// skip those that they do not know. Copyable; immutable after construction.
 class ChannelTable {
 public:
     static constexpr std::size_t kMaximumChannels = 512;
     static constexpr std::size_t kMaximumBytes = 64 * 1024;
 
-    /// The table that this program writes for the given tools (1..kMaxTools) and scene: channels without a tool,
-    /// "quantity.<id>" each at its resolution, after all the others. Error: wrongUse naming the tool or quantity.
+    /// Returns the table that this program writes for the given tools (1..kMaxTools) and scene. The channels
+    /// "quantity.<id>", which belong to no tool and have their own resolutions, follow those of the tools.
+    /// Errors: wrongUse naming the tool or quantity.
     static core::Result<ChannelTable> forTools(std::span<const ToolChannels> tools, const SceneChannels& scene = {});
-    /// Any list of channels, checked (unique ids, finite positive resolutions, references). Error: badInput.
+    /// Makes a table of any list of channels after checking it (unique ids, finite positive resolutions,
+    /// references).
+    /// Errors: badInput.
     static core::Result<ChannelTable> fromChannels(std::vector<Channel> channels);
-    /// Error: badInput naming the byte offset, what was found and what was expected.
+    /// Decodes a table.
+    /// Errors: badInput naming the byte offset, what was found and what was expected.
     static core::Result<ChannelTable> decode(std::span<const std::uint8_t> bytes);
     std::vector<std::uint8_t> encode() const;
 

@@ -13,9 +13,10 @@
 
 namespace chiron::recording {
 
-/// Chunk -> frames or single columns. Every length is checked: any bytes give a value or an Error (badInput
-/// naming the chunk, the byte offset in its payload, what was found and expected), never a crash or an
-/// allocation beyond the caps. Digests are the reader's business. One thread at a time.
+/// Decodes a chunk into frames or single columns. Every length is checked: any bytes give a value or an
+/// Error, never a crash or an allocation beyond the limits. Digests are checked by the reader, not here.
+/// Thread: one at a time.
+/// Errors: badInput naming the chunk, the byte offset in its payload, what was found and what was expected.
 class ChunkDecoder {
 public:
     explicit ChunkDecoder(ChannelTable table);
@@ -28,7 +29,8 @@ public:
     const ChannelTable& table() const noexcept { return m_table; }
     /// Appends all frames of the chunk; fields without a channel are zero.
     core::Result<void> decode(const Chunk& chunk, std::vector<core::HapticFrame>& frames);
-    /// The one frame with this executed tick. Error: notFound.
+    /// Returns the frame with this executed tick.
+    /// Errors: notFound.
     core::Result<core::HapticFrame> decodeTick(const Chunk& chunk, std::uint64_t tick);
     /// Appends the counts of one channel (index in the table) without decoding the rest.
     core::Result<void> decodeChannel(const Chunk& chunk, std::size_t channel,
@@ -46,9 +48,9 @@ private:
 
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
-    std::vector<std::size_t> m_offsets; ///< of each column in the payload, one more than channels
+    std::vector<std::size_t> m_offsets; ///< start of each column in the payload; one more entry than channels
     std::vector<std::int64_t> m_values; ///< channels × frames
-    std::size_t m_tickChannel = 0;      ///< or the number of channels, if the table has none
+    std::size_t m_tickChannel = 0;      ///< or the number of channels, if the table has no tick channel
     std::vector<std::int64_t> m_reference;
     std::unique_ptr<ColumnDecoder> m_decoder;
 };

@@ -65,8 +65,8 @@ core::Result<Chunk> ChunkEncoder::encode(std::uint32_t sequence, std::span<const
     return chunk;
 }
 
-// Half of the fields or more stay the same in a chunk: looking at whole words first is cheaper than at every
-// field.
+// At least half of the fields stay constant within a chunk, so checking whole words first is cheaper than
+// checking every field.
 void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
     const std::size_t n = frames.size();
     const std::size_t words = usedFrameBytes(frames.front().tools) / sizeof(std::uint64_t);
@@ -74,7 +74,7 @@ void ChunkEncoder::gatherAll(std::span<const core::HapticFrame> frames) {
     m_changes.assign(words, 0);
     findChanges(frames, m_changes);
     for (std::size_t i = 0; i < n;
-         i += kFramesAtOnce) { // few enough that every column finds them in the first cache
+         i += kFramesAtOnce) { // few enough that every column finds them in the first-level cache
         const auto some = frames.subspan(i, std::min(kFramesAtOnce, n - i));
         for (std::size_t c = 0; c < m_fields.size(); ++c) {
             const auto values = std::span(m_counts).subspan(c * n + i, some.size());

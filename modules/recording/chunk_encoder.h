@@ -14,10 +14,12 @@
 
 namespace chiron::recording {
 
-/// HapticFrames -> Chunk: one column a channel, each as constant, line, offset, difference or second
-/// difference, bit-packed, then zstd if smaller (probed every 32nd chunk, and tried on while it helps a
-/// channel). Payload: version byte, varint frames, varint channels, varint length of each column, columns.
-/// Not copied (owns a compression context); one thread at a time; may allocate.
+/// Encodes HapticFrames into a Chunk with one column per channel. Each column is stored as constant, line,
+/// offset, difference or second difference, bit-packed, then with zstd if that is smaller (zstd is tried in
+/// every 32nd chunk, and in a channel's following chunks as long as it helps). Payload: version byte, varint
+/// frames, varint channels, varint length of each column, columns. Not copyable, because it owns a
+/// compression context; may allocate.
+/// Thread: one at a time.
 class ChunkEncoder {
 public:
     explicit ChunkEncoder(ChannelTable table);
@@ -28,8 +30,9 @@ public:
     ~ChunkEncoder();
 
     const ChannelTable& table() const noexcept { return m_table; }
-    /// Error: wrongUse if there are no frames, too many, or a frame has another number of tools than the
-    /// table.
+    /// Encodes one chunk.
+    /// Errors: wrongUse if there are no frames or too many, or if a frame has another number of tools than
+    /// the table.
     core::Result<Chunk> encode(std::uint32_t sequence, std::span<const core::HapticFrame> frames);
 
 private:
@@ -41,10 +44,10 @@ private:
     ChannelTable m_table;
     std::vector<FrameField> m_fields;
     std::vector<std::int64_t> m_counts;   ///< channels × frames
-    std::vector<std::uint64_t> m_changes; ///< a word of the frame: bits that differ somewhere in the chunk
+    std::vector<std::uint64_t> m_changes; ///< per word of the frame: bits that differ somewhere in the chunk
     std::vector<std::int64_t> m_residual;
-    std::vector<std::uint8_t> m_columns; ///< encoded
-    std::vector<bool> m_zstdHelps;       ///< a channel: zstd was smaller when last tried
+    std::vector<std::uint8_t> m_columns; ///< encoded columns
+    std::vector<bool> m_zstdHelps;       ///< per channel: zstd was smaller when last tried
     std::unique_ptr<ColumnEncoder> m_encoder;
 };
 

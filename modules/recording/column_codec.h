@@ -6,8 +6,8 @@
 
 namespace chiron::recording {
 
-/// How the numbers of one column are written; part of the format. Arithmetic is modulo 2^64, so every int64
-/// survives.
+/// Coding of the numbers in one column; part of the format. Arithmetic is modulo 2^64, so that every int64 is
+/// preserved.
 enum class ColumnMode : std::uint8_t {
     zero = 0,             ///< nothing follows
     constant = 1,         ///< zig-zag varint value
@@ -18,11 +18,12 @@ enum class ColumnMode : std::uint8_t {
     zstd = 16,            ///< varint length of the plain column, zstd frame of it (mode byte included)
 };
 
-/// Added to the first byte of a column that holds value − factor · reference; without it the column holds the
-/// value. A channel that stays the same while its reference moves is shorter by itself.
+/// Flag in the first byte of a column that holds value − factor · reference; without it the column holds the
+/// value itself. A channel that stays constant while its reference moves is shorter without it.
 inline constexpr std::uint8_t kReferred = 0x20;
 
-/// Largest plain column of that many values: what a reader ever allocates for one.
+/// Returns the largest plain size of a column with that many values: the most that a reader allocates for
+/// one.
 constexpr std::size_t maximumPlainBytes(std::size_t values) {
     return 32 + values * 8 + values / 32 + 1;
 }

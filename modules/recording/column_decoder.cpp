@@ -14,7 +14,7 @@ tl::unexpected<core::Error> flaw(std::size_t offset, const std::string& expected
     return core::fail(core::ErrorCode::badInput, "byte " + std::to_string(offset) + ": expected " + expected);
 }
 
-/// Undoes the packed modes: `words` are what was packed, `head` the one or two leading numbers.
+/// Undoes the packed modes: `words` are the packed numbers, `head` and `step` the one or two leading numbers.
 void rebuild(ColumnMode mode, std::uint64_t head, std::uint64_t step, std::span<const std::uint64_t> words,
              std::span<std::int64_t> values) noexcept {
     if (mode == ColumnMode::offset) {

@@ -11,8 +11,9 @@
 
 namespace chiron::recording {
 
-/// Bytes of one column -> numbers; any bytes give numbers or an Error that says at which byte what was
-/// expected. Not copied, one thread at a time.
+/// Decodes the bytes of one column into numbers. Any bytes give numbers or an Error that states at which byte
+/// what was expected. Not copyable.
+/// Thread: one at a time.
 class ColumnDecoder {
 public:
     ColumnDecoder();
@@ -20,8 +21,8 @@ public:
     ColumnDecoder& operator=(const ColumnDecoder&) = delete;
     ~ColumnDecoder();
 
-    /// Fills `values` (at least one) with what the column holds, whatever it refers to; the column must end
-    /// where `bytes` end. Offsets in messages count from `offset`.
+    /// Fills `values` (at least one) with the numbers in the column, without adding a reference. The column
+    /// must end where `bytes` ends. Offsets in messages count from `offset`.
     core::Result<void> decode(std::span<const std::uint8_t> bytes, std::size_t offset,
                               std::span<std::int64_t> values);
 

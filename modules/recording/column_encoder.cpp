@@ -32,8 +32,9 @@ CHIRON_AVX2_TOO bool isConstant(std::span<const std::int64_t> values) noexcept {
     return differs == 0;
 }
 
-/// The three candidates, zig-zagged: value − base, differences, second differences. n >= 2 values; the spans
-/// have n, n − 1 and n − 2. Returns the OR of the second differences: 0 for a straight line.
+/// Computes the three candidates, zig-zag coded: value − base, differences, second differences. n >= 2
+/// values; the spans have n, n − 1 and n − 2. Returns the OR of the second differences: 0 for a straight
+/// line.
 CHIRON_AVX2_TOO std::uint64_t derive(const std::int64_t* values, std::size_t n, std::uint64_t base,
                                      std::uint64_t* offsets, std::uint64_t* first,
                                      std::uint64_t* second) noexcept {
@@ -64,11 +65,12 @@ void ColumnEncoder::encodePlain(std::span<const std::int64_t> values, std::vecto
             appendSigned(out, bits(values[0]));
         return;
     }
-    const std::size_t n = values.size(); // at least 2: one value is constant
+    const std::size_t n = values.size(); // at least 2: a single value is constant
     std::uint64_t sum = 0;
     for (const std::int64_t v : values)
         sum += bits(v);
-    // The mean, or anything if the sum ran over: every base is right modulo 2^64, a central one is short.
+    // The mean, or any number if the sum overflowed: every base is correct modulo 2^64, and a central one is
+    // short.
     const std::uint64_t base = bits(static_cast<std::int64_t>(sum) / static_cast<std::int64_t>(n));
     m_offsets.resize(n);
     m_first.resize(n - 1);
@@ -112,7 +114,7 @@ bool ColumnEncoder::encode(std::span<const std::int64_t> values, bool tryZstd,
     const std::size_t size = ZSTD_compressCCtx(m_context->zstd.get(), m_compressed.data(),
                                                m_compressed.size(), out.data() + start, plain, kZstdLevel);
     if (ZSTD_isError(size) ||
-        size + plain / 8 >= plain) // an eighth at least, or it is not worth the time of reading
+        size + plain / 8 >= plain) // less than an eighth is not worth the time of reading
         return false;
     out.resize(start);
     appendMode(out, ColumnMode::zstd);

@@ -10,8 +10,9 @@
 
 namespace chiron::recording {
 
-/// Numbers -> bytes of one column. Owns a compression context and scratch space: not copied, one thread at a
-/// time.
+/// Encodes numbers into the bytes of one column. Not copyable, because it owns a compression context and
+/// scratch space.
+/// Thread: one at a time.
 class ColumnEncoder {
 public:
     ColumnEncoder();
@@ -21,8 +22,8 @@ public:
 
     /// Appends the values in the smallest of the plain modes.
     void encodePlain(std::span<const std::int64_t> values, std::vector<std::uint8_t>& out);
-    /// As encodePlain, then zstd in its place if that saves an eighth (tried only if `tryZstd`). True if it
-    /// did.
+    /// Like encodePlain(), but replaces the result by its zstd form if that saves an eighth (tried only if
+    /// `tryZstd`). Returns true if it did.
     bool encode(std::span<const std::int64_t> values, bool tryZstd, std::vector<std::uint8_t>& out);
 
 private:

@@ -37,7 +37,7 @@ bool CrashRing::hasRoom() noexcept {
 
 bool CrashRing::tryPush(const core::HapticFrame& frame) noexcept {
     if (frame.tools != m_file.tools() || !hasRoom()) [[unlikely]] {
-        std::atomic_ref dropped(m_file.header().dropped); // this thread alone writes it
+        std::atomic_ref dropped(m_file.header().dropped); // only this thread writes it
         dropped.store(dropped.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         return false;
     }

@@ -25,7 +25,8 @@ private:
     crypto_generichash_state m_state;
 };
 
-/// Lets libsodium choose its vector variants; idempotent and thread-safe. Without it the portable code runs.
+/// Lets libsodium choose its vector variants; without this the portable code runs. Idempotent and
+/// thread-safe.
 void chooseVariant() {
     static const int once = sodium_init();
     static_cast<void>(once);
@@ -50,12 +51,12 @@ namespace {
 constexpr std::size_t kWrenchParts = 6;
 constexpr std::size_t kMostBytes = sizeof(std::uint16_t) + 2 * kWrenchParts * sizeof(double);
 
-/// One tool's two wrenches in the form that is hashed; returns the bytes written, at most kMostBytes.
+/// Writes one tool's two wrenches in the form that is hashed; returns the bytes written, at most kMostBytes.
 std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexcept {
     std::uint16_t mask = 0;
     std::size_t at = sizeof(mask);
     const auto put = [&](std::uint64_t value, bool listed,
-                         std::size_t bit) { // no branch: contact comes and goes
+                         std::size_t bit) { // no branch, since contact is hard to predict
         std::memcpy(out + at, &value, sizeof(value));
         at += listed ? sizeof(value) : 0;
         mask = static_cast<std::uint16_t>(mask | (listed ? 1u << bit : 0u));
@@ -72,13 +73,13 @@ std::size_t writeWrenches(const core::ToolFrame& tool, std::uint8_t* out) noexce
     return at;
 }
 
-constexpr std::uint16_t kQuantitiesFollow = 1u << 15; ///< no mask of wrenches has this bit
+constexpr std::uint16_t kQuantitiesFollow = 1u << 15; ///< no mask of wrenches sets this bit
 constexpr std::size_t kMostQuantityBytes =
     sizeof(kQuantitiesFollow) + sizeof(std::uint32_t) + core::kMaxQuantities * sizeof(double);
 static_assert(core::kMaxQuantities <= 32);
 
-/// What the scene recorded beside the tools, in the form that is hashed; nothing where all of it is +0.0, as in scenes
-/// that record none. At most kMostQuantityBytes.
+/// Writes the scene's recorded quantities in the form that is hashed; nothing if all are +0.0, as in scenes
+/// that record none. Returns the bytes written, at most kMostQuantityBytes.
 std::size_t writeQuantities(const core::TickHeader& header, std::uint8_t* out) noexcept {
     std::uint32_t mask = 0;
     std::size_t at = sizeof(kQuantitiesFollow) + sizeof(mask);

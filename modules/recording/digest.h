@@ -9,16 +9,17 @@
 
 namespace chiron::recording {
 
-/// BLAKE2b-256 over the little-endian sequence, firstTick, frames, then forceHash and payload of a chunk:
-/// guards against accidents (data.md, Proof). `payloadDigest` itself is not read.
+/// Returns BLAKE2b-256 over the little-endian sequence, firstTick and frames, then forceHash and payload of a
+/// chunk. It guards against accidents (data.md, Proof). `payloadDigest` itself is not read.
 Digest payloadDigestOf(const Chunk& chunk);
 
-/// BLAKE2b-256 over the unrounded doubles of tissue and commanded of every used tool, frame after frame: what
-/// a replay of the same ticks must reproduce. Equal hashes <=> equal bits. Hashed form of a tool: u16 mask,
-/// bit i (0..5) set where tissue[i] is not +0.0, bit 6 + i where commanded[i] has other bits than tissue[i];
-/// then those doubles (bits, little-endian) in that order. One to one, and a quarter of the bytes where force
-/// is passed on unchanged. After a frame's tools its recorded quantities (TickHeader::quantities), where any is not +0.0:
-/// u16 1 << 15, u32 mask, those doubles. Scores come from them too, and a squeeze, say, is in no wrench.
+/// Returns BLAKE2b-256 over the unrounded doubles of tissue and commanded of every used tool, frame after
+/// frame: the values that a replay of the same ticks must reproduce. Equal hashes <=> equal bits. Hashed form
+/// of a tool: a u16 mask with bit i (0..5) set where tissue[i] is not +0.0 and bit 6 + i set where
+/// commanded[i] has other bits than tissue[i]; then those doubles (bits, little-endian) in that order. The
+/// form is one to one, and takes a quarter of the bytes when the force is passed on unchanged. After a
+/// frame's tools come its recorded quantities (TickHeader::quantities), if any is not +0.0: u16 1 << 15, u32
+/// mask, those doubles. Scores depend on them too, and a squeeze, for example, is in no wrench.
 Digest forceHashOf(std::span<const core::HapticFrame> frames);
 
 /// Lower-case hexadecimal, for messages.

@@ -4,7 +4,7 @@
 namespace chiron::recording {
 
 namespace {
-constexpr std::size_t kFramesAtOnce = 64; // a drain every 20 ms finds 20
+constexpr std::size_t kFramesAtOnce = 64; // a drain every 20 ms finds 20 frames
 }
 
 FrameDrain::FrameDrain(CrashRing& ring, Recorder& recorder)
@@ -18,8 +18,8 @@ core::Result<void> FrameDrain::take() {
     return {};
 }
 
-// Damaged slots are not among the recorder's frames, so with any the mark lags by as many: it never runs
-// ahead.
+// Damaged slots are not among the recorder's frames. If there are any, the mark lags by as many; it never
+// runs ahead.
 void FrameDrain::commit() noexcept {
     m_ring.commit(m_recorder.framesCommitted());
 }

@@ -11,21 +11,22 @@
 
 namespace chiron::recording {
 
-/// Ring -> Recorder: what the writer thread calls every 20 ms for each live session. Ring and recorder must
-/// outlive it.
+/// Moves frames from the ring to the Recorder. The writer thread calls it every 20 ms for each live session.
+/// Ring and recorder must outlive it.
 class FrameDrain {
 public:
     FrameDrain(CrashRing& ring, Recorder& recorder);
 
-    /// Takes what is new, writes closed chunks, and frees the slots that are stored. now_ns in the clock of
-    /// TickHeader::now_ns. Error: the sink's; nothing is lost until the ring overflows, the next call tries
-    /// again.
+    /// Takes the new frames, writes closed chunks, and frees the slots of stored frames. now_ns is in the
+    /// clock of TickHeader::now_ns.
+    /// Errors: those of the sink; no frame is lost until the ring overflows, and the next call tries again.
     core::Result<void> drain(std::int64_t now_ns);
-    /// After the last push: takes everything, closes and writes it. May be repeated after an Error.
+    /// For use after the last push: takes all frames, closes the chunk and writes it. May be repeated after
+    /// an Error.
     core::Result<void> finish();
 
-    /// Frames that never came into the recording: dropped at a full ring, or damaged in it. Not 0:
-    /// incomplete.
+    /// Frames that never reached the recording: dropped because the ring was full, or damaged in it. If not
+    /// 0, the recording is incomplete.
     std::uint64_t lost() const noexcept { return m_ring.dropped() + m_ring.damaged(); }
 
 private:

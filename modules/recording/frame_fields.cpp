@@ -199,7 +199,7 @@ std::size_t scatter(const FrameField& field, std::span<const std::int64_t> value
     for (const std::int64_t v : values)
         any |= v;
     if (any == 0)
-        return values.size(); // zero already
+        return values.size(); // the frames are already zero
     switch (field.type) {
     case Type::u8:
         return scatterAs<std::uint8_t>(field.offset, values, frames);

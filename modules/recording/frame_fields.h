@@ -10,7 +10,7 @@
 
 namespace chiron::recording {
 
-/// Where a channel lives in a HapticFrame; `unknown` for channels of another version, which readers skip.
+/// Location of a channel in a HapticFrame; `unknown` for channels of another version, which readers skip.
 struct FrameField {
     enum class Type : std::uint8_t { unknown, u8, u16, u32, i32, u64, i64, real };
     Type type = Type::unknown;
@@ -18,23 +18,23 @@ struct FrameField {
     double stepsPerUnit = 1.0; ///< for real
 };
 
-/// The field of a channel, by its tool and id (and slot, for an axis or a quantity).
+/// Returns the field of a channel, from its tool and id (and slot, for an axis or a quantity).
 FrameField fieldOf(const Channel& channel) noexcept;
 
-/// Column of counts of one field over frames. values.size() == frames.size().
+/// Fills a column with the counts of one field over frames. values.size() == frames.size().
 void gather(const FrameField& field, std::span<const core::HapticFrame> frames,
             std::span<std::int64_t> values) noexcept;
-/// The same where the field has the value of `frame` in all of them.
+/// The same if the field has the value of `frame` in all of the frames.
 void gatherConstant(const FrameField& field, const core::HapticFrame& frame,
                     std::span<std::int64_t> values) noexcept;
 /// ORs into changes[w] the bits in which the w-th 8-byte word of any frame differs from that of the first.
 void findChanges(std::span<const core::HapticFrame> frames, std::span<std::uint64_t> changes) noexcept;
 
-/// Puts a column into frames that are zero there. Returns the first row whose count does not fit the field
+/// Writes a column into frames whose field is zero. Returns the first row whose count does not fit the field
 /// (the recording is damaged), or values.size().
 std::size_t scatter(const FrameField& field, std::span<const std::int64_t> values,
                     std::span<core::HapticFrame> frames) noexcept;
-/// Puts one count into a frame. False if it does not fit the field (the recording is damaged).
+/// Writes one count into a frame. Returns false if it does not fit the field (the recording is damaged).
 bool put(const FrameField& field, std::int64_t count, core::HapticFrame& frame) noexcept;
 
 } // namespace chiron::recording

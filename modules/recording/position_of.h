@@ -6,8 +6,9 @@
 
 namespace chiron::recording {
 
-/// From recorded counts to the tip, for path lengths: implemented above by the device's kinematics and the
-/// workspace mapping. Pure: the same counts always give the same doubles. Writer thread.
+/// Computes the tip's position from recorded counts, for path lengths. A higher layer implements it with the
+/// device's kinematics and the workspace mapping. Pure: the same counts always give the same doubles.
+/// Thread: writer.
 class IPositionOf {
 public:
     virtual ~IPositionOf() = default;

@@ -21,8 +21,8 @@ core::Result<void> Recorder::resume(ChunkSource& stored) {
     auto reader = RecordingReader::open(stored);
     if (!reader)
         return tl::make_unexpected(reader.error());
-    // All of it, though only the last second is missing: a second may depend on any earlier one when a
-    // device's clock was set back, and a whole session takes a fraction of a second.
+    // Reads all chunks, although only the last second is missing: when a device's clock was set back, a
+    // second may depend on any earlier one. A whole session takes a fraction of a second.
     std::vector<SecondSummary> storedAlready;
     for (std::size_t i = 0; i < reader->chunkCount(); ++i) {
         const auto frames = reader->framesOf(i);
@@ -50,7 +50,7 @@ core::Result<void> Recorder::add(std::span<const core::HapticFrame> frames) {
                                   std::to_string(frame.tools) + " tools, expected " + std::to_string(tools));
         ++m_taken;
         if (frame.header.index < m_nextTick)
-            continue; // stored before a crash
+            continue; // stored before the crash
         m_nextTick = frame.header.index + 1;
         std::memcpy(static_cast<void*>(&m_open[m_openCount++]), &frame, usedFrameBytes(tools));
         if (m_openCount < m_open.size())

@@ -20,10 +20,11 @@ struct RecorderSettings {
     double forceLimit_N = 4.0;               ///< for timeOverLimit_s
 };
 
-/// Frames -> chunks and per-second summaries -> TrialSink, in batches of one call. Chunks and the summaries
-/// of the seconds that end in them go together; the sink stores all or nothing; what it refuses is kept and
-/// offered again. A second is handed over once, when a later one begins or at finish(). Writer thread; may
-/// allocate. Not copied.
+/// Encodes frames into chunks and per-second summaries and writes them to a TrialSink in batches. The chunks
+/// and the summaries of the seconds that end in them go together. The sink stores all of a batch or nothing;
+/// a refused batch is kept and offered again. A second is handed over once, when a later one begins or at
+/// finish(). May allocate; not copyable.
+/// Thread: writer.
 class Recorder {
 public:
     Recorder(ChannelTable table, const IPositionOf& positionOf, TrialSink& sink,
@@ -31,24 +32,27 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// After a crash: goes on behind what `stored` holds (same table). The second that was unfinished is
-    /// added up again from the stored frames, so that the totals are those of an undisturbed session. Frames
-    /// whose tick is stored already are left out by add(). Error: as RecordingReader.
+    /// For use after a crash: continues after the frames that `stored` holds (same table). The unfinished
+    /// second is added up again from the stored frames, so that the totals are those of an undisturbed
+    /// session. add() leaves out frames whose tick is already stored.
+    /// Errors: as for RecordingReader.
     core::Result<void> resume(ChunkSource& stored);
 
-    /// Takes frames in order of their ticks; closes chunks as they fill. Error: wrongUse for a frame with
-    /// another number of tools than the table, or after finish().
+    /// Takes frames in the order of their ticks; closes chunks as they fill.
+    /// Errors: wrongUse for a frame with another number of tools than the table, or after finish().
     core::Result<void> add(std::span<const core::HapticFrame> frames);
     /// Closes the open chunk if its first frame is chunkSpan_ns or more before now_ns (clock of
     /// TickHeader::now_ns).
     core::Result<void> closeOld(std::int64_t now_ns);
-    /// Hands closed chunks over. Error: the sink's; everything is kept for the next call.
+    /// Hands over the closed chunks.
+    /// Errors: those of the sink; everything is kept for the next call.
     core::Result<void> write();
-    /// Closes the open chunk and second and writes. May be called again after an Error.
+    /// Closes the open chunk and second, and writes. May be called again after an Error.
     core::Result<void> finish();
 
     std::uint64_t framesTaken() const noexcept { return m_taken; } ///< by add(), left-out ones included
-    std::uint64_t framesCommitted() const noexcept { return m_committed; } ///< of those, stored for good
+    std::uint64_t framesCommitted() const noexcept { return m_committed; } ///< those of them that are stored
+                                                                           ///< permanently
     std::uint64_t bytesWritten() const noexcept { return m_bytes; }        ///< payload bytes stored
     std::uint32_t chunksWritten() const noexcept { return m_chunksWritten; }
 
@@ -59,12 +63,12 @@ private:
     SecondSummaries m_summaries;
     TrialSink& m_sink;
     RecorderSettings m_settings;
-    std::vector<core::HapticFrame> m_open; ///< framesPerChunk of them, the first m_openCount in use
+    std::vector<core::HapticFrame> m_open; ///< buffer for framesPerChunk frames, the first m_openCount in use
     std::size_t m_openCount = 0;
     std::vector<Chunk> m_closed;
     std::vector<SecondSummary> m_done;
     std::uint32_t m_sequence = 0;
-    std::uint64_t m_nextTick = 0; ///< frames with a lower index are stored already
+    std::uint64_t m_nextTick = 0; ///< frames with a lower index are already stored
     std::uint64_t m_taken = 0;
     std::uint64_t m_takenInClosed = 0;
     std::uint64_t m_committed = 0;

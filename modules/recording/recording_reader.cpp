@@ -90,7 +90,8 @@ core::Result<std::uint64_t> RecordingReader::lastTickOf(const Chunk& chunk) {
 }
 
 core::Result<core::HapticFrame> RecordingReader::frameAtTick(std::uint64_t tick) {
-    constexpr int kGuesses = 3; // chunks are alike, so the first or second is right; then by halves
+    constexpr int kGuesses = 3; // chunks are alike, so the first or second guess is right; after that,
+                                // bisection
     std::size_t low = 0, high = m_checked.size();
     std::size_t guess = 0;
     for (int tries = 0; low < high; ++tries) {
@@ -159,7 +160,7 @@ core::Result<Digest> RecordingReader::forceHash(std::size_t sequence) {
 core::Result<void> RecordingReader::verify() {
     std::uint64_t next = 0;
     for (std::size_t i = 0; i < m_checked.size(); ++i) {
-        m_checked[i] = false; // the source may have changed since
+        m_checked[i] = false; // the source may have changed meanwhile
         const auto frames = framesOf(i);
         if (!frames)
             return tl::make_unexpected(frames.error());

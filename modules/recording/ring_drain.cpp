@@ -17,7 +17,7 @@ std::size_t RingDrain::read(std::span<core::HapticFrame> frames) noexcept {
             break;
         core::HapticFrame& frame = frames[count];
         if (frame.tools != file.tools())
-            frame = {}; // the tools that the slot does not hold
+            frame = {}; // clears the tools that the slot does not hold
         const std::uint32_t found =
             m_copy(m_next + 1, &frame, bytes + sizeof(SlotHeader), usedFrameBytes(file.tools()) / 8);
         ++m_next;

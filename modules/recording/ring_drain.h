@@ -9,16 +9,18 @@
 
 namespace chiron::recording {
 
-/// Reader's side of a live ring, in the same process: writer thread. Reading does not free slots; commit()
-/// does, so that what was read but not yet stored survives a crash. The ring must outlive it.
+/// The reading end of a live ring, in the same process. Reading does not free slots; commit() does, so that
+/// frames that were read but not yet stored survive a crash. The ring must outlive it.
+/// Thread: writer.
 class RingDrain {
 public:
     explicit RingDrain(CrashRing& ring) noexcept;
 
-    /// Copies frames that were not read yet into `frames`, in order; returns how many. A slot whose checksum
-    /// disagrees (memory damage) is left out and counted in damaged().
+    /// Copies frames that were not yet read into `frames`, in order; returns how many. A slot whose checksum
+    /// does not match (memory damage) is left out and counted in damaged().
     std::size_t read(std::span<core::HapticFrame> frames) noexcept;
-    /// The first `frames` frames of the ring's life are stored for good: their slots may be used again.
+    /// Declares the first `frames` frames of the ring's life as stored permanently: their slots may be
+    /// reused.
     void commit(std::uint64_t frames) noexcept;
 
     std::uint64_t position() const noexcept { return m_next; } ///< slots read so far, damaged ones included

@@ -59,7 +59,7 @@ void RingFile::close() noexcept {
     if (m_base)
         munmap(m_base, m_bytes);
     if (m_descriptor >= 0)
-        ::close(m_descriptor); // gives the lock back
+        ::close(m_descriptor); // releases the lock
     m_base = nullptr;
     m_descriptor = -1;
 }
@@ -81,11 +81,12 @@ core::Result<RingFile> RingFile::create(const RingSettings& settings) {
     return file;
 }
 
-// Locked from its first moment and complete before it gets its name: nobody takes it for the ring of a dead
-// program.
+// The file is locked from its creation on and complete before it gets its final name, so that no program
+// takes it for the ring of a dead program.
 core::Result<void> RingFile::make(const std::filesystem::path& part, std::size_t bytes) {
     rlimit limit{};
-    if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < bytes) // else the kernel sends SIGXFSZ
+    // Otherwise the kernel would send SIGXFSZ.
+    if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < bytes)
         return refused(part, "needs " + std::to_string(bytes) + " bytes, the limit on file size forbids it",
                        EFBIG);
     m_descriptor = open(part.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
@@ -104,12 +105,14 @@ core::Result<void> RingFile::make(const std::filesystem::path& part, std::size_t
         return fail("cannot be mapped", errno);
     m_base = static_cast<std::uint8_t*>(base);
     m_bytes = bytes;
-    std::memset(m_base, 0, bytes); // every page is written once before the loop writes it
+    // Every page is written once before the loop writes to it.
+    std::memset(m_base, 0, bytes);
     return {};
 }
 
 core::Result<void> RingFile::publish(const std::filesystem::path& part, const std::filesystem::path& path) {
-    const bool linked = link(part.c_str(), path.c_str()) == 0; // unlike rename, never over an older ring
+    const bool linked = link(part.c_str(), path.c_str()) == 0; // unlike rename, link never replaces an older
+                                                               // ring
     const int error = errno;
     unlink(part.c_str());
     if (!linked)

@@ -10,7 +10,7 @@
 
 namespace chiron::recording {
 
-using DatabaseId = std::array<std::uint8_t, 16>; ///< UUID of the database, bytes as printed
+using DatabaseId = std::array<std::uint8_t, 16>; ///< UUID of the database, bytes in the printed order
 
 inline constexpr std::uint64_t kRingMagic = 0x31474e4952484321ULL; ///< "!CHRING1" little-endian
 inline constexpr std::uint32_t kRingVersion = 1;
@@ -20,7 +20,8 @@ inline constexpr std::uint32_t kMaximumSlots = 65536;
 inline constexpr const char* kRingSuffix = ".ring";
 inline constexpr const char* kUnfinishedRingSuffix = ".ring.part";
 
-/// First page of a ring file. The first line is written once; the other two have one writer each.
+/// First page of a ring file. Its first part is written once; each of the other two cache lines has one
+/// writer.
 struct RingHeader {
     std::uint64_t magic = kRingMagic;
     std::uint32_t version = kRingVersion;
@@ -48,7 +49,7 @@ struct SlotHeader {
 inline constexpr std::size_t kRingHeaderBytes = 4096;
 static_assert(sizeof(RingHeader) <= kRingHeaderBytes);
 
-/// Bytes of a frame that count: everything up to its last used tool.
+/// Returns the number of used bytes of a frame: everything up to its last used tool.
 constexpr std::size_t usedFrameBytes(std::uint32_t tools) noexcept {
     return offsetof(core::HapticFrame, tool) + tools * sizeof(core::ToolFrame);
 }
@@ -60,9 +61,9 @@ constexpr std::size_t slotBytesFor(std::uint32_t tools) noexcept {
 
 /// CRC-32C over the identity of a header (its first part, up to `committed`) with the checksum field zero.
 std::uint32_t identityChecksum(const RingHeader& header) noexcept;
-/// "chiron-<uuid in hex>-": what the file names of a database's rings begin with.
+/// Returns "chiron-<uuid in hex>-", with which the names of a database's ring files begin.
 std::string ringFilePrefix(const DatabaseId& database);
-/// This boot's id as the kernel gives it; empty if there is none.
+/// Returns the id of the present boot as the kernel reports it; empty if there is none.
 std::string bootId();
 
 } // namespace chiron::recording

@@ -23,7 +23,7 @@ std::string named(const std::filesystem::path& path) {
     return "crash ring " + path.string() + ": ";
 }
 
-/// Plain reads, not a mapping: a file that shrinks meanwhile gives an Error, not a SIGBUS.
+/// Uses plain reads instead of a mapping: a file that shrinks meanwhile gives an Error, not a SIGBUS.
 bool readAt(int descriptor, std::size_t offset, void* to, std::size_t bytes) noexcept {
     auto* out = static_cast<std::uint8_t*>(to);
     while (bytes > 0) {
@@ -39,7 +39,7 @@ bool readAt(int descriptor, std::size_t offset, void* to, std::size_t bytes) noe
     return true;
 }
 
-/// What is wrong with a header, or an empty text; `fileBytes` is the size of the file.
+/// Returns what is wrong with a header, or an empty text; `fileBytes` is the size of the file.
 std::string headerFlaw(const RingHeader& h, std::size_t fileBytes) {
     const auto expected = [](std::size_t offset, const std::string& what) {
         return "byte " + std::to_string(offset) + ": expected " + what;
@@ -69,7 +69,7 @@ std::string headerFlaw(const RingHeader& h, std::size_t fileBytes) {
     return {};
 }
 
-/// Frames from the committed mark on, while number and checksum of their slots agree.
+/// Returns the frames from the committed mark on, as long as number and checksum of their slots match.
 core::Result<std::vector<core::HapticFrame>> uncommitted(int descriptor, const RingHeader& h) {
     std::vector<core::HapticFrame> frames;
     const CopyWithChecksum copy = copyWithChecksum();
@@ -151,7 +151,8 @@ core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path) {
     struct stat about {};
     if (fstat(ring.m_descriptor, &about) != 0 || !S_ISREG(about.st_mode))
         return core::fail(ErrorCode::badInput, named(path) + "expected a regular file");
-    if (about.st_nlink == 0) // another program was faster: recovered and deleted between open and lock
+    // Another program was faster: it recovered and deleted the ring between open and lock.
+    if (about.st_nlink == 0)
         return core::fail(ErrorCode::notFound, named(path) + "was recovered by another program");
     const auto bytes = static_cast<std::size_t>(about.st_size);
     if (bytes < kRingHeaderBytes || !readAt(ring.m_descriptor, 0, &ring.m_header, sizeof(RingHeader)))

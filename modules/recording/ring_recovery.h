@@ -11,8 +11,8 @@
 
 namespace chiron::recording {
 
-/// What a dead ring still held. Keeps the file's lock, so that two programs never recover one ring;
-/// move-only.
+/// The contents of a ring whose program has died. It holds the file's lock, so that two programs never
+/// recover the same ring. Move-only.
 class RecoveredRing {
 public:
     RecoveredRing(const RecoveredRing&) = delete;
@@ -30,13 +30,14 @@ public:
     } ///< frames that the drain had marked as stored
     std::uint64_t dropped() const noexcept {
         return m_header.dropped;
-    }                      ///< at a full ring: not 0 is incomplete
-    bool sameBoot() const; ///< false: the machine was restarted since, the newest samples may be missing
-    /// Frames after the committed ones, in order, up to the first slot that is missing or damaged. The mark
-    /// may lag behind the database by one batch: leave out ticks that are stored already (Recorder::resume
-    /// sees to it).
+    }                      ///< lost because the ring was full; if not 0, the recording is incomplete
+    /// False if the machine was restarted since; then the newest samples may be missing.
+    bool sameBoot() const;
+    /// The frames after the committed ones, in order, up to the first slot that is missing or damaged. The
+    /// mark may lag behind the database by one batch, so leave out ticks that are already stored
+    /// (Recorder::resume does this).
     const std::vector<core::HapticFrame>& frames() const noexcept { return m_frames; }
-    /// Deletes the file, once the frames are stored.
+    /// Deletes the file; call it once the frames are stored.
     core::Result<void> remove();
 
 private:
@@ -48,15 +49,16 @@ private:
     std::vector<core::HapticFrame> m_frames;
 };
 
-/// Reads a ring whose program has died. The caller holds the database lock. Errors: locked if its program
-/// still lives, badInput if it is no ring of this layout (naming offset and expectation), storage if it
-/// cannot be read.
+/// Reads a ring whose program has died. The caller holds the database lock.
+/// Errors: locked if its program still runs; badInput if the file is not a ring of this layout (naming offset
+/// and expectation); notFound if the file does not exist; storage if it cannot be read.
 core::Result<RecoveredRing> recoverRing(const std::filesystem::path& path);
 
-/// Rings of one database in a folder, dead or alive, by file name; a missing folder has none.
+/// Lists the rings of one database in a folder, of live and dead programs, by file name; a missing folder has
+/// none.
 std::vector<std::filesystem::path> listRings(const std::filesystem::path& folder, const DatabaseId& database);
 
-/// Removes half-made rings of the database (their program died while creating them). Returns how many.
+/// Removes unfinished rings of the database, whose program died while creating them. Returns how many.
 int removeUnfinishedRings(const std::filesystem::path& folder, const DatabaseId& database);
 
 } // namespace chiron::recording

@@ -12,7 +12,7 @@ namespace chiron::recording {
 namespace {
 constexpr std::uint64_t kSecond_us = 1'000'000;
 
-/// floor((t − zero) / 1 s), saturated; 0 for a time before zero.
+/// Returns floor((t − zero) / 1 s), saturated; 0 for a time before zero.
 std::uint32_t secondOf(std::uint64_t t_us, std::uint64_t zero_us) noexcept {
     if (t_us < zero_us)
         return 0;
@@ -33,7 +33,8 @@ void SecondSummaries::add(const core::HapticFrame& frame, std::vector<SecondSumm
 void SecondSummaries::addTool(int tool, const core::HapticFrame& frame, std::vector<SecondSummary>& done) {
     Tool& state = m_tools[static_cast<std::size_t>(tool)];
     const core::ToolFrame& sample = frame.tool[static_cast<std::size_t>(tool)];
-    if ((sample.status & core::sample_status::kRefused) != 0) { // neither its place nor its time is to be believed
+    // Neither the position nor the time of a refused packet can be trusted.
+    if ((sample.status & core::sample_status::kRefused) != 0) {
         state.sum.events |= state.open ? frame.header.events : 0u;
         return;
     }

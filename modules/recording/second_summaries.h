@@ -11,19 +11,20 @@
 
 namespace chiron::recording {
 
-/// Adds frames up to one SecondSummary a second and tool. t is device time since the tool's first frame; a
-/// frame belongs to second floor(t), never to an earlier one than the frame before (a device clock set back
-/// reorders nothing). Force is the rounded tissue force (roundedWrench), so that live and later sums are the
-/// same doubles. Between consecutive unpaused frames k−1, k: path += ‖p_k − p_{k−1}‖, impulse += ½(F_{k−1} +
-/// F_k) Δt, time over limit += Δt if F_k > limit; all credited to the second of k. Paused frames count in no
-/// number but `events`; non-finite forces are left out of maximum, mean and impulse. Copyable.
+/// Adds up frames to one SecondSummary per second and tool. t is the device time since the tool's first
+/// frame. A frame belongs to second floor(t), but never to an earlier one than the frame before (so a device
+/// clock that is set back does not reorder frames). The force is the rounded tissue force (roundedWrench), so
+/// that live and later sums are the same doubles. Between consecutive unpaused frames k−1, k: path += ‖p_k −
+/// p_{k−1}‖, impulse += ½(F_{k−1} + F_k) Δt, time over limit += Δt if F_k > limit; all are credited to the
+/// second of k. Paused frames count only in `events`; non-finite forces are left out of maximum, mean and
+/// impulse. Copyable.
 class SecondSummaries {
 public:
     SecondSummaries(const IPositionOf& positionOf, double forceLimit_N) noexcept;
 
     /// Takes the next frame; appends the summaries that it completes to `done`.
     void add(const core::HapticFrame& frame, std::vector<SecondSummary>& done);
-    /// Appends the unfinished seconds, if any: at the end of a recording.
+    /// Appends the unfinished seconds, if any, at the end of a recording.
     void finish(std::vector<SecondSummary>& done);
 
 private:

@@ -10,7 +10,7 @@
 namespace chiron::recording {
 
 namespace {
-constexpr std::int64_t kTick_ns = 1'000'000; // the grid that now_ns jitters about
+constexpr std::int64_t kTick_ns = 1'000'000; // grid around which now_ns jitters
 
 Channel lossless(std::uint8_t tool, std::string id, std::string unit = "1", double resolution = 1.0) {
     Channel c;
@@ -72,7 +72,7 @@ void addTool(std::vector<Channel>& out, std::uint8_t tool, const ToolChannels& i
     const std::size_t tissue = out.size();
     addWrench(out, tool, "tissue", std::nullopt);
     addWrench(out, tool, "commanded", tissue);
-    addWrench(out, tool, "measured", tissue); // a device follows what it is asked for
+    addWrench(out, tool, "measured", tissue); // a device follows the requested force
     out.push_back(quantised(tool, "display.normal_force", "N", kForceResolution_N, ""));
     out.push_back(quantised(tool, "display.pitch", "rad", kAngleResolution_rad, ""));
     out.push_back(quantised(tool, "display.roll", "rad", kAngleResolution_rad, ""));
@@ -91,7 +91,7 @@ core::Result<void> addScene(std::vector<Channel>& out, const SceneChannels& scen
                                                          std::to_string(core::kMaxQuantities));
     for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
         const core::QuantityDescription& quantity = scene.quantities[i];
-        if (!isIdentifier(quantity.id)) // it becomes the name of a column in trace files
+        if (!isIdentifier(quantity.id)) // the id becomes the name of a column in trace files
             return core::fail(core::ErrorCode::wrongUse, "recording: quantity " + std::to_string(i) + " \"" + quantity.id +
                                                              "\": expected letters, digits and _");
         out.push_back(quantised(kNoTool, "quantity." + quantity.id, quantity.unit, quantity.resolution, ""));

@@ -12,17 +12,17 @@ namespace chiron::recording {
 
 using Digest = std::array<std::uint8_t, 32>; ///< BLAKE2b-256 (libsodium crypto_generichash)
 
-/// One second of one tool, kept beside the chunks so that questions over thousands of sessions need no
-/// samples.
+/// Summary of one second of one tool. It is stored beside the chunks, so that queries over thousands of
+/// sessions need no samples.
 struct SecondSummary {
     std::uint32_t second = 0; ///< floor(device time since the first frame / 1 s)
     std::uint8_t tool = 0;
-    std::uint32_t frames = 0; ///< not paused
+    std::uint32_t frames = 0; ///< unpaused frames
     double pathLength_m = 0.0;
     double maximumForce_N = 0.0;  ///< tissue
     double meanForce_N = 0.0;     ///< tissue, over frames
     double impulse_Ns = 0.0;      ///< ∫‖tissue force‖ dt
-    double timeOverLimit_s = 0.0; ///< tissue force over the session's limit
+    double timeOverLimit_s = 0.0; ///< time in which the tissue force exceeds the session's limit
     std::uint32_t events = 0;     ///< OR of event bits
 };
 
@@ -36,24 +36,25 @@ struct Chunk {
     Digest forceHash{};     ///< forceHashOf (digest.h)
 };
 
-/// Where chunks go; implemented by the database. Called on the writer thread only.
+/// Destination of chunks; implemented by the database.
+/// Thread: writer.
 class TrialSink {
 public:
     virtual ~TrialSink() = default;
-    /// Stores a batch in one transaction: all or nothing. A summary of a (tool, second) that is there already
-    /// (only after a crash between the last write and the end of the session) is replaced.
+    /// Stores a batch in one transaction: all or nothing. It replaces an existing summary of the same tool
+    /// and second (which exists only after a crash between the last write and the end of the session).
     virtual core::Result<void> write(std::span<const Chunk> chunks,
                                      std::span<const SecondSummary> summaries) = 0;
 };
 
-/// Where chunks come from: a stored session, a bundle, memory.
+/// Source of chunks: a stored session, a bundle or memory.
 class ChunkSource {
 public:
     virtual ~ChunkSource() = default;
     virtual core::Result<std::vector<std::uint8_t>> channelTable() = 0; ///< encoded (channel_table.h)
     virtual std::size_t chunkCount() const = 0;
     virtual core::Result<Chunk>
-    chunk(std::size_t sequence) = 0; ///< digest is checked by the reader, not here
+    chunk(std::size_t sequence) = 0; ///< the reader checks the digest, not this function
 };
 
 } // namespace chiron::recording

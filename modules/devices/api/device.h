@@ -10,16 +10,20 @@
 
 namespace chiron::devices {
 
-/// What the supervisor lets through to one tool. Only the loop makes it, from the supervisor's answer.
+/// The force that the supervisor lets through to one tool. Only the loop makes it, from the supervisor's
+/// output.
 struct ForceCommand {
-    core::Wrench wrench_D;     ///< on the tool, in D, about the tip; all of it
-    core::Wrench compensation_D; ///< what of it overcomes the mechanism's own friction: no tissue force, left out of what is measured
-    core::DisplayPose display; ///< fingertip platforms
+    core::Wrench wrench_D;     ///< total wrench on the tool, in D, about the tip
+    /// The part of it that overcomes the mechanism's own friction: not a tissue force, so it is left out of
+    /// `measured`.
+    core::Wrench compensation_D;
+    core::DisplayPose display; ///< for fingertip platforms
     bool enabled = false;      ///< false: motors off, the wrench is zero
 };
 
-/// One tool of one device. Life: constructed -> open() -> ticks -> close(). read/command run in the haptic thread and
-/// never block: a driver with a blocking transport talks to its own I/O thread through LatestValue.
+/// One tool of one device. Its life is: constructed -> open() -> ticks -> close(). A driver with a blocking
+/// transport exchanges data with its own I/O thread through LatestValue.
+/// Thread: read() and command() on the haptic thread, where they never block.
 class IDevice {
 public:
     IDevice() = default;
@@ -30,15 +34,18 @@ public:
     virtual const DeviceDescriptor& descriptor() const noexcept = 0;
     virtual const IToolKinematics& kinematics() const noexcept = 0;
     virtual core::Result<void> open() = 0; ///< may block and allocate; not in the tick
-    virtual void close() noexcept = 0;     ///< zero force first
+    virtual void close() noexcept = 0;     ///< commands zero force first
 
-    /// Newest packet; the same one again if none came. In-process devices return the sample of this tick.
+    /// Returns the newest packet; the same one again if none came. In-process devices return the sample of
+    /// this tick.
     virtual core::DeviceSample read(const realtime::HapticTick& now) noexcept = 0;
-    /// Hands over the force. In-process devices step their plant by one tick here.
+    /// Passes the force to the device. In-process devices step their plant by one tick here.
     virtual void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept = 0;
-    /// What is on the screen at this tick: scripted operators look at it, hardware ignores it.
+    /// Receives what the screen shows at this tick: scripted operators use it, hardware ignores it.
     virtual void show(const realtime::HapticTick&, const core::VisibleCues&) noexcept {}
-    /// Whether what moves the device has come to its end, which ends the session: a recording does, a hand does not. Any thread.
+    /// Returns true when the movement of the device has ended, which ends the session: a recording ends, a
+    /// hand does not.
+    /// Thread: any.
     virtual bool finished() const noexcept { return false; }
 };
 

@@ -16,23 +16,27 @@ enum class AxisUnit { metre, radian };
 struct AxisDescriptor {
     std::string id;               ///< snake_case, e.g. "heading", "x"
     AxisUnit unit = AxisUnit::metre;
-    double resolution = 1e-6;     ///< m or rad a count
+    double resolution = 1e-6;     ///< m or rad per count
     double minimum = 0.0;         ///< m or rad
     double maximum = 0.0;
-    double continuousRating = 0.0; ///< N or N·m that the axis gives for ever; 0 = not actuated
-    double coulombFriction = 0.0;  ///< of the axis as identified, N or N·m; 0 = not known, and not compensated
+    /// Effort in N or N·m that the axis can give continuously; 0 = not actuated.
+    double continuousRating = 0.0;
+    /// Of the axis, as identified, N or N·m; 0 = unknown, and not compensated.
+    double coulombFriction = 0.0;
     double viscousFriction = 0.0;  ///< the same, N·s/m or N·m·s/rad
 };
 
-/// How scores of a device are grouped: what can be felt is never compared with what is only shown.
+/// How the scores of devices are grouped: force that can be felt is never compared with force that is only
+/// shown.
 enum class DeviceClass { felt, shown };
 
-/// What a device is and can do, stored with each session; the kinematics can be made again from it.
+/// Describes what a device is and can do. It is stored with each session, and the kinematics can be made from
+/// it again.
 struct DeviceDescriptor {
     std::string driver;     ///< catalogue id: simulated, keyboard_mouse, replay
     std::string model;      ///< for people
-    std::string kinematics; ///< id, one of those that makeKinematics() lists
-    std::vector<double> kinematicsParameters; ///< meaning fixed by the kinematics id
+    std::string kinematics; ///< one of the ids that makeKinematics() knows
+    std::vector<double> kinematicsParameters; ///< their meaning depends on the kinematics id
     std::vector<AxisDescriptor> axes;         ///< 1..kMaxCoordinates
     double jawResolution_rad = 0.0;
     bool rendersForce = false;
@@ -41,17 +45,22 @@ struct DeviceDescriptor {
     std::uint32_t period_us = 1000; ///< P: declared time between packets
     double maximumForce_N = 0.0;   ///< continuous, any direction; 0 = none
     double maximumTorque_Nm = 0.0;
-    /// b_max (models.md §0, §8): what may damp this mechanism altogether, friction's slope, viscosity, contact damping and injected
-    /// damping added up. Measured, with margin (tests/damping/README.md).
+    /// b_max (models.md §0, §8): the largest total damping of this mechanism, with friction's slope,
+    /// viscosity, contact damping and injected damping added up. Measured, with margin
+    /// (tests/damping/README.md).
     double maximumDamping_Ns_per_m = 50.0;
-    double frictionCompensation = 0.0; ///< share of its axes' Coulomb friction that is fed forward, 0..1; 0 = off (haptics/friction_compensation.h)
-    /// As the driver has it from the device (of a HID device its descriptor's string); empty: the device tells none, as simulated ones.
+    /// Share of the axes' Coulomb friction that is fed forward, 0..1; 0 = off
+    /// (haptics/friction_compensation.h).
+    double frictionCompensation = 0.0;
+    /// As the driver reads it from the device (for a HID device, the string in its descriptor); empty if the
+    /// device reports none, as simulated ones do.
     std::string serialNumber{};
     DeviceClass deviceClass() const { return rendersForce ? DeviceClass::felt : DeviceClass::shown; }
 };
 
-/// From D to W: p_WT = origin + scale · R · H · p_DT, H = diag(-1,1,1) for a left-handed workspace, else 1, and R how the device's
-/// base is mounted (P2, "Flexible Mounting Options"). Forces go back through (R H)ᵀ unscaled. Stored with each session.
+/// The mapping from D to W: p_WT = origin + scale · R · H · p_DT, with H = diag(-1,1,1) for a left-handed
+/// workspace, otherwise 1, and R the mounting of the device's base (P2, "Flexible Mounting Options"). Forces
+/// go back through (R H)ᵀ unscaled. Stored with each session.
 struct WorkspaceMapping {
     std::array<double, 3> origin_m{};
     double scale = 1.0;

@@ -8,8 +8,9 @@
 
 namespace chiron::devices {
 
-/// Where a window puts what a person does with mouse and keys, for a device that is moved that way; std::monostate: the device is
-/// moved by something else. Belongs to the device. Threads: as the mailboxes say.
+/// Where a window puts a person's mouse and key input, for a device that is moved in this way; std::monostate
+/// if something else moves the device. It belongs to the device.
+/// Thread: as the mailboxes say.
 using HandInput = std::variant<std::monostate, PointerMailbox*, EndoscopeMailbox*>;
 
 } // namespace chiron::devices

@@ -11,18 +11,20 @@ namespace chiron::devices {
 
 using AxisValues = std::array<double, core::kMaxCoordinates>;
 
-/// From the device's integers to the tool in D, and from a wrench on the tool to what each device axis must give.
-/// Pure and stateless: a replay makes the same one from the stored descriptor. D is the device's base frame; the
-/// driver's transform from vendor axes to D is part of it.
+/// Computes the tool's pose in D from the device's integers, and the effort of each device axis from a wrench
+/// on the tool. Pure and stateless: a replay makes the same kinematics from the stored descriptor. D is the
+/// device's base frame; the driver's transform from vendor axes to D is part of it.
 class IToolKinematics {
 public:
     virtual ~IToolKinematics() = default;
-    /// Pose of the tip from counts: p_DT (m), q_DT, jaw (rad). Velocities are left zero.
+    /// Returns the pose of the tip from counts: p_DT (m), q_DT, jaw (rad). Velocities are left zero.
     virtual core::ToolState pose(const core::DeviceSample& sample) const noexcept = 0;
-    /// v_DT (m/s) and w_DT (rad/s) from the rates of the counts (counts/s): the Jacobian at this sample.
+    /// Computes v_DT (m/s) and w_DT (rad/s) from the rates of the counts (counts/s), with the Jacobian at
+    /// this sample.
     virtual void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,
                           core::Vec3& w_DT) const noexcept = 0;
-    /// Generalised effort per axis (N or N·m) that realises wrench_D (on the tool, in D): τ = Jᵀf by default.
+    /// Returns the generalised effort per axis (N or N·m) that realises wrench_D (on the tool, in D): τ = Jᵀf
+    /// by default.
     virtual AxisValues efforts(const core::DeviceSample& sample, const core::Wrench& wrench_D) const noexcept = 0;
 };
 

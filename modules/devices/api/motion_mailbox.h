@@ -11,18 +11,19 @@
 
 namespace chiron::devices {
 
-/// Totals since the mailbox was made, so that reading only the newest loses no movement and no press. What each of the
-/// `Axes` motions is (m or rad, in which frame) is the driver's to say.
+/// Totals since the mailbox was made, so that reading only the newest value loses no movement and no press.
+/// The driver defines what each of the `Axes` motions is (m or rad, in which frame).
 template <std::size_t Axes> struct MotionTotals {
     std::array<double, Axes> moved{};
-    std::array<double, Axes> rate_per_s{}; ///< of keys held now
-    std::uint32_t held = 0;                ///< core::kButton… bits held now
+    std::array<double, Axes> rate_per_s{}; ///< of the keys that are held now
+    std::uint32_t held = 0;                ///< core::kButton… bits that are held now
     std::uint32_t markPresses = 0;         ///< counts, wraps
     std::uint32_t stopPresses = 0;
 };
 
-/// From the window's events to the driver's tick, without a lock. Threads: read() by the tick, the rest by the GUI. Values
-/// that are not finite are ignored, with all that came with them.
+/// Passes the window's events to the driver's tick, without a lock. A call with a value that is not finite is
+/// ignored as a whole.
+/// Thread: read() by the tick, the rest by the GUI.
 template <std::size_t Axes> class MotionMailbox {
 public:
     using Motion = std::array<double, Axes>;
@@ -63,7 +64,7 @@ private:
         return finite;
     }
 
-    MotionTotals<Axes> m_totals; ///< GUI's copy
+    MotionTotals<Axes> m_totals; ///< the GUI's copy
     realtime::LatestValue<MotionTotals<Axes>> m_shared;
 };
 

@@ -8,11 +8,12 @@
 
 namespace chiron::devices {
 
-/// One row of a recorded movement, in W, which is its device's D: the workspace mapping of such a device is the identity.
+/// One row of a recorded movement, in W, which equals the device's D: such a device has the identity as its
+/// workspace mapping.
 struct TracePoint {
     double t_s = 0.0;
     core::Vec3 p_WT_m = core::Vec3::Zero();
-    std::optional<core::Quat> q_WT = std::nullopt; ///< all rows have one, or none
+    std::optional<core::Quat> q_WT = std::nullopt; ///< either all rows have one, or none
     double jaw_rad = 0.0;
     std::uint32_t buttons = 0;
 };

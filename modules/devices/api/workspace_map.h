@@ -8,12 +8,14 @@
 
 namespace chiron::devices {
 
-/// The mapping between D and W in use: p_WT = o + s·R·H·p_DT with H = diag(-1,1,1) for a left-handed workspace, else 1, and R the
-/// turn of the device's base. Velocities are scaled as positions. What turns (angular velocity, torque, the axis of a rotation) is
-/// an axial vector: under the reflection H it maps with det(H)·H, and an orientation with R_W = R H R_D H, which stays a rotation.
-/// Forces go back through (R H)ᵀ unscaled. Under H a tool's x_W = −H x_D while its normal is H n_D, so of a fingertip platform's lean
-/// roll = l·x changes sign and pitch = −l·(n × x) does not (models.md §3); R turns tool and normal alike and changes neither. A base
-/// that is not turned maps to the same bits as if there were no R. Pure; any thread.
+/// Applies a WorkspaceMapping: p_WT = o + s·R·H·p_DT with H = diag(-1,1,1) for a left-handed workspace,
+/// otherwise 1, and R the rotation of the device's base. Velocities are scaled like positions. Angular
+/// velocity, torque and the axis of a rotation are axial vectors: under the reflection H they map with
+/// det(H)·H, and an orientation with R_W = R H R_D H, which remains a rotation. Forces go back through (R H)ᵀ
+/// unscaled. Under H a tool's x_W = −H x_D while its normal is H n_D; of a fingertip platform's lean,
+/// therefore, roll = l·x changes sign and pitch = −l·(n × x) does not (models.md §3). R turns tool and normal
+/// alike and changes neither. A base that is not turned maps to the same bits as if there were no R. Pure.
+/// Thread: any.
 class WorkspaceMap {
 public:
     explicit WorkspaceMap(const WorkspaceMapping& mapping = {}) noexcept
@@ -46,7 +48,7 @@ public:
     }
     core::DisplayPose displayToW(const core::DisplayPose& pose) const noexcept { return displayToD(pose); }
 
-    /// Pose of the tool in W from one packet; velocities stay zero.
+    /// Returns the pose of the tool in W from one packet; velocities stay zero.
     core::ToolState pose(const IToolKinematics& kinematics, const core::DeviceSample& sample) const noexcept {
         core::ToolState tool = kinematics.pose(sample);
         tool.p_WT = pointToW(tool.p_WT);

@@ -12,12 +12,16 @@
 
 namespace chiron::operators {
 
-/// An instrument as the hand that holds it feels it: where its tip is and how it moves, and what of f_z is the instrument's own.
-///   tip        p + e, b_g ė + k_g e = f: the grip gives way as a spring with a damper, 5 ms behind
+/// An instrument as the hand that holds it feels it: position and motion of its tip, and the parts of f_z
+/// that come from the instrument itself.
+///   tip        p + e, b_g ė + k_g e = f: the grip yields as a spring with a damper, with a lag of 5 ms
 ///   own part   1, along the rod (through the port) v_a u_z, z u_z, ż u_z; m a_z; across it, in x and y, z u, v u
-/// z: friction sets in over kPresliding_m of way (ż = v − |v| z/kPresliding_m), with u the rod's direction. A hand that strokes along y moves the rod through its
-/// port by v_y y/R, which is faster than it trembles: friction along the rod (0.1 N) changes its sign in the middle of a stroke, whatever the height does.
-/// How much there is of each is a fit's matter. State: grip and bristles. Thread: haptic; no allocation. Our choice of regressors.
+/// z: friction builds up over a travel of kPresliding_m (ż = v − |v| z/kPresliding_m); u is the rod's
+/// direction. A hand that strokes along y moves the rod through its port by v_y y/R, which is faster than its
+/// tremor: friction along the rod (0.1 N) changes its sign in the middle of a stroke, whatever the height
+/// does. A fit determines the amount of each part. State: grip and bristles. The choice of regressors is
+/// ours.
+/// Thread: haptic; allocates nothing.
 class InstrumentFeel {
 public:
     static constexpr std::size_t kOwn = 9;
@@ -27,7 +31,9 @@ public:
         : m_grip_N_per_m(hand.gripStiffness_N_per_m),
           m_follows(1.0 - std::exp(-core::kTickSeconds * hand.gripStiffness_N_per_m / hand.gripDamping_Ns_per_m)) {}
 
-    /// Once a tick: where the hand is, and the force on it. D, SI.
+    /// Takes the hand's position and the force on it; call it once per tick.
+    /// Unit: SI.
+    /// Frame: D.
     void feel(const core::Vec3& p, const core::Vec3& f) noexcept {
         const core::Vec3 yield = f / m_grip_N_per_m;
         m_yield = m_felt > 0 ? core::Vec3(m_yield + m_follows * (yield - m_yield)) : yield;
@@ -41,13 +47,14 @@ public:
     }
     const core::Vec3& tip() const noexcept { return m_tip; }
     const core::Vec3& velocity() const noexcept { return m_velocity; }
-    /// The instrument's own part of f_z, each in units of its coefficient.
+    /// The instrument's own part of f_z, each entry in units of its coefficient.
     const Own& own() const noexcept { return m_own; }
 
 private:
     static constexpr double kPresliding_m = 50e-6;
 
-    /// The bristle one tick on, implicitly: never longer than 1 (in units of kPresliding_m). Returns its change.
+    /// Advances a bristle by one tick, implicitly; it never becomes longer than 1 (in units of
+    /// kPresliding_m). Returns the change.
     static double bend(double& z, double v) noexcept {
         const double before = z;
         z = (z + v * core::kTickSeconds / kPresliding_m) / (1.0 + std::abs(v) * core::kTickSeconds / kPresliding_m);
@@ -66,7 +73,7 @@ private:
     }
 
     double m_grip_N_per_m;
-    double m_follows; ///< share of its way to rest that the grip goes in a tick
+    double m_follows; ///< share of its way to rest that the grip covers per tick
     core::Vec3 m_yield = core::Vec3::Zero();
     core::Vec3 m_tip = core::Vec3::Zero(), m_velocity = core::Vec3::Zero(), m_acceleration = core::Vec3::Zero();
     double m_along = 0.0, m_x = 0.0, m_y = 0.0; ///< bristles, −1..1

@@ -66,7 +66,7 @@ Vec3 Senses::feltForce(const Vec3& real) noexcept {
     const double size = real.norm();
     if (!(size > 1e-9))
         return floor;
-    // Two axes across the force, the first towards x (or y where the force is along x).
+    // Two axes across the force, the first towards x (or towards y if the force is along x).
     const Vec3 along = real / size;
     const Vec3 towards = std::abs(along.x()) < 0.9 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
     const Vec3 first = (towards - towards.dot(along) * along).normalized();

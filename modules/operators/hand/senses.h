@@ -10,32 +10,34 @@
 
 namespace chiron::operators {
 
-/// What a trainee believes it feels and sees: all that its mind may use. D.
+/// What a scripted operator believes it feels and sees; its strategy may use nothing else.
+/// Frame: D.
 struct Percept {
     double time_s = 0.0;
     core::Vec3 place = core::Vec3::Zero(); ///< of its hand, m
     core::Vec3 force = core::Vec3::Zero(); ///< on its hand, N
-    /// Felt lateral force over the whole, (f_x, f_y)/‖f‖: the sine of the inclination of what is touched,
-    /// pointing away from the hill; zero where nothing firm is felt.
+    /// Felt lateral share of the force, (f_x, f_y)/‖f‖: the sine of the touched surface's inclination,
+    /// pointing away from the hill; zero if nothing firm is felt.
     core::Vec2 slope = core::Vec2::Zero();
-    bool touching = false; ///< something firm is there
+    bool touching = false; ///< something firm is felt
     bool objectSeen = false;
-    core::Vec2 seenApex = core::Vec2::Zero(); ///< where it sees the object's middle, objectSeen only
-    core::VisibleCues cues;                   ///< as shown; its object is not to be used beyond seenApex
+    core::Vec2 seenApex = core::Vec2::Zero(); ///< seen position of the object's middle; only with objectSeen
+    core::VisibleCues cues;                   ///< as shown; of its object only seenApex may be used
 };
 
-/// Turns what really happens to a hand into what is felt: 100 looks a second over the mean of ten ticks,
-/// through PerceptionSettings' noises. Seeded. Haptic thread, no allocation.
+/// Converts what really happens to a hand into what it feels: 100 percepts ("looks") per second, each from
+/// the mean of ten ticks, with the noises of PerceptionSettings. Seeded.
+/// Thread: haptic; allocates nothing.
 class Senses {
 public:
     static constexpr int kTicksPerLook = 10;
     static constexpr double kLook_s = 0.01;
-    /// Felt pressure, smoothed over 0.1 s, that is taken for touch: friction of the drives, inertia and
-    /// tremor stay below. Assumption.
+    /// Felt force, smoothed over 0.1 s, that counts as touch: friction of the drives, inertia and tremor stay
+    /// below it. Assumption.
     static constexpr double kTouch_N = 0.35;
 
     Senses(const PerceptionSettings& settings, std::uint64_t seed) noexcept;
-    /// Every tick. True when a new look is ready in percept().
+    /// Call it every tick. Returns true when a new percept is ready in percept().
     bool feel(const mechanisms::HandPerception& real) noexcept;
     const Percept& percept() const noexcept { return m_percept; }
 

@@ -5,17 +5,19 @@
 
 namespace chiron::operators {
 
-/// How well any of the scripted laparoscopists feels and sees. The same for all of them: they differ in what they do. Each noise
-/// is a stationary first-order Gauss–Markov process given by SD and correlation time.
+/// How well the scripted laparoscopists feel and see. The settings are the same for all of them; they differ
+/// in their strategies. Each noise is a stationary first-order Gauss–Markov process, given by SD and
+/// correlation time.
 struct GraspPerceptionSettings {
-    /// Place and force of each hand: the very noises of the sphere-apex trainees, with their sources. Seen instruments and
-    /// objects take the place of the felt hand where the screen shows them.
+    /// Position and force of each hand: the same noises, with the same sources, as for the sphere-apex
+    /// operators. Where the screen shows instruments and objects, sight replaces the felt position.
     PerceptionSettings hand;
-    /// Reading a bar: of what is read, and a floor. Assumption, about a line's width of the bar.
+    /// Error in reading a bar: a share of the reading, and a floor. Assumption, about the width of the bar's
+    /// line.
     double gaugeWeberFraction = 0.02;
     double gaugeFloorSd_N = 0.015;
     double gaugeNoiseTime_s = 0.5;
-    /// Length of something seen: Weber fraction of 2–3 % for lines (Ono 1967, Percept Psychophys 2:201).
+    /// Error of a seen length: Weber fraction of 2–3 % for lines (Ono 1967, Percept Psychophys 2:201).
     double lengthWeberFraction = 0.025;
     double lengthNoiseTime_s = 0.5; ///< assumption, as for sight
 };

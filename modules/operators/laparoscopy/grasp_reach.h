@@ -6,26 +6,32 @@
 
 namespace chiron::operators {
 
-/// How a laparoscopist's hand follows what it wants.
+/// How a laparoscopist's hand follows its intention.
 struct GraspReachSettings {
-    double acceleration_m_per_s2 = 0.5; ///< the most it speeds up by
-    double smoothing_s = 0.12;          ///< how gradually
+    double acceleration_m_per_s2 = 0.5; ///< largest acceleration
+    double smoothing_s = 0.12;          ///< time constant of the smoothing
 };
 
-/// What the mind wishes of one hand until its next look. Velocities in the frame that reach and wish share.
+/// The wish of the decision model for one hand until its next percept. Velocities are in the frame that reach
+/// and wish share.
 struct GraspWish {
     core::Vec3 velocity_m_per_s = core::Vec3::Zero();
-    double jaw_rad = 0.0;             ///< opening it wants
-    double jawSpeed_rad_per_s = 1.0;  ///< how fast
+    double jaw_rad = 0.0;             ///< wanted opening
+    double jawSpeed_rad_per_s = 1.0;  ///< speed of opening or closing
 };
 
-/// The motor command: a wished velocity becomes a smooth desired place, a wished opening a moving jaw. Acceleration is bounded,
-/// and so is the desired place (no further than the instrument reaches through its entry point). D, SI; every tick, no allocation.
+/// The motor command: it turns a wished velocity into a smooth desired position and a wished opening into a
+/// moving jaw. Acceleration is bounded, and so is the desired position (to the reach of the instrument
+/// through its entry point). Runs every tick.
+/// Unit: SI.
+/// Frame: D.
+/// Thread: haptic; allocates nothing.
 class GraspReach {
 public:
-    static constexpr double kAcross_m = 0.130; ///< from under the entry point, either way
+    static constexpr double kAcross_m = 0.130; ///< either side of the point under the entry point
     static constexpr double kLowest_m = -0.015;
-    static constexpr double kHighest_m = 0.098; ///< the pivot is 180 mm above the table, the shortest depth 80 mm
+    static constexpr double kHighest_m = 0.098; ///< the pivot is 180 mm above the table, and the shortest
+                                                ///< depth is 80 mm
     static constexpr double kWidest_rad = 1.6;
 
     explicit GraspReach(const GraspReachSettings& settings) noexcept : m_settings(settings) {}

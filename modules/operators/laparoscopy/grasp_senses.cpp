@@ -23,7 +23,8 @@ GraspSenses::GraspSenses(const GraspPerceptionSettings& s, std::size_t hand, con
 
 bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     mechanisms::HandPerception seen = real;
-    seen.cues.objectShown = real.cues.exercise.of<core::LaparoscopyCues>().objectShown; // the picture is there: the tip is placed by sight
+    // If the picture is shown, sight locates the tip.
+    seen.cues.objectShown = real.cues.exercise.of<core::LaparoscopyCues>().objectShown;
     if (!m_senses.feel(seen))
         return false;
     const Percept& felt = m_senses.percept();
@@ -33,7 +34,7 @@ bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     m_percept.place = m_map.pointToW(felt.place);
     m_percept.force = m_map.wrenchToW({felt.force, core::Vec3::Zero()}).force;
     m_percept.tension_N = readBar(screen.tensionShown ? screen.tension_N : 0.0, m_tensionWeber, m_tensionFloor);
-    // The same eye reads both bars at a look: what it mistakes of the one it mistakes of the other.
+    // The same eye reads both bars of one percept, so both readings have the same error.
     m_percept.retraction_N = screen.retractionShown && screen.retraction_N > 0.0
                                  ? std::max(0.0, screen.retraction_N * (1.0 + m_tensionWeber.value()) + m_tensionFloor.value())
                                  : 0.0;
@@ -43,7 +44,7 @@ bool GraspSenses::feel(const mechanisms::HandPerception& real) noexcept {
     return true;
 }
 
-/// Its thickness is judged as any length is.
+/// The thickness is judged like any length.
 double GraspSenses::seenFlattening(const core::LaparoscopyCues& screen) noexcept {
     const double wrong = m_thickness.advance(m_random);
     for (int i = 0; i < screen.bodies; ++i) {
@@ -54,7 +55,7 @@ double GraspSenses::seenFlattening(const core::LaparoscopyCues& screen) noexcept
     return 0.0;
 }
 
-/// An empty bar is read as empty.
+/// An empty bar is always read as empty.
 double GraspSenses::readBar(double shown_N, MarkovNoise& weber, MarkovNoise& floor) noexcept {
     const double read = shown_N * (1.0 + weber.advance(m_random)) + floor.advance(m_random);
     return shown_N > 0.0 ? std::max(0.0, read) : 0.0;

@@ -13,17 +13,19 @@
 
 namespace chiron::operators {
 
-/// What a laparoscopist believes one hand feels and the screen shows: all that its mind may use. W.
+/// What a laparoscopist believes one hand feels and the screen shows; its strategy may use nothing else.
+/// Frame: W.
 struct GraspPercept {
     double time_s = 0.0;
-    core::Vec3 place = core::Vec3::Zero(); ///< of the instrument's tip, as seen, or as felt where the screen shows nothing, m
+    /// Position of the instrument's tip: as seen, or as felt if the screen shows nothing, m.
+    core::Vec3 place = core::Vec3::Zero();
     core::Vec3 force = core::Vec3::Zero(); ///< on the hand, N
-    double tension_N = 0.0;                ///< as read from its bar; 0 where that is not shown
+    double tension_N = 0.0;                ///< as read from its bar; 0 if the bar is not shown
     double retraction_N = 0.0;             ///< of a fold that is held back, likewise
     double squeeze_N = 0.0;                ///< of this hand's jaw, likewise
-    double stretch_m = 0.0;                ///< of the tube, as it looks
-    double flattening_m = 0.0;             ///< of what this hand holds between its jaws, as it looks
-    core::VisibleCues cues;                ///< as shown; what is named above is not to be read here
+    double stretch_m = 0.0;                ///< of the tube, as seen
+    double flattening_m = 0.0;             ///< of the object between this hand's jaws, as seen
+    core::VisibleCues cues;                ///< as shown; the values above must not be read from here
 
     bool working() const noexcept {
         return cues.phase == core::TrialPhase::running && cues.force == core::ForceState::on;
@@ -31,13 +33,14 @@ struct GraspPercept {
     const core::LaparoscopyCues& screen() const noexcept { return cues.exercise.of<core::LaparoscopyCues>(); }
 };
 
-/// Turns what really happens to one hand and on the screen into what is felt and seen: 100 looks a second over the mean of ten
-/// ticks (Senses), through GraspPerceptionSettings' noises. Seeded. Haptic thread, no allocation.
+/// Converts what really happens to one hand and on the screen into what is felt and seen: 100 percepts per
+/// second from the mean of ten ticks (Senses), with the noises of GraspPerceptionSettings. Seeded.
+/// Thread: haptic; allocates nothing.
 class GraspSenses {
 public:
     GraspSenses(const GraspPerceptionSettings& settings, std::size_t hand, const devices::WorkspaceMapping& place,
                 std::uint64_t seed) noexcept;
-    /// Every tick. True when a new look is ready in percept().
+    /// Call it every tick. Returns true when a new percept is ready in percept().
     bool feel(const mechanisms::HandPerception& real) noexcept;
     const GraspPercept& percept() const noexcept { return m_percept; }
 

@@ -9,7 +9,8 @@
 
 namespace chiron::operators {
 
-/// What one to three hands feel and see at one look, and where their mind's own jaws stand (it moves them, so it knows).
+/// What one to three hands feel and see in one percept, and the wanted angles of their jaws, which the
+/// decision model knows because it moves them.
 struct GraspLook {
     static constexpr std::size_t kHands = 3;
     std::array<GraspPercept, kHands> hand;
@@ -21,8 +22,9 @@ struct GraspLook {
 
 using GraspWishes = std::array<GraspWish, GraspLook::kHands>; ///< W
 
-/// What decides for all hands of one laparoscopist. Asked at every look (100 a second) of the last of its hands. Haptic thread;
-/// no allocation.
+/// Decision model for all hands of one laparoscopist. It is called after every percept (100 per second) of
+/// the last hand.
+/// Thread: haptic; allocates nothing.
 class LaparoscopyMind {
 public:
     LaparoscopyMind() = default;

@@ -14,7 +14,7 @@ void SharedMind::hear(std::size_t hand, const GraspPercept& felt, double jaw_rad
 
 mechanisms::HandIntention ScriptedHand::decide(const mechanisms::HandPerception& seen) noexcept {
     if (seen.time_s <= 0.0)
-        m_reach.start(seen.p_DT); // the hand begins where the instrument is
+        m_reach.start(seen.p_DT); // the hand starts at the instrument's position
     if (m_senses.feel(seen))
         m_mind->hear(m_hand, m_senses.percept(), m_reach.jaw_rad());
     GraspWish wish = m_mind->wishOf(m_hand);

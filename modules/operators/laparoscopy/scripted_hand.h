@@ -9,8 +9,9 @@
 
 namespace chiron::operators {
 
-/// One mind behind several hands: it hears of each, and thinks once the last of them has looked. Tool 0 is asked first in a tick,
-/// so what is thought in a tick moves the first hand in the next one.
+/// One decision model that several hands share. It receives the percept of each hand and decides once the
+/// last of them has reported. Tool 0 is called first in a tick, so a decision moves the first hand in the
+/// next tick.
 class SharedMind {
 public:
     SharedMind(std::unique_ptr<LaparoscopyMind> mind, std::size_t hands) noexcept;
@@ -23,8 +24,9 @@ private:
     GraspWishes m_wishes{};
 };
 
-/// One hand of a scripted laparoscopist: its own senses and reach, and the mind that it shares with the other hand. Haptic
-/// thread: no allocation after construction.
+/// One hand of a scripted laparoscopist, with its own senses and reach and the decision model that it shares
+/// with the other hands.
+/// Thread: haptic; allocates nothing after construction.
 class ScriptedHand final : public mechanisms::HandStrategy {
 public:
     ScriptedHand(std::shared_ptr<SharedMind> mind, std::size_t hand, const GraspPerceptionSettings& perception,
@@ -33,14 +35,15 @@ public:
     mechanisms::HandIntention decide(const mechanisms::HandPerception& seen) noexcept override;
 
 private:
-    std::shared_ptr<SharedMind> m_mind; ///< shared: the hands live in different devices, and the last one gone takes it along
+    /// Shared because the hands are in different devices; it is destroyed with the last of them.
+    std::shared_ptr<SharedMind> m_mind;
     std::size_t m_hand;
     devices::WorkspaceMap m_map;
     GraspSenses m_senses;
     GraspReach m_reach;
 };
 
-/// Hands in the order of the tools, each at its instrument's place. Allocates; not in the tick.
+/// Makes the hands in the order of the tools, each at its instrument's position. Allocates; not for the tick.
 std::vector<std::unique_ptr<mechanisms::HandStrategy>> makeHands(std::unique_ptr<LaparoscopyMind> mind,
                                                                  const GraspPerceptionSettings& perception,
                                                                  const GraspReachSettings& reach,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes hands and their mind: allocates, so it is kept apart from what the tick calls.
+// Makes hands and their decision model. This allocates, so it is kept apart from the code that the tick
+// calls.
 #include "core/random.h"
 #include "operators/laparoscopy/scripted_hand.h"
 

@@ -13,10 +13,13 @@ namespace chiron::devices {
 ///   v_DT = ṗ; w_DT = J(r) ṙ with the left Jacobian of SO(3),
 ///   J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×², θ = ‖r‖ (Chirikjian 2011, Stochastic Models, Information
 ///   Theory, and Lie Groups, vol. 2, §10.6); efforts: f on axes 0–2, J(r)ᵀ τ on axes 3–5 (power is conserved).
-/// Parameters: none beyond the axes' resolutions. Pure; any thread; noexcept and free of allocation once made.
+/// Parameters: none beyond the axes' resolutions. Pure.
+/// Thread: any; allocates nothing after creation.
 class CartesianKinematics final : public IToolKinematics {
 public:
-    /// Fails (badInput) unless the descriptor has 3 axes in metres, or 3 in metres and 3 in radians, of positive resolution.
+    /// Creates the kinematics.
+    /// Errors: badInput unless the descriptor has 3 axes in metres, or 3 in metres and 3 in radians, of
+    /// positive resolution.
     static core::Result<CartesianKinematics> create(const DeviceDescriptor& descriptor);
     CartesianKinematics(const CartesianKinematics&) = default;
     CartesianKinematics& operator=(const CartesianKinematics&) = default;
@@ -31,7 +34,7 @@ private:
     CartesianKinematics() = default;
     core::Vec3 rotationVector(const core::DeviceSample& sample) const noexcept;
 
-    AxisValues m_resolution{}; ///< m or rad a count
+    AxisValues m_resolution{}; ///< m or rad per count
     double m_jawResolution_rad = 0.0;
     bool m_turns = false; ///< axes 3–5 exist
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making one allocates error texts, so it is kept apart from the code that the tick calls.
+// Creation allocates error texts, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/cartesian/cartesian_kinematics.h"
 
 #include <cmath>

@@ -10,7 +10,8 @@
 
 namespace chiron::devices {
 
-/// Where an endoscope can be moved with a mouse and a keyboard: at least what P1's mechanism reaches. Angles rad, lengths m, D.
+/// Range in which an endoscope can be moved with a mouse and a keyboard: at least that of P1's mechanism.
+/// Angles rad, lengths m, D.
 struct EndoscopePointerSettings {
     std::array<double, 3> minimum_m{-0.015, -0.085, -0.040};
     std::array<double, 3> maximum_m{0.015, 0.105, 0.185};
@@ -18,31 +19,35 @@ struct EndoscopePointerSettings {
     std::array<double, 3> minimum_rad{-0.523598775598299, -0.523598775598299, -3.141592653589793}; ///< pitch, yaw, roll
     std::array<double, 3> maximum_rad{1.680752, 0.523598775598299, 3.141592653589793}; ///< the centre-line's 66.3° + 30°
     std::array<double, 3> home_rad{0.0, 0.0, 0.0};
-    /// The tip stays in the plane of symmetry (x = its home), as on P1's mechanism; false: it flies where it looks.
+    /// True: the tip stays in the plane of symmetry (x = its home), as on P1's mechanism. False: it moves
+    /// freely along the viewing direction.
     bool planar = true;
     double following_s = 0.0; ///< as KeyboardMouseSettings
     PseudoHaptics pseudoHaptics{};
 };
 
-/// An endoscope moved by a mouse and a keyboard: an input-only tool (class "shown"). The window says how the picture is to
-/// move (EndoscopeMovement); each tick integrates that in the tool's own frame,
+/// An endoscope moved by a mouse and a keyboard: an input-only tool (class "shown"). The window states how
+/// the picture is to move (EndoscopeMovement); each tick integrates this in the tool's own frame,
 ///   Δp = r(F) · advance · a + right · x_T + up · y_T,   (pitch˙, yaw˙, roll˙) = J_ω⁻¹ R_DT (turnUp, −turnRight, −spin),
-/// so that the endoscope goes where it looks, and quantises to 1 µm and 10 µrad before anything else sees it. r(F)
-/// (PseudoHaptics) slows what goes along the axis, where an endoscope meets its resistance. Stepped in the tick (age 0,
-/// device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as IDevice says.
+/// so that the endoscope moves along its viewing direction. The result is quantised to 1 µm and 10 µrad
+/// before anything else sees it. r(F) (PseudoHaptics) slows the movement along the axis, where an endoscope
+/// meets its resistance. Stepped in the tick (age 0, device time = index · 1 ms).
+/// Thread: mailbox() by the GUI, the rest as for IDevice.
 class EndoscopePointerDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
     static constexpr double kGrid_rad = 1e-5;
 
-    /// Fails (badInput) where minimum < home < maximum does not hold on each axis, yaw reaches ±80°, or a ratio is out of range.
+    /// Creates the device.
+    /// Errors: badInput unless minimum < home < maximum on each axis and yaw stays within ±80°, or if a ratio
+    /// is out of range.
     static core::Result<std::unique_ptr<EndoscopePointerDevice>> create(const EndoscopePointerSettings& settings = {});
 
     EndoscopeMailbox& mailbox() noexcept { return m_mailbox; }
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    core::Result<void> open() override; ///< back to home; movements made before are forgotten
+    core::Result<void> open() override; ///< returns to home; earlier movements are discarded
     void close() noexcept override {}
     core::DeviceSample read(const realtime::HapticTick& now) noexcept override;
     void command(const realtime::HapticTick&, const ForceCommand&) noexcept override {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the driver, apart from what the tick calls.
+// Set-up of the driver, kept apart from the code that the tick calls.
 #include "devices/drivers/endoscope_pointer/endoscope_pointer_device.h"
 
 #include "devices/axis_resolutions_setup.h"
@@ -12,7 +12,7 @@ namespace chiron::devices {
 
 namespace {
 
-constexpr double kWidestYaw_rad = 1.3962634015954636; // 80°: the angles' own singularity is at 90°
+constexpr double kWidestYaw_rad = 1.3962634015954636; // 80°: the angles are singular at 90°
 constexpr const char* kAxisNames[EndoscopePoseKinematics::kAxes] = {"x", "y", "z", "pitch", "yaw", "roll"};
 
 core::Result<void> check(const EndoscopePointerSettings& s) {

@@ -8,14 +8,18 @@
 
 namespace chiron::devices {
 
-/// Kinematics "endoscope_pose": the axes are the tip's x, y, z in D (m) and the endoscope's pitch, yaw and roll (rad, from
-/// "looking along +y_D with y_T up"), as mechanisms::SphericalJoint defines them. No parameters. Pure; any thread.
+/// Kinematics "endoscope_pose": the axes are the tip's x, y, z in D (m) and the endoscope's pitch, yaw and
+/// roll (rad, from "looking along +y_D with y_T up"), as mechanisms::SphericalJoint defines them. No
+/// parameters. Pure.
+/// Thread: any.
 class EndoscopePoseKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "endoscope_pose";
     static constexpr std::size_t kAxes = 6;
 
-    /// Fails (badInput) unless the descriptor has this id and 3 axes in metres and 3 in radians of positive resolution.
+    /// Creates the kinematics.
+    /// Errors: badInput unless the descriptor has this id, 3 axes in metres and 3 in radians, all of positive
+    /// resolution.
     static core::Result<EndoscopePoseKinematics> create(const DeviceDescriptor& descriptor);
     explicit EndoscopePoseKinematics(const std::array<double, kAxes>& resolution) noexcept : m_resolution(resolution) {}
     ~EndoscopePoseKinematics() override;

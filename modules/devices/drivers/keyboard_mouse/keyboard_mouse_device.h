@@ -17,29 +17,31 @@ struct KeyboardMouseSettings {
     double widestJaw_rad = 0.0; ///< opening angle of a grasper's jaw at its stop, at most 1.6; 0: a tool without a jaw
     double homeJaw_rad = 0.0;   ///< at open(); 0..widestJaw_rad
     PseudoHaptics pseudoHaptics{};
-    /// Time constant with which the tool follows the hand: pointers and wheels report in jumps, 8 to 16 ms apart, which are no
-    /// speed that anybody moved with. 0 (as the hand reports) to 0.2 s.
+    /// Time constant with which the tool follows the hand. Pointers and wheels report in jumps, 8 to 16 ms
+    /// apart, which do not represent the speed of any hand. 0 (as the hand reports) to 0.2 s.
     double following_s = 0.0;
 };
 
-/// A mouse and a keyboard as an input-only tool: the window puts movements into the mailbox, the tick turns them into
-/// counts on a 1 µm grid before anything else sees them. Renders no force (class "shown"); motion slows down in proportion
-/// to the force shown, Δp = r(F) · Δp_hand (PseudoHaptics). That the drawn tool stays at the surface is the screen's part,
-/// from SceneOutput::p_WProxy. A grasper's jaw moves as fast as it is told, between closed and its stop.
-/// Stepped in the tick (age 0, device time = index · 1 ms). Threads: mailbox() by the GUI, the rest as IDevice says.
+/// A mouse and a keyboard as an input-only tool. The window puts movements into the mailbox, and the tick
+/// turns them into counts on a 1 µm grid before anything else sees them. The device renders no force (class
+/// "shown"); motion slows down in proportion to the force shown, Δp = r(F) · Δp_hand (PseudoHaptics). The
+/// screen keeps the drawn tool at the surface, with SceneOutput::p_WProxy. A grasper's jaw moves at the
+/// requested speed, between closed and its stop. Stepped in the tick (age 0, device time = index · 1 ms).
+/// Thread: mailbox() by the GUI, the rest as for IDevice.
 class KeyboardMouseDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
     static constexpr double kJawGrid_rad = 1e-4;
 
-    /// Fails (badInput) where minimum < home < maximum does not hold on each axis, or a ratio or force is out of range.
+    /// Creates the device.
+    /// Errors: badInput unless minimum < home < maximum on each axis, or if a ratio or force is out of range.
     static core::Result<std::unique_ptr<KeyboardMouseDevice>> create(const KeyboardMouseSettings& settings = {});
 
     PointerMailbox& mailbox() noexcept { return m_mailbox; }
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    core::Result<void> open() override; ///< back to home; movements made before are forgotten
+    core::Result<void> open() override; ///< returns to home; earlier movements are discarded
     void close() noexcept override {}
     core::DeviceSample read(const realtime::HapticTick& now) noexcept override;
     void command(const realtime::HapticTick&, const ForceCommand&) noexcept override {}

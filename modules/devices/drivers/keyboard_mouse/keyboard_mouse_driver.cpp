@@ -11,10 +11,12 @@
 namespace chiron::devices {
 
 namespace {
-constexpr double kInside_m = 0.001;    // between where a tool begins and the edge of its box
-constexpr double kFollowing_s = 0.025; // longer than a pointer's reports are apart, shorter than anybody notices
+constexpr double kInside_m = 0.001;    // from a tool's start position to the edge of its box
+// Longer than the interval between a pointer's reports, and too short for anybody to notice.
+constexpr double kFollowing_s = 0.025;
 
-/// A device whose box of W stays the same whatever the scale, so that the hand's part of it shrinks as the scale grows.
+/// Makes a device whose box of W stays the same whatever the scale, so that the hand's range shrinks as the
+/// scale grows.
 template <class Device, class Settings> core::Result<DriverTool> makePointer(Settings settings, double scale) {
     settings.following_s = kFollowing_s;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -31,7 +33,7 @@ template <class Device, class Settings> core::Result<DriverTool> makePointer(Set
     return tool;
 }
 
-/// A point's reach, and the jaw that its hand can close (0: none).
+/// Settings of a point tool: its range, and the jaw that its hand can close (0: none).
 KeyboardMouseSettings pointSettings(double widestJaw_rad, const ToolRequest& tool) {
     KeyboardMouseSettings settings;
     settings.widestJaw_rad = widestJaw_rad;
@@ -41,7 +43,8 @@ KeyboardMouseSettings pointSettings(double widestJaw_rad, const ToolRequest& too
     return settings;
 }
 
-/// What all graspers reach, as seen from each tool's own place; each begins under its entry point, its jaw open.
+/// Settings of a grasper: the box that all graspers reach, as seen from each tool's own position. Each starts
+/// under its entry point with its jaw open.
 KeyboardMouseSettings grasperSettings(const WorkspaceMapping& mapping, const std::array<double, 3>& middle_m) {
     KeyboardMouseSettings settings;
     const double mirror = mapping.leftHanded ? -1.0 : 1.0;
@@ -54,7 +57,8 @@ KeyboardMouseSettings grasperSettings(const WorkspaceMapping& mapping, const std
         settings.maximum_m[i] = most;
     }
     settings.widestJaw_rad = mechanisms::JawParameters{}.widest_rad;
-    settings.homeJaw_rad = settings.widestJaw_rad; // an instrument that comes closed cannot take hold of anything
+    // An instrument that starts closed cannot grasp anything.
+    settings.homeJaw_rad = settings.widestJaw_rad;
     return settings;
 }
 
@@ -87,7 +91,7 @@ core::Result<std::vector<DriverTool>> openPointers(DriverRequest request) {
     return made;
 }
 
-/// A window always has one or the other; which one cannot be asked without it.
+/// A window always has a mouse or a keyboard; without a window it is not possible to determine which.
 std::vector<FoundDevice> discoverPointer() { return {{"mouse and keyboard", {}}}; }
 
 constexpr KinematicsEntry kPointerKinematics[]{

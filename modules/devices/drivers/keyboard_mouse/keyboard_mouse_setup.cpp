@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Set-up of the driver, apart from what the tick calls.
+// Set-up of the driver, kept apart from the code that the tick calls.
 #include "devices/drivers/keyboard_mouse/keyboard_mouse_device.h"
 
 #include "devices/drivers/keyboard_mouse/pointer_setup.h"

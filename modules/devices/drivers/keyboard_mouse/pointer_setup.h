@@ -8,10 +8,11 @@
 
 namespace chiron::devices {
 
-/// What both pointer drivers check of their settings. Failure: badInput naming driver, value and range. Not in the tick.
+/// Checks the settings that both pointer drivers share. Not for the tick.
+/// Errors: badInput naming driver, value and range.
 core::Result<void> checkPointer(const std::string& driver, const PseudoHaptics& pseudoHaptics, double following_s);
 
-/// MotionIntake's share for a time constant; 0: everything at once.
+/// Returns MotionIntake's share for a time constant; with 0 the tool follows at once.
 double followingShare(double following_s);
 
 } // namespace chiron::devices

@@ -12,34 +12,37 @@
 
 namespace chiron::devices {
 
-/// Plays a trace: resampled to one sample a tick from its first row on, positions and jaw linearly, orientation by slerp,
-/// buttons held from row to row (one that is pressed and released between two ticks shows for one tick), quantised to
-/// 1 µm and 1 µrad before anything else sees it. After the last row the last pose stays and finished() is true.
-/// Input-only (class "shown"): nobody feels what it is commanded. Orientation travels as a rotation vector that is
-/// continued without a jump (kinematics "cartesian", six axes). Stepped in the tick (age 0, device time = index · 1 ms).
-/// Thread: read() on the haptic thread; finished() from any; the rest not in the tick.
+/// Plays a trace. The trace is resampled to one sample per tick from its first row on: positions and jaw
+/// linearly, the orientation by slerp, buttons held from row to row (one that is pressed and released between
+/// two ticks shows for one tick), all quantised to 1 µm and 1 µrad before anything else sees it. After the
+/// last row the last pose remains and finished() is true. Input-only (class "shown"): nobody feels the force
+/// that it is commanded. The orientation is a rotation vector that continues without a jump (kinematics
+/// "cartesian", six axes). Stepped in the tick (age 0, device time = index · 1 ms).
+/// Thread: read() on the haptic thread; finished() on any; the rest not in the tick.
 class ReplayDevice final : public IDevice {
 public:
     static constexpr double kGrid_m = 1e-6;
     static constexpr double kGrid_rad = 1e-6;
-    static constexpr double kMaximumLength_s = 4.0 * 3600.0; ///< so that a bad time cannot ask for all memory
+    static constexpr double kMaximumLength_s = 4.0 * 3600.0; ///< keeps a wrong time from taking all memory
 
-    /// Fails (badInput), naming the row (1-based), for: no rows; a value that is not finite; time that does not increase;
-    /// a position beyond 10 m or a jaw beyond 2π; an orientation that is not a unit quaternion within 1 %, or is missing in some rows.
+    /// Creates the device.
+    /// Errors: badInput, naming the row (1-based), for: no rows; a value that is not finite; time that does
+    /// not increase; a position beyond 10 m or a jaw beyond 2π; an orientation that is not a unit quaternion
+    /// within 1 %, or is missing in some rows.
     static core::Result<std::unique_ptr<ReplayDevice>> create(const std::vector<TracePoint>& trace);
 
     bool finished() const noexcept override { return m_finished.load(std::memory_order_acquire); }
-    std::size_t ticks() const noexcept { return m_samples.size(); } ///< how long the trace is
+    std::size_t ticks() const noexcept { return m_samples.size(); } ///< length of the trace
 
     const DeviceDescriptor& descriptor() const noexcept override { return m_descriptor; }
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    core::Result<void> open() override; ///< from the first row again
+    core::Result<void> open() override; ///< starts from the first row again
     void close() noexcept override {}
     core::DeviceSample read(const realtime::HapticTick& now) noexcept override;
     void command(const realtime::HapticTick&, const ForceCommand&) noexcept override {}
 
 private:
-    /// What the trace says of one tick.
+    /// State of the trace at one tick.
     struct Step {
         std::array<std::int32_t, 6> counts{};
         std::int32_t jawCounts = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checking and resampling a trace; allocates, so it is apart from what the tick calls.
+// Checks and resamples a trace. This allocates, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/replay/replay_device.h"
 
 #include "core/units.h"
@@ -10,7 +10,7 @@ namespace chiron::devices {
 
 namespace {
 
-constexpr double kFarthest_m = 10.0; // counts of 1 µm stay inside 32 bits
+constexpr double kFarthest_m = 10.0; // keeps counts of 1 µm inside 32 bits
 
 tl::unexpected<core::Error> badRow(std::size_t row, const std::string& what) {
     return core::fail(core::ErrorCode::badInput, "trace row " + std::to_string(row + 1) + ": " + what);
@@ -38,7 +38,8 @@ core::Result<void> checkRow(const std::vector<TracePoint>& trace, std::size_t ro
     return {};
 }
 
-/// The rotation vector of q nearest to `previous`: the same turn, without the jump at half a turn.
+/// Returns the rotation vector of q nearest to `previous`: the same rotation, without the jump at half a
+/// turn.
 core::Vec3 rotationVectorNear(const core::Quat& q, const core::Vec3& previous) {
     const double sine = q.vec().norm();
     const double angle = 2.0 * std::atan2(sine, q.w());
@@ -79,7 +80,8 @@ DeviceDescriptor describe(bool turns) {
 } // namespace
 
 std::vector<ReplayDevice::Step> ReplayDevice::resample(const std::vector<TracePoint>& trace) {
-    // Half a tick in ten thousand: a trace that was written with rounded times keeps its last row.
+    // The tolerance of one ten-thousandth of a tick keeps the last row of a trace whose times were rounded
+    // when written.
     const double length_s = trace.back().t_s - trace.front().t_s;
     const auto count = static_cast<std::size_t>(std::floor(length_s / core::kTickSeconds + 1e-4)) + 1;
     std::vector<Step> steps(count);

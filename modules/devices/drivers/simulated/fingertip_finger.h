@@ -10,8 +10,10 @@
 
 namespace chiron::devices {
 
-/// What any finger of P3's arm has of its own: its platform, and what that adds to a sample and to what the hand feels.
-/// The platform follows ForceCommand::display, which the supervisor has already limited. Haptic thread; no allocation.
+/// The parts of P3's arm that each finger has for itself: its platform, and what the platform adds to a
+/// sample and to the hand's perception. The platform follows ForceCommand::display, which the supervisor has
+/// already limited.
+/// Thread: haptic; allocates nothing.
 class FingertipFinger {
 public:
     FingertipFinger(const mechanisms::FingertipPlatformParameters& platform, double angleResolution_rad, std::uint64_t seed) noexcept
@@ -19,13 +21,15 @@ public:
 
     void reset() noexcept { m_platform.reset(); }
     void tick(const ForceCommand& command) noexcept { m_platform.tick(command.display, command.enabled); }
-    /// Platform axes, and as `measured` what the three resistors sense, along the pad's normal as the arm's sensors know it.
+    /// Adds the platform axes, and as `measured` the force that the three resistors sense, along the pad's
+    /// normal according to the arm's sensors.
     void addToSample(const IToolKinematics& kinematics, const WorkspaceMap& map, core::DeviceSample& sample) const noexcept;
     void addToPerception(mechanisms::HandPerception& seen) const noexcept {
         seen.fingertip = true;
         seen.pad = m_platform.truth();
     }
-    const mechanisms::FingertipPlatform& platform() const noexcept { return m_platform; } ///< the truth, for tests
+    /// True state, for tests.
+    const mechanisms::FingertipPlatform& platform() const noexcept { return m_platform; }
 
 private:
     mechanisms::FingertipPlatform m_platform;

@@ -7,11 +7,14 @@
 
 namespace chiron::devices {
 
-/// Kinematics "fingertip_arm" as sessions of models id 1 and 2 have it, of an arm whose three translations were its axes: x, y, z (m),
-/// wrist_x, wrist_y, wrist_z (rad: the rotation vector that the wrist's IMU reports), platform_pitch, platform_roll (rad: what the platform's
-/// own IMU reports, which does not move the tool). Parameters: {x, y, z of this finger's pad from the arm's end, in T, m}.
+/// Kinematics "fingertip_arm" of sessions of models id 1 and 2, for an arm whose axes were its three
+/// translations: x, y, z (m), wrist_x, wrist_y, wrist_z (rad: the rotation vector that the wrist's IMU
+/// reports), platform_pitch, platform_roll (rad: angles that the platform's own IMU reports; they do not move
+/// the tool). Parameters: {x, y, z of this finger's pad from the arm's end, in T, m}.
 ///   q_DT = exp(r),  p_DT = p_arm + q_DT·o,  w = J(r) r˙ (left Jacobian of SO(3)),  v = p˙_arm + w × q_DT·o.
-/// For sessions that are stored: no device has it any more. Every effort is zero. Pure; any thread. Source: P3 §2.2; models.md §3.
+/// Only for stored sessions: no device has these kinematics any more. Every effort is zero. Pure. Source:
+/// P3 §2.2; models.md §3.
+/// Thread: any.
 class FingertipSlidingKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "fingertip_arm";
@@ -22,7 +25,8 @@ public:
     FingertipSlidingKinematics(const std::array<double, kAxes>& resolution, double jawResolution_rad,
                            const core::Vec3& pad_T) noexcept
         : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_pad_T(pad_T) {}
-    /// Fails (badInput) where id, axes, units or parameters do not fit.
+    /// Creates the kinematics.
+    /// Errors: badInput if id, axes, units or parameters do not fit.
     static core::Result<FingertipSlidingKinematics> create(const DeviceDescriptor& descriptor);
     ~FingertipSlidingKinematics() override;
     FingertipSlidingKinematics(const FingertipSlidingKinematics&) = default;

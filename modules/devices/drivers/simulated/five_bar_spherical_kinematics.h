@@ -9,9 +9,11 @@
 
 namespace chiron::devices {
 
-/// Kinematics "five_bar_spherical": P1's linkage and joint (mechanisms/five_bar_kinematics.h, spherical_joint.h) over counts.
-/// Axes theta1, theta2, pitch (from its mounting zero), yaw, roll, all rad. Parameters: {l1, l2, half base, base forward, base
-/// up (m), mounting pitch (rad)}. A force normal to the plane finds no motor and is lost. Pure; any thread.
+/// Kinematics "five_bar_spherical": P1's linkage and joint (mechanisms/five_bar_kinematics.h,
+/// spherical_joint.h) computed from counts. Axes: theta1, theta2, pitch (from its mounting zero), yaw, roll,
+/// all rad. Parameters: {l1, l2, half base, base forward, base up (m), mounting pitch (rad)}. A force normal
+/// to the plane has no motor and is lost. Pure.
+/// Thread: any.
 class FiveBarSphericalKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "five_bar_spherical";
@@ -21,7 +23,8 @@ public:
                                const mechanisms::FiveBarGeometry& geometry, double mountingPitch_rad) noexcept
         : m_resolution(resolution), m_jawResolution_rad(jawResolution_rad), m_linkage(geometry),
           m_mountingPitch_rad(mountingPitch_rad) {}
-    /// Fails (badInput) where id, axes or parameters do not fit.
+    /// Creates the kinematics.
+    /// Errors: badInput if id, axes or parameters do not fit.
     static core::Result<FiveBarSphericalKinematics> create(const DeviceDescriptor& descriptor);
     ~FiveBarSphericalKinematics() override;
     FiveBarSphericalKinematics(const FiveBarSphericalKinematics&) = default;

@@ -10,14 +10,15 @@
 
 namespace chiron::devices {
 
-/// Kinematics "gimbal_hprd": counts of heading, pitch, roll and depth to the tip of P2's gimbal in D. Pure.
-/// Descriptor: axes[0..3] give the resolutions (rad, rad, rad, m); kinematicsParameters = {pivot height in m,
-/// force map: 0 exact Jᵀ, 1 as published}.
+/// Kinematics "gimbal_hprd": computes the tip of P2's gimbal in D from the counts of heading, pitch, roll and
+/// depth. Pure. Descriptor: axes[0..3] give the resolutions (rad, rad, rad, m); kinematicsParameters = {pivot
+/// height in m, force map: 0 exact Jᵀ, 1 as published}.
 class GimbalHprdKinematics final : public IToolKinematics {
 public:
     static constexpr const char* kId = "gimbal_hprd";
 
-    /// Fails (badInput) when the id, the number of axes or parameters, a resolution or the map is wrong.
+    /// Creates the kinematics.
+    /// Errors: badInput if the id, the number of axes or parameters, a resolution or the map is wrong.
     static core::Result<GimbalHprdKinematics> create(const DeviceDescriptor& descriptor);
     /// The force map of a descriptor; exact where it has none.
     static mechanisms::PolarMap mapOf(const DeviceDescriptor& descriptor);
@@ -26,7 +27,7 @@ public:
                          double pivotHeight_m, mechanisms::PolarMap map) noexcept;
     GimbalHprdKinematics(const GimbalHprdKinematics&) = default;
     GimbalHprdKinematics& operator=(const GimbalHprdKinematics&) = default;
-    ~GimbalHprdKinematics() override; ///< in the set-up file: a deleting destructor frees
+    ~GimbalHprdKinematics() override; ///< in the set-up file, because a deleting destructor frees memory
 
     core::ToolState pose(const core::DeviceSample& sample) const noexcept override;
     void velocity(const core::DeviceSample& sample, const AxisValues& countRates, core::Vec3& v_DT,

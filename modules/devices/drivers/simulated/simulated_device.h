@@ -18,22 +18,26 @@ public:
         mechanisms::GimbalPlantParameters plant;
         mechanisms::HandParameters hand;
         mechanisms::PolarMap map = mechanisms::PolarMap::exact;
-        WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D = kHeldFrom_D;   ///< where the hand holds the tip at open(), m
-        std::uint64_t seed = 1;             ///< of the hand's tremor
-        std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< a grasper's; nothing: a plain probe
-        /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified when the device is
-        /// made (mechanisms/friction_identification.h), as a lab does it, not taken from `plant`.
+        WorkspaceMapping mapping;           ///< converts the cues to D and `measured` to W
+        core::Vec3 start_D = kHeldFrom_D;   ///< position at which the hand holds the tip at open(), m
+        std::uint64_t seed = 1;             ///< seed of the hand's tremor
+        /// Jaw of a grasper; empty: a plain probe.
+        std::optional<mechanisms::JawParameters> jaw = std::nullopt;
+        /// Share of the Coulomb friction that is fed forward (P2), 0..0.8. Above 0 the friction is identified
+        /// when the device is made (mechanisms/friction_identification.h), as a lab does it, and not taken
+        /// from `plant`.
         double frictionCompensation = 0.0;
     };
 
-    /// Fails (badInput) when the start lies outside the gimbal's travel, a jaw's number is out of range, or there is no strategy.
+    /// Creates the device.
+    /// Errors: badInput if the start lies outside the gimbal's travel, a number of the jaw is out of range,
+    /// or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedDevice() override;
 
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    const mechanisms::GimbalPlant& plant() const noexcept { return m_plant; } ///< the truth, for tests
+    const mechanisms::GimbalPlant& plant() const noexcept { return m_plant; } ///< true state, for tests
 
 private:
     SimulatedDevice(const Configuration& configuration, DeviceDescriptor descriptor, const mechanisms::GimbalCoordinates& start,

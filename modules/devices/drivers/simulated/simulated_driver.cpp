@@ -17,12 +17,12 @@ namespace chiron::devices {
 namespace {
 using Tools = core::Result<std::vector<DriverTool>>;
 
-/// Each hand trembles for itself; the first one as a single hand does.
+/// Each hand has a tremor of its own; the first hand has that of a single hand.
 std::uint64_t seedOfHand(std::uint64_t seed, std::size_t hand) {
     return hand == 0 ? seed : core::Random::mix(seed, "hand " + std::to_string(hand));
 }
 
-/// One device for each hand.
+/// Makes one device for each hand.
 template <class Device> Tools makeDevices(const typename Device::Configuration& usual, DriverRequest& request) {
     std::vector<DriverTool> made;
     for (std::size_t i = 0; i < request.tools.size(); ++i) {
@@ -51,11 +51,11 @@ Tools makeGimbals(DriverRequest& request) {
 
 Tools makeFiveBars(DriverRequest& request) {
     SimulatedEndoscopeDevice::Configuration configuration;
-    configuration.start_D = request.endoscopeStart_W; // D is W where nothing else is said
+    configuration.start_D = request.endoscopeStart_W; // D equals W unless stated otherwise
     return makeDevices<SimulatedEndoscopeDevice>(configuration, request);
 }
 
-/// One arm for each hand; further fingers of a hand are tools on the first one's arm.
+/// Makes one arm for each hand; further fingers of a hand are tools on the first finger's arm.
 Tools makeFingers(DriverRequest& request) {
     std::vector<DriverTool> made;
     const SimulatedFingertipDevice* hand = nullptr;

@@ -10,26 +10,28 @@
 
 namespace chiron::devices {
 
-/// P1's five-bar linkage with spherical joint and a scripted hand on its endoscope (SimulatedMechanism): the arm moves the tip
-/// in the plane x_D = 0, the wrist turns the endoscope about it.
+/// P1's five-bar linkage with spherical joint and a scripted hand on its endoscope (SimulatedMechanism): the
+/// arm moves the tip in the plane x_D = 0, and the wrist turns the endoscope about the tip.
 class SimulatedEndoscopeDevice final : public SimulatedMechanism {
 public:
     struct Configuration {
         mechanisms::FiveBarPlantParameters plant;
         mechanisms::HandParameters hand;
-        WorkspaceMapping mapping;                ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D{0.0, -0.069, 0.0};    ///< where the hand holds the tip at open(), m; x ignored
-        mechanisms::EndoscopeAngles startAngles; ///< and how: looking along +y_D
-        std::uint64_t seed = 1;                  ///< of the hand's tremor
+        WorkspaceMapping mapping;                ///< converts the cues to D and `measured` to W
+        core::Vec3 start_D{0.0, -0.069, 0.0};    ///< position at which the hand holds the tip at open(), m; x
+                                                 ///< ignored
+        mechanisms::EndoscopeAngles startAngles; ///< orientation at open(): looking along +y_D
+        std::uint64_t seed = 1;                  ///< seed of the hand's tremor
     };
 
-    /// Fails (badInput) when the start lies outside the mechanism's travel or there is no strategy.
+    /// Creates the device.
+    /// Errors: badInput if the start lies outside the mechanism's travel or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedEndoscopeDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedEndoscopeDevice() override;
 
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    const mechanisms::FiveBarPlant& plant() const noexcept { return m_plant; } ///< the truth, for tests
+    const mechanisms::FiveBarPlant& plant() const noexcept { return m_plant; } ///< true state, for tests
 
 private:
     SimulatedEndoscopeDevice(const Configuration& configuration, const mechanisms::FiveBarVector& start,

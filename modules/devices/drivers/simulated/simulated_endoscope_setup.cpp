@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making driver and kinematics allocates, so it is kept apart from the code that the tick calls.
+// Creation of driver and kinematics allocates, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/simulated/simulated_endoscope_device.h"
 
 #include "devices/axis_resolutions_setup.h"
@@ -33,7 +33,9 @@ DeviceDescriptor describe(const SimulatedEndoscopeDevice::Configuration& configu
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = 4.5;      // P1: along x and y
-    d.maximumDamping_Ns_per_m = 24.0; // shakes from 37.5 on, in a light hand on friction: two thirds of it (tests/damping/README.md)
+    // In a light hand it shakes on friction from 37.5 N·s/m on; this is two thirds of that
+    // (tests/damping/README.md).
+    d.maximumDamping_Ns_per_m = 24.0;
     d.maximumTorque_Nm = 0.150; // P1: about x′ and y′; 10 mN·m about z′ is the roll axis' rating
     return d;
 }

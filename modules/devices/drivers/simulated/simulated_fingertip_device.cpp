@@ -9,7 +9,8 @@ void SimulatedFingertipDevice::resetPlant() noexcept {
 }
 
 void SimulatedFingertipDevice::stepDisplay(const ForceCommand& command) noexcept {
-    m_arm.holdLever(jaw_rad()); // where the fingers are at the end of this tick: the lever follows in the next one
+    // Position of the fingers at the end of this tick; the lever follows in the next one.
+    m_arm.holdLever(jaw_rad());
     m_finger.tick(command);
 }
 

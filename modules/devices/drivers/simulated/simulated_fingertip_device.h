@@ -11,28 +11,34 @@
 
 namespace chiron::devices {
 
-/// P3's arm with a platform under one finger, and a scripted hand that holds it (SimulatedMechanism). The force is displayed to
-/// the pad and never pushes the hand back: the wrench of ForceCommand is ignored, its `display` is what the platform follows.
+/// P3's arm with a platform under one finger, and a scripted hand that holds it (SimulatedMechanism). The
+/// force is displayed to the pad and never pushes the hand back: the wrench of ForceCommand is ignored, and
+/// the platform follows its `display`.
 class SimulatedFingertipDevice final : public SimulatedMechanism {
 public:
     struct Configuration {
         mechanisms::FingertipArmParameters arm;
         mechanisms::FingertipPlatformParameters platform;
         mechanisms::HandParameters hand;
-        WorkspaceMapping mapping;           ///< to turn the cues into D and `measured` into W
-        core::Vec3 start_D = kHeldFrom_D;   ///< where the finger's pad, which is the middle of the wrist, is at open(), m
-        std::uint64_t seed = 1;             ///< of tremor and sensors
+        WorkspaceMapping mapping;           ///< converts the cues to D and `measured` to W
+        /// Position of the finger's pad, which is the middle of the wrist, at open(), m.
+        core::Vec3 start_D = kHeldFrom_D;
+        std::uint64_t seed = 1;             ///< seed of tremor and sensors
     };
 
-    /// The platform identifies the finger (mechanisms::identifyPad) before it displays anything. Fails (badInput) when the start
-    /// is out of the arm's reach, a number makes no sense, no finger is found, or there is no strategy.
+    /// Creates the device. The platform identifies the finger (mechanisms::identifyPad) before it displays
+    /// anything.
+    /// Errors: badInput if the start is out of the arm's reach, a number makes no sense, no finger is found,
+    /// or there is no strategy.
     static core::Result<std::unique_ptr<SimulatedFingertipDevice>>
     create(const Configuration& configuration, std::unique_ptr<mechanisms::HandStrategy> strategy);
     ~SimulatedFingertipDevice() override;
 
     const IToolKinematics& kinematics() const noexcept override { return m_kinematics; }
-    const mechanisms::FingertipArmPlant& arm() const noexcept { return m_arm; }               ///< the truth, for tests
-    const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); } ///< the truth, for tests
+    /// True state, for tests.
+    const mechanisms::FingertipArmPlant& arm() const noexcept { return m_arm; }
+    /// True state, for tests.
+    const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); }
 
 private:
     friend class SimulatedSecondFinger;
@@ -50,7 +56,7 @@ private:
     FingertipFinger m_finger;
 };
 
-/// What a fingertip device tells of itself. `pad_T`: this finger's pad from the arm's end, m.
+/// Returns the descriptor of a fingertip device. `pad_T`: this finger's pad from the arm's end, m.
 DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration& configuration, const core::Vec3& pad_T);
 
 } // namespace chiron::devices

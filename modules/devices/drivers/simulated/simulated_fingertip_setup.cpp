@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making drivers and kinematics allocates, so it is kept apart from the code that the tick calls.
+// Creation of drivers and kinematics allocates, so it is kept apart from the code that the tick calls.
 #include "devices/axis_resolutions_setup.h"
 #include "devices/drivers/simulated/fingertip_sliding_kinematics.h"
 #include "devices/drivers/simulated/simulated_fingertip_device.h"
@@ -16,7 +16,8 @@ namespace {
 constexpr std::array<const char*, FingertipArmKinematics::kAxes> kAxisNames{
     "yaw", "shoulder", "elbow", "wrist_x", "wrist_y", "wrist_z", "platform_pitch", "platform_roll"};
 constexpr double kWristTravel_rad = 3.141592653589793;
-/// Of the platform's own IMU: 16 counts a degree, as fused nine-axis sensors tell angles (Bosch BNO055's data sheet, table 3-29).
+/// Resolution of the platform's own IMU: 16 counts per degree, in which fused nine-axis sensors report angles
+/// (Bosch BNO055's data sheet, table 3-29).
 constexpr double kPlatformAngle_rad = 1.0908307824964559e-3;
 
 std::array<double, FingertipArmKinematics::kAxes> resolutionsOf(const mechanisms::FingertipArmParameters& arm) {
@@ -29,7 +30,7 @@ FingertipArmKinematics kinematicsOf(const SimulatedFingertipDevice::Configuratio
     return {resolutionsOf(configuration.arm), configuration.arm.grasp.resolution_rad(), pad_T, configuration.arm.geometry};
 }
 
-/// What the hand holds, for its tremor: the arm as it feels at the start.
+/// Settings of the hand. For its tremor it holds the apparent inertia of the arm at the start.
 SimulatedHandSettings settingsOf(const SimulatedFingertipDevice::Configuration& configuration) {
     mechanisms::FingertipArmPlant arm(configuration.arm, configuration.seed);
     arm.reset(configuration.start_D);
@@ -114,7 +115,8 @@ DeviceDescriptor describeFingertip(const SimulatedFingertipDevice::Configuration
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = 4.0; // P3 §2.1, on the pad
-    d.maximumDamping_Ns_per_m = 30.0; // counts are felt from 45 on: two thirds of it (tests/damping/README.md)
+    // Encoder counts can be felt from 45 N·s/m on; this is two thirds of that (tests/damping/README.md).
+    d.maximumDamping_Ns_per_m = 30.0;
     return d;
 }
 
@@ -124,7 +126,8 @@ SimulatedFingertipDevice::create(const Configuration& configuration, std::unique
         return core::fail(core::ErrorCode::badInput, "simulated fingertip: a hand strategy is expected");
     if (auto sound = checked(configuration); !sound)
         return tl::unexpected(sound.error());
-    auto platform = mechanisms::worn(configuration.platform, configuration.seed); // the finger is put on
+    auto platform = mechanisms::worn(configuration.platform, configuration.seed); // the finger is put on the
+                                                                                  // platform
     if (!platform)
         return tl::unexpected(platform.error());
     Configuration worn = configuration;
@@ -152,7 +155,7 @@ SimulatedSecondFinger::create(const SimulatedFingertipDevice& first, const core:
         return core::fail(core::ErrorCode::badInput, "simulated fingertip: a second finger up to 0.2 m from the first is expected");
     SimulatedFingertipDevice::Configuration configuration = first.m_configuration;
     configuration.seed = seed;
-    auto platform = mechanisms::worn(configuration.platform, seed); // with its own sensors
+    auto platform = mechanisms::worn(configuration.platform, seed); // with this finger's own sensors
     if (!platform)
         return tl::unexpected(platform.error());
     configuration.platform = *platform;

@@ -14,48 +14,53 @@
 
 namespace chiron::devices {
 
-/// What a simulated mechanism is held by, whichever mechanism it is.
+/// The hand that holds a simulated mechanism, whichever mechanism it is.
 struct SimulatedHandSettings {
     mechanisms::HandParameters hand;
-    WorkspaceMapping mapping;     ///< to turn the cues into D and `measured` into W
-    std::uint64_t seed = 1;       ///< of the hand's tremor
-    double toolMass_kg = 0.0;     ///< what the hand moves along, for its tremor
-    double toolInertia_kgm2 = 0.0; ///< what the wrist turns along
-    std::optional<mechanisms::JawParameters> jaw = std::nullopt; ///< of a grasper; nothing: no jaw, its counts stay 0
-    int jawDelay_ticks = 0;        ///< of its potentiometer, as the encoders'
+    WorkspaceMapping mapping;     ///< converts the cues to D and `measured` to W
+    std::uint64_t seed = 1;       ///< seed of the hand's tremor
+    double toolMass_kg = 0.0;     ///< mass that the hand moves, for its tremor
+    double toolInertia_kgm2 = 0.0; ///< inertia that the wrist turns
+    /// Jaw of a grasper; empty: no jaw, and its counts stay 0.
+    std::optional<mechanisms::JawParameters> jaw = std::nullopt;
+    int jawDelay_ticks = 0;        ///< delay of its potentiometer, like the encoders'
 };
 
-/// A simulated mechanism with a scripted hand on it, as one in-process tool: plant, hand and mind are stepped by the tick and
-/// never look at a clock, so real-time and as-fast runs give the same samples bit for bit. The mechanisms differ in plant,
-/// kinematics and descriptor, which their own classes add.
+/// A simulated mechanism with a scripted hand on it, as one in-process tool. The tick steps plant, hand and
+/// decision model, which never read a clock, so real-time runs and runs faster than real time give the same
+/// samples bit for bit. Derived classes add what differs between mechanisms: plant, kinematics and
+/// descriptor.
 ///
-/// Tick n: show() tells the mind what is on the screen, read() returns the counts that the plant reached at the end of tick
-/// n − 1 (deviceTime = n·1000 µs, packet = n, age 0), command() takes the wrench, asks the mind and integrates the plant to
-/// n + 1. The wrench goes through kinematics().efforts(), motors saturate, `measured` is what they really gave (on the tool,
-/// in W). A tool that turns is held by a wrist as well; a grasper's jaw follows the hand's intention (Jaw), reaction delay
-/// included. Haptic thread; no allocation after construction.
+/// Tick n: show() gives the decision model what is on the screen; read() returns the counts that the plant
+/// reached at the end of tick n − 1 (deviceTime = n·1000 µs, packet = n, age 0); command() takes the wrench,
+/// runs the decision model and integrates the plant to n + 1. The wrench goes through kinematics().efforts(),
+/// motors saturate, and `measured` is what they really gave (on the tool, in W). A tool that turns is also
+/// held by a wrist; a grasper's jaw follows the hand's intention (Jaw), including the reaction delay.
+/// Thread: haptic; allocates nothing after construction.
 class SimulatedMechanism : public IDevice {
 public:
     ~SimulatedMechanism() override;
 
     const DeviceDescriptor& descriptor() const noexcept final { return m_descriptor; }
-    core::Result<void> open() final; ///< everything from the start again
+    /// Returns plant, hand and jaw to the start; the tremor and the strategy continue from where they are.
+    core::Result<void> open() final;
     void close() noexcept final;
     core::DeviceSample read(const realtime::HapticTick& now) noexcept final;
     void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept final;
     void show(const realtime::HapticTick& now, const core::VisibleCues& cues) noexcept final;
 
-    const mechanisms::Hand& hand() const noexcept { return m_hand; } ///< the truth, for tests
+    const mechanisms::Hand& hand() const noexcept { return m_hand; } ///< true state, for tests
     const mechanisms::Wrist& wrist() const noexcept { return m_wrist; }
     std::int32_t jawCounts() const noexcept { return m_jaw ? m_jaw->counts() : 0; }
-    double jaw_rad() const noexcept { return m_jaw ? m_jaw->angle_rad() : 0.0; } ///< the truth, for tests
+    double jaw_rad() const noexcept { return m_jaw ? m_jaw->angle_rad() : 0.0; } ///< true angle, for tests
 
 protected:
     SimulatedMechanism(const SimulatedHandSettings& settings, DeviceDescriptor descriptor,
                        std::unique_ptr<mechanisms::HandStrategy> strategy);
     virtual mechanisms::Plant& movedPlant() noexcept = 0;
     virtual void resetPlant() noexcept = 0; ///< at rest at the start, motors off
-    // What a mechanism has beside its plant (a fingertip platform): its channels, what it does to the hand, its own tick.
+    // Additions of a mechanism beyond its plant (a fingertip platform): its channels, its effect on the hand,
+    // its own tick.
     virtual void addToSample(core::DeviceSample&) const noexcept {}
     virtual void addToPerception(mechanisms::HandPerception&) const noexcept {}
     virtual void stepDisplay(const ForceCommand&) noexcept {} ///< after the plant's steps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making and destroying one touches the heap: apart from what the tick calls.
+// Construction and destruction use the heap, so they are kept apart from the code that the tick calls.
 #include "devices/drivers/simulated/simulated_mechanism.h"
 
 #include <utility>

@@ -7,13 +7,16 @@
 
 namespace chiron::devices {
 
-/// Another finger of the same hand: a tool of its own with its own platform, on the arm that the first finger's device moves.
-/// The arm goes where the first finger's mind wants; of this finger's intentions only the buttons count. The first device must
-/// stand before it in the loop, be opened before it and outlive it: its arm has then moved on already in the tick, as this
-/// finger's own sensors show at the next read. Haptic thread; no allocation after construction.
+/// Another finger of the same hand: a tool of its own with its own platform, on the arm that the first
+/// finger's device moves. The arm follows the first finger's decision model; of this finger's intentions only
+/// the buttons count. In the loop the first device must come before this one, and it must be opened before it
+/// and outlive it: in each tick its arm has then already moved, as this finger's own sensors show at the next
+/// read.
+/// Thread: haptic; allocates nothing after construction.
 class SimulatedSecondFinger final : public IDevice {
 public:
-    /// `pad_T`: this finger's pad from the first one's. Fails (badInput) without a strategy or with a pad too far away.
+    /// Creates the device. `pad_T`: this finger's pad from the first one's.
+    /// Errors: badInput without a strategy, or if the pad is too far away.
     static core::Result<std::unique_ptr<SimulatedSecondFinger>> create(const SimulatedFingertipDevice& first, const core::Vec3& pad_T,
                                                                        std::uint64_t seed,
                                                                        std::unique_ptr<mechanisms::HandStrategy> strategy);
@@ -27,7 +30,8 @@ public:
     void command(const realtime::HapticTick& now, const ForceCommand& command) noexcept override;
     void show(const realtime::HapticTick&, const core::VisibleCues& cues) noexcept override { m_cues = cues; }
 
-    const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); } ///< the truth, for tests
+    /// True state, for tests.
+    const mechanisms::FingertipPlatform& platform() const noexcept { return m_finger.platform(); }
 
 private:
     SimulatedSecondFinger(const SimulatedFingertipDevice& first, const SimulatedFingertipDevice::Configuration& configuration,
@@ -39,7 +43,7 @@ private:
     core::Vec3 m_pad_T;
     FingertipArmKinematics m_kinematics;
     WorkspaceMap m_map;
-    mechanisms::Hand m_reaction; ///< for its reaction delay alone: it holds nothing
+    mechanisms::Hand m_reaction; ///< used for its reaction delay only: it holds nothing
     FingertipFinger m_finger;
     std::unique_ptr<mechanisms::HandStrategy> m_strategy;
     core::VisibleCues m_cues;

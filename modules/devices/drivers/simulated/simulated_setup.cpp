@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making driver and kinematics allocates, so it is kept apart from the code that the tick calls.
+// Creation of driver and kinematics allocates, so it is kept apart from the code that the tick calls.
 #include "devices/drivers/simulated/simulated_device.h"
 
 #include "devices/axis_resolutions_setup.h"
@@ -53,11 +53,13 @@ DeviceDescriptor describe(const SimulatedDevice::Configuration& configuration) {
     d.inProcess = true;
     d.period_us = 1000;
     d.maximumForce_N = d.axes[3].continuousRating; // P2: about 3 N in each direction
-    d.maximumDamping_Ns_per_m = 35.0; // counts are felt from 60 on: three fifths of it (tests/damping/README.md)
+    // Encoder counts can be felt from 60 N·s/m on; this is three fifths of that (tests/damping/README.md).
+    d.maximumDamping_Ns_per_m = 35.0;
     return d;
 }
 
-/// As a lab would: the axes are moved slowly and their motors' efforts read, then the descriptor states what was found.
+/// Identifies the friction as a lab would: the axes are moved slowly and their motors' efforts read; then the
+/// descriptor states the result.
 core::Result<DeviceDescriptor> describeIdentified(const SimulatedDevice::Configuration& configuration) {
     DeviceDescriptor d = describe(configuration);
     if (configuration.frictionCompensation == 0.0)
