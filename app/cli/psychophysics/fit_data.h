@@ -20,8 +20,7 @@ struct AnswersOf {
 
 struct AnswerTable {
     QStringList by; ///< columns of --by
-    std::vector<AnswersOf> groups; ///< in the order of their first row in the file; a single group without
-                                   ///< --by
+    std::vector<AnswersOf> groups; ///< in the order of first appearance; a single one without --by
 };
 
 /// Reads rows of counts (intensity,n_correct,n_total) or of single trials (intensity,correct with 1 or 0).
