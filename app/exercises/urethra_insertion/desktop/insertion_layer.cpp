@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kDepthOfField[] = "depth_of_field";
 
-/// The procedure at a moment, as far as a recording tells it.
+/// The state of the procedure at a moment, as far as the recording contains it.
 simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertion, const session::PlaybackInsertionMoment& moment, double t_s) {
     simulation::EndoscopeCues cues;
     cues.present = true;
