@@ -53,7 +53,8 @@ struct LiveApex::State {
     bool lost = false;      ///< ticks of the current trial were lost
     bool stopping = false, ending = false, waits = false, done = false;
     std::string spoiled;
-    std::optional<StudyAnswer> pending; ///< like that of LiveStudy::State
+    std::optional<StudyAnswer> pending; ///< duration of the free minute, if the current session is the one;
+                                        ///< 0: it is not
     bool enough = false;
     double tryFor_s = 0.0; ///< duration of the free practice minute, if the current session is one
     double tried_s = 0.0;
