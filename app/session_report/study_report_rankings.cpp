@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rankings of three objects say, of a condition's persons and of its group.
+// The results of ranking three objects, for the persons of a condition and for its group.
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
