@@ -14,8 +14,8 @@ namespace chiron::scene3d {
 /// the floor, over its edge, to the hem that hangs down in front while nobody holds the fold. It is as wide
 /// as the part that it covers, and narrower where it is gripped. The shape in which it hangs is our own
 /// design; only its edge takes part in the force.
-/// Frame: W.
 /// Unit: m.
+/// Frame: W.
 struct FoldSheet {
     static constexpr int kColumns = 13;          ///< across, in x
     static constexpr std::size_t kEdgeRow = 12;  ///< the rows after this one are the hem
@@ -25,8 +25,8 @@ struct FoldSheet {
 };
 
 /// Both sides of the sheet; `pale` makes it paler where it is under tension.
-/// Frame: W.
 /// Unit: mm.
+/// Frame: W.
 TriangleMesh foldMesh(const FoldSheet& sheet, double pale);
 
 } // namespace chiron::scene3d

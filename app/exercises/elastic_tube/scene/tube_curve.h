@@ -11,8 +11,8 @@
 namespace chiron::scene3d {
 
 /// One cross-section of the drawn tube.
-/// Frame: W.
 /// Unit: m.
+/// Frame: W.
 struct TubeRing {
     core::Vec3 p_W = core::Vec3::Zero();
     double radius_m = 0.0;

@@ -17,8 +17,8 @@ class QPainter;
 namespace chiron::report {
 
 /// The true position and size of a lump.
-/// Frame: W.
 /// Unit: m.
+/// Frame: W.
 struct PalpationMapLump {
     double x_m = 0.0; ///< of the surface point above it
     double y_m = 0.0;
@@ -29,8 +29,8 @@ struct PalpationMapLump {
 };
 
 /// A finding as it was reported.
-/// Frame: W.
 /// Unit: m.
+/// Frame: W.
 struct PalpationMapFinding {
     int number = 1; ///< as displayed, from 1
     double x_m = 0.0;
