@@ -109,8 +109,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
         if (!json.contains(it.key()))
             json.insert(it.key(), it.value());
     }
-    json.insert("seed", text(std::to_string(record.setup.seed))); // a text, because JSON numbers lose digits
-                                                                  // of large seeds
+    // A text, because JSON numbers lose digits of large seeds.
+    json.insert("seed", text(std::to_string(record.setup.seed)));
     json.insert("content_sha256", text(record.contentSha256));
     json.insert("task_sha256", text(catalogue::taskSha256(record.setup.contentJson)));
     json.insert("build", text(record.setup.buildId));

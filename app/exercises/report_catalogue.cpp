@@ -37,7 +37,8 @@ constexpr std::array kReportCatalogue{
     ReportLine{"elastic_tube", &tubeSectionOf, &tubeEnds, &instrumentOf},
     ReportLine{"object_handling", &handlingSectionOf, &handlingEnds, &instrumentOf},
     ReportLine{"palpation", &palpationSectionOf, &palpationEnds, &fingerNameOf},
-    ReportLine{"comparison", nullptr, &comparisonEnds, &instrumentOf}, // its studies have reports
+    // No section: its studies have reports of their own.
+    ReportLine{"comparison", nullptr, &comparisonEnds, &instrumentOf},
 };
 
 const ReportLine* lineOf(std::string_view exercise) {

@@ -24,7 +24,7 @@ struct Scale {
 };
 
 Scale scaleFor(const MetricRow& row, const QRectF& bar) {
-    double low = 0.0; // zero belongs to the scale
+    double low = 0.0; // the scale includes zero
     double high = 0.0;
     for (const auto& value : {row.value, row.bandLow, row.bandHigh, row.gateMinimum, row.gateMaximum}) {
         if (value && std::isfinite(*value)) {

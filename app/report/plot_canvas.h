@@ -17,7 +17,7 @@ class PlotView;
 struct PlotTheme;
 
 struct Panel {
-    PlotView* view = nullptr; ///< borrowed
+    PlotView* view = nullptr; ///< not owned
     QRectF area;              ///< in logical pixels of the picture
 };
 

@@ -54,7 +54,7 @@ void PlotView::setYAxis(const PlotAxis& axis) {
 }
 
 void PlotView::setYWholeNumbers() {
-    // shared because QCPAxis requires a shared pointer
+    // Shared because QCPAxis requires a shared pointer.
     const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
     ticker->setTickStep(1.0);
     ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
@@ -62,8 +62,8 @@ void PlotView::setYWholeNumbers() {
 }
 
 void PlotView::setXCategories(const std::vector<QString>& names) {
-    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText); // shared because QCPAxis requires
-                                                                           // a shared pointer
+    // Shared because QCPAxis requires a shared pointer.
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     for (std::size_t i = 0; i < names.size(); ++i)
         ticker->addTick(static_cast<double>(i), names[i]);
     m_impl->plot->xAxis->setTicker(ticker);
@@ -255,8 +255,9 @@ void PlotView::addEvents(const std::vector<TimedEvent>& events) {
         text->setText(event.label);
         text->setFont(m_impl->theme.font(10));
         text->setColor(m_impl->theme.muted);
+        // Above the axes, so that no data are covered.
         text->setPositionAlignment(Qt::AlignLeft |
-                                   Qt::AlignBottom); // above the axes: nothing measured is covered
+                                   Qt::AlignBottom);
         text->setClipToAxisRect(false);
         text->setPadding(QMargins(1, 0, 3, 1));
         text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);

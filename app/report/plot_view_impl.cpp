@@ -159,8 +159,9 @@ void PlotView::Impl::prepare(QSize size) {
     const int axisWidth = plot->axisRect()->width();
     // Plots of small height have fewer ticks, so that their numbers do not overlap.
     plot->yAxis->ticker()->setTickCount(std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 2, 5));
+    // Two samples per logical pixel, because pictures are written at twice the size.
     fillLines(2 *
-              std::max(axisWidth, 50)); // two samples a logical pixel: pictures are written at twice the size
+              std::max(axisWidth, 50));
     placeEventLabels(axisWidth);
     plot->setViewport(before);
 }

@@ -106,7 +106,7 @@ struct IntegrityFacts {
 /// The force of the tissue and the force given to the hand, over the running time of the session's trials.
 struct ForceFacts {
     double tissue_N = 0.0; ///< largest over all tools: the assessed force
-    double felt_N = 0.0;   ///< largest commanded
+    double felt_N = 0.0;   ///< largest commanded force
     double limited_s = 0.0; ///< how long any tool was given less than the tissue's force
     std::optional<double> firstLimited_s; ///< when this first began, on the recording's clock
     double beyondChecked = 0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
@@ -122,7 +122,7 @@ struct ReportData {
     QString site;               ///< name of the site; empty if it has none
     QString person;             ///< display name, or the scripted operator's ("expert, seed 7")
     bool simulated = false;     ///< a scripted operator, not a person
-    bool demonstration = false; ///< the permanent banner of a demonstration database
+    bool demonstration = false; ///< shows the permanent banner of a demonstration database
     QString exerciseTitle;
     QString levelTitle;
     QString exerciseId;
@@ -138,8 +138,8 @@ struct ReportData {
     std::vector<MetricRow> metrics; ///< for a session that did not reach its end, no metric is judged
                                     ///< (`passed`, `headline`)
     std::optional<ForceFacts> force; ///< absent if nothing was recorded
-    std::vector<std::shared_ptr<const ReportSection>> sections; ///< sections specific to the exercise, in
-                                                                ///< reading order; none is null
+    /// Sections specific to the exercise, in reading order; none is null.
+    std::vector<std::shared_ptr<const ReportSection>> sections;
     SampleSeries series;
     double forceLimit_N = 4.0;
     LoopFacts loop;

@@ -162,7 +162,7 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
     QString over = Words::tr("over the limit");
     for (const ToolSamples& tool : series.tools)
         if (view->shadeAbove(over, series.t_s, tool.tissue_N, limit_N))
-            over.clear(); // once in the legend
+            over.clear(); // only once in the legend
     // The assessed force is drawn last, on top.
     if (!several && !firstOf(series, &ToolSamples::measured_N).empty())
         view->addLine(Words::tr("measured"), series.t_s, firstOf(series, &ToolSamples::measured_N), PlotStyle::dottedC);
@@ -219,7 +219,7 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
         const double place = static_cast<double>(names.size());
         names.push_back(QStringLiteral("%1\nn = %2").arg(group.name).arg(group.values.size()));
         for (std::size_t i = 0; i < group.values.size(); ++i) {
-            // shifted sideways, so that equal values stay visible
+            // Shifted sideways, so that equal values stay visible.
             const double aside = 0.03 * (static_cast<double>(i % 5) - 2.0);
             points.push_back({place - 0.14 + aside, group.values[i]});
             negative = negative || group.values[i] < 0.0;

@@ -17,7 +17,7 @@ bool isBackupDue(const database::BackupStanding& standing, const QDateTime& now)
 /// The result of the check for the day's backup.
 struct DailyWork {
     bool due = false;
-    /// valid if a backup was due
+    /// Valid if a backup was due.
     core::Result<database::DailyBackup> made = core::fail(core::ErrorCode::cancelled, "nothing was due");
 };
 

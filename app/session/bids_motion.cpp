@@ -14,7 +14,7 @@ namespace chiron::session {
 
 namespace {
 
-constexpr double kTick_s = 1e-3; ///< nominal
+constexpr double kTick_s = 1e-3; ///< nominal duration of a tick
 
 struct Channel {
     const char* name;

@@ -12,7 +12,7 @@
 namespace chiron::session {
 
 namespace {
-// for runs faster than real time, which have no clock
+// For runs faster than real time, which have no clock.
 constexpr std::int64_t kNeverOld = std::numeric_limits<std::int64_t>::min() / 2;
 } // namespace
 

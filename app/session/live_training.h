@@ -52,7 +52,7 @@ public:
     /// 0 until the session is stored
     database::SessionId sessionId() const noexcept { return m_link.session(); }
     bool finished() const noexcept { return m_finished.load(std::memory_order_acquire); }
-    /// valid once finished()
+    /// Valid once finished().
     const core::Result<TrainingResult>& result() const noexcept { return m_result; }
 
     const Station& station() const noexcept { return m_request.station; }

@@ -28,7 +28,8 @@ public:
     }
     void timing(const realtime::TickTiming& timing) noexcept { m_statistics.add(timing); }
 
-    const haptics::LoopStatistics& statistics() const noexcept { return m_statistics; } ///< after the run
+    /// Valid after the run.
+    const haptics::LoopStatistics& statistics() const noexcept { return m_statistics; }
     std::uint64_t done() const noexcept { return m_done.load(std::memory_order_relaxed); } ///< any thread
 
 private:

@@ -124,7 +124,7 @@ void removeRingsOfEndedSessions(database::SessionReader reader, const std::files
             continue;
         const auto record = reader.session(ring->session());
         if (record && record->summary.state != database::SessionState::running)
-            (void)ring->remove(); // the next start tries again
+            (void)ring->remove(); // if this fails, the next start tries again
     }
 }
 

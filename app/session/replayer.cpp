@@ -124,7 +124,7 @@ private:
     haptics::SceneExchange m_scenes;
     CollectingSink m_sink;
     realtime::TickSource m_ticks;
-    // declared last: it gives its scene back before m_scenes is destroyed
+    // Declared last: it gives its scene back before m_scenes is destroyed.
     std::unique_ptr<haptics::HapticLoop> m_loop;
 };
 

@@ -124,7 +124,7 @@ scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, 
     for (const RecordedQuantities::Quantity& quantity : quantities.list())
         columns.quantities.push_back(quantity.id);
     columns.truth = scoring::truthIdsOf(trials);
-    // in exercises with quantities, a trial can end in more than one way
+    // In exercises with quantities, a trial can end in more than one way.
     columns.failed = quantities.size() > 0;
     columns.completed = columns.failed;
     kind.addColumns(trials, columns);

@@ -115,7 +115,7 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
 }
 
 std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const devices::WorkspaceMapping& mapping) {
-    // a pointer starts in the middle of its box
+    // A pointer starts in the middle of its box.
     return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]);
 }
 } // namespace

@@ -12,7 +12,7 @@ namespace chiron::session {
 /// Thread: haptic; only in runs faster than real time, in which it may allocate and wait.
 class ITickDirector : public core::IFrameSink {
 public:
-    /// called before the first tick; `inputs` outlives the run
+    /// Called before the first tick; `inputs` outlives the run.
     virtual void connect(haptics::LiveInputs& inputs) noexcept = 0;
 };
 

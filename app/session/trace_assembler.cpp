@@ -53,7 +53,7 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
     if (!isRefused(frame.tool[0]))
         m_lastGood = frame.tool[0];
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
-        // also between trials
+        // The clocks also advance between trials.
         const bool isNew = !isRefused(frame.tool[i]) && m_clocks[i].advances(frame.tool[i].deviceTime_us);
         if (isNew && m_inTrial && m_time.started())
             appendTool(frame, i);
@@ -86,7 +86,7 @@ void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t inde
         trace.tissueTorque_Nm.push_back(torqueOf(tool.tissue));
     }
     if (tool.status & core::sample_status::kMeasuredForce) {
-        // zeros for packets before the first measured one
+        // Zeros for packets before the first measured one.
         trace.measured_N.resize(trace.t_s.size(), core::Vec3::Zero());
         trace.measured_N.back() = forceOf(tool.measured);
     } else if (!trace.measured_N.empty()) {

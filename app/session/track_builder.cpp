@@ -137,7 +137,7 @@ void TrackBuilder::closeSample() {
         tool.p_WT = pose.p_WT;
         tool.q_WT = pose.q_WT;
         tool.jaw_rad = pose.jaw_rad;
-        // no surface holds the tool
+        // No surface holds the tool.
         const bool through = core::contactOfStatus(m_last.tool[i].status) & core::contact_bits::kThrough;
         tool.p_WProxy = present && !through ? m_surfaces.surfacePoint(header.trial, pose.p_WT) : pose.p_WT;
         m_track.tools.push_back(tool);

@@ -171,7 +171,7 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         if (auto broken = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
             return broken;
         auto spoiled = firstOf(track, {failed, damaged}, metric);
-        // a trauma that lasted too long or was too hard, without damage
+        // Otherwise a trauma that lasted too long or was too hard, without damage.
         return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true);
     }
     if (const auto kind = exerciseKind(track.exercise))

@@ -50,7 +50,7 @@ void drawAnswers(report::PlotView& plot, const psychophysics::RunEstimate& estim
 
 void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& estimate, bool ranks) {
     plot.setXAxis({Words::tr("Difference from the reference (%)"), {}, {}});
-    // so that markers at 0 and 1 are completely visible
+    // The range is wider than 0 to 1 so that markers at 0 and 1 are completely visible.
     plot.setYAxis({Words::tr("Proportion correct"), -0.02, 1.06});
     const std::vector<double> x = percentOf(estimate.curveDifference);
     if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {

@@ -17,7 +17,7 @@ using report::PlotView;
 
 namespace {
 
-constexpr double k95 = 1.959963984540054; // of the normal distribution
+constexpr double k95 = 1.959963984540054; // 97.5 % quantile of the normal distribution
 constexpr double kRankingPlotHeight = 190.0;
 
 QString fixed(double value, const QLocale& locale) { return std::isfinite(value) ? locale.toString(value, 'f', 2) : QStringLiteral("–"); }

@@ -92,7 +92,7 @@ void FidelityMeter::Place::forget() {
 /// Called at the beginning of a contact: discards the fit if the level was adjusted to another value in the
 /// meantime.
 void FidelityMeter::noticeChange(std::size_t place, const FidelitySample& sample) {
-    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both from 1
+    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both count from 1
     const auto arrangement = static_cast<std::size_t>(sample.arrangement);
     if (place >= m_asked.size() || candidate < 1 || candidate > m_parameters.values.size() || arrangement < 1 ||
         arrangement > m_parameters.arrangements.size())

@@ -98,7 +98,7 @@ inline constexpr double kPracticeFeedback_s = 4.0;
 struct LiveStudyNumbers {
     std::string condition;   ///< id; the sealed code if the experimenter is blind
     std::string sealedCode;
-    /// one per procedure; empty if the experimenter is blind
+    /// One per procedure; empty if the experimenter is blind.
     std::vector<psychophysics::ProcedureEstimate> estimates;
     int scored = 0;
     int spoiled = 0;
@@ -170,7 +170,7 @@ public:
     virtual LiveStudyNumbers numbers() const = 0;
     virtual const psychophysics::StudyDesign& design() const = 0;
     virtual const psychophysics::Condition& condition() const = 0;
-    /// for SceneSetup: the level that the window draws
+    /// For SceneSetup: the level that the window draws.
     virtual const catalogue::ExerciseLevel& level() const = 0;
     /// display(), samples(), pointer() of the running session. It is another object (with another pointer)
     /// once sessions() has increased.

@@ -41,7 +41,7 @@ struct ParticipantView {
     bool maskingSound = false;
     int questionsBefore = 0;
     int questionsAfter = 0;
-    int questionsAfterEach = 0; ///< part
+    int questionsAfterEach = 0; ///< questions after each part
 
     double minutesAtMost() const; ///< of all parts, without questions; 0 if not known
     bool anyBreak() const;

@@ -13,7 +13,7 @@ class SittingControl {
 public:
     void begin() noexcept; ///< call it for a new session, which must receive the current state
 
-    /// going on while force is stopped needs rearm()
+    /// Going on while force is stopped needs rearm().
     void wantPause(bool wanted) noexcept { m_pause = wanted || m_stopped; }
     /// A pause by the run itself: for a break, or while the experimenter is asked.
     void hold(bool held) noexcept { m_hold = held; }

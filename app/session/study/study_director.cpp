@@ -74,7 +74,7 @@ bool StudyDirector::turned(const std::vector<double>& felt, const FidelitySample
     if (!m_equal)
         m_equal = m_parts.observer.adjust(table.front(), table.back());
     const double limit_s = m_parts.exploreLimit_s;
-    // including one more exploration
+    // The duration with one more exploration.
     const auto ticks = static_cast<double>((sample.tick - m_clock.first()) + (sample.tick - m_looked));
     if (m_steps >= kSteps || (limit_s > 0.0 && ticks * core::kTickSeconds > limit_s))
         return false;

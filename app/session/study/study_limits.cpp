@@ -35,7 +35,7 @@ double largestValue(const psychophysics::StimulusDesign& stimulus, const Renderi
         return kWeightShare * limits.largestForce_N / core::kStandardGravity;
     case Attribute::viscosity:
         why = "viscosity";
-        // both act on the same velocity
+        // Both act on the same velocity.
         return std::max(0.0, limits.largestViscosity_Ns_per_m - contactDamping(stimulus));
     case Attribute::deformation:
     case Attribute::roughness:

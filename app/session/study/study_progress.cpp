@@ -81,7 +81,7 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
             return tl::unexpected(taken.error());
     }
     State& state = *progress->m_state;
-    // the interruption counts as a break
+    // The interruption counts as a break.
     state.breaksTaken = state.rules.breakEvery > 0 ? state.scored / state.rules.breakEvery : 0;
     if (state.asksExperimenter)
         progress->experimenterSays(true); // resuming the run implies that it goes on

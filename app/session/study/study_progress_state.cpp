@@ -93,7 +93,7 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
     if (trial.practice && trial.answer < 0) {
         ++practiceUnanswered;
         ++repeat;
-        // reconsidering an answer is no problem
+        // A participant who takes an answer back to reconsider it causes no concern.
         asksExperimenter = repeat >= repeatsAtMost && trial.spoiled != "taken_back";
     } else if (trial.practice) {
         ++practised;

@@ -97,7 +97,7 @@ core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& s
         if (!session)
             return session;
         last = *session;
-        // without progress, another session would be stuck as well
+        // Without progress, another session would be stuck as well.
         if (!sitting.stored || sitting.presented == before)
             break;
     }

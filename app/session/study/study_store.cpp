@@ -88,10 +88,8 @@ core::Result<void> sameTable(const database::StudyRun& run, double limit) {
 }
 
 core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now) {
-    if (run.procedures != now)
+    if (run.procedures != now) // unnamed in the message, because procedures can reveal the condition
         return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another version of its procedures than this program has: no version continues "
-                                                         // They are not named, because procedures can reveal
-                                                         // the condition.
                                                          "another one's run; expected another participant for this condition");
     return {};
 }
@@ -153,7 +151,7 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
 }
 
 std::uint64_t runSeed(const OpenedStudy& study, const std::string& label) {
-    // because SQLite's integers are signed
+    // Shifted to 63 bits, because SQLite's integers are signed.
     return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + label) >> 1;
 }
 

@@ -43,9 +43,9 @@ struct TrialCircumstances {
     std::optional<std::uint64_t> answerTick; ///< tick of the session at the first key or click of the answer
 
     static constexpr const char* kMaskingNoise = "pink_noise";
-    /// the design has none, or somebody switched it off
+    /// The design has none, or somebody switched it off.
     static constexpr const char* kMaskingOff = "off";
-    /// there is no sound output, so nothing was heard
+    /// There is no sound output, so nothing was heard.
     static constexpr const char* kMaskingSilent = "no_output";
     static constexpr const char* kMaskingChanged = "changed";    ///< switched on or off during the trial
     bool operator==(const TrialCircumstances&) const = default;

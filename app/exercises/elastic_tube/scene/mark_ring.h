@@ -12,7 +12,7 @@ namespace chiron::scene3d {
 /// The ring that marks a tube's target: the tube's end has to reach it.
 struct MarkRing {
     core::Vec3 p_W = core::Vec3::Zero();
-    core::Vec3 along = core::Vec3::UnitZ(); ///< axis, unit
+    core::Vec3 along = core::Vec3::UnitZ(); ///< unit vector of the axis
     double radius_m = 0.0;
     bool foot = false; ///< the ring is at a fixed place: a line to the floor shows above which point
 };

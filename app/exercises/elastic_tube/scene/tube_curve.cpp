@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// One half of the part that tore.
+    /// Adds one half of the torn part.
     void addHalf(TubePiece& piece, std::size_t i, bool first) const {
         const Part& part = m_parts[i];
         const std::size_t place = first ? part.first : part.last;

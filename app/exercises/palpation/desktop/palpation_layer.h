@@ -17,7 +17,7 @@ public:
     /// depend on them.
     explicit PalpationLayer(core::Error why) : m_why(std::move(why)) {}
 
-    /// null if the findings could not be read
+    /// Null if the findings could not be read.
     PalpationReplay* replay() { return m_replay ? &*m_replay : nullptr; }
 
     QString lost() const override;

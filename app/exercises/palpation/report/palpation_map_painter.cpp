@@ -135,7 +135,7 @@ void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) cons
         return QRectF(plot.left() + from * wide, plot.bottom() - (row + 1) * high, (to - from) * wide, high);
     };
     for (int row = 0; row < SurfaceMap::kRows; ++row)
-        // runs of equal cells, so that a vector page stays small
+        // Runs of equal cells, so that a vector page stays small.
         for (int column = 0; column < SurfaceMap::kColumns;) {
             const MapBand band = m_view.bands.of(m_map.force_N(column, row));
             const auto same = [&](int other) {

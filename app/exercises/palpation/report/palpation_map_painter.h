@@ -44,7 +44,7 @@ struct PalpationMapFinding {
 struct PalpationMapView {
     simulation::SurfaceMapKind kind = simulation::SurfaceMapKind::coverage;
     simulation::MapBands bands;
-    int regionColumns = 3; ///< the units of detection
+    int regionColumns = 3; ///< regions over which detection is scored
     int regionRows = 3;
     std::vector<PalpationMapLump> lumps; ///< empty: the truth is not shown
     std::vector<PalpationMapFinding> findings;

@@ -16,7 +16,7 @@ namespace chiron::report {
 namespace {
 
 constexpr double kMapHeight = 222.0; // logical pixels; the legends are beside the maps
-// scale of their text: two maps and their legends share the width of a page
+// Scale of their text: two maps and their legends share the width of a page.
 constexpr double kMapScale = 0.66;
 
 using Kind = PalpationFindingRow::Kind;

@@ -126,7 +126,7 @@ void Finger::showBlades(const ToolView& tool) {
         matrix.rotate(toQuaternion(heldLike(tool)));
         matrix.rotate(90.0F + 180.0F * float(side), 0.0F, 0.0F, 1.0F); // perpendicular to the finger
         matrix.translate(0.0F, 0.0F, float(kHinge_mm));
-        // in the same way as Instrument turns them
+        // The blades turn in the same way as those of Instrument.
         matrix.rotate(qRadiansToDegrees(0.5F * float(tool.jaw_rad)), 1.0F, 0.0F, 0.0F);
         matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
         m_blade[side]->at().setMatrix(matrix);

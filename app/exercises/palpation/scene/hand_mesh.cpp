@@ -75,7 +75,7 @@ void mirror(TriangleMesh& mesh) {
         vertex.normal[0] = -vertex.normal[0];
     }
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-        // keeps the outer side of the triangles outside after the mirroring
+        // Mirroring reversed the orientation of the triangles; this restores it.
         std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 

@@ -26,7 +26,7 @@ public:
     void press(std::size_t finger, const core::Vec3& p_WT, const core::Vec3& tissue_N) {
         if (finger >= m_guess_m.size() || !p_WT.allFinite() || !tissue_N.allFinite())
             return;
-        // in the air: the search for the next contact starts below the finger
+        // In the air: the search for the next contact starts below the finger.
         if (tissue_N.squaredNorm() == 0.0) {
             m_guess_m[finger].reset();
             return;

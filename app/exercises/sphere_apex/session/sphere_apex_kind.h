@@ -18,9 +18,9 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// for an organ computed at two rates
+    /// For an organ computed at two rates.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
-    /// for levels on meshes, whose law is not conservative
+    /// For levels on meshes, whose law is not conservative.
     bool recordsEnergy(const catalogue::ExerciseLevel& level) const override;
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;

@@ -49,7 +49,7 @@ void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackT
     const auto moment = session::insertionAt(track, t_s);
     if (!moment)
         return;
-    state.objectShown = true; // the endoscope's picture
+    state.objectShown = true; // the object is the endoscope's picture
     state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(*track.of<session::PlaybackInsertion>(), *moment, t_s);
 }
 

@@ -32,11 +32,11 @@ public:
     void place(const EndoscopeLayout& layout, const QSize& window_px);
 
     // Layers that determine when an entity is drawn; add them to the entities.
-    /// black round the picture; leaves the area behind it untouched
+    /// The black round the picture; leaves the area behind it untouched.
     Qt3DRender::QLayer* mask() const { return m_layers[0]; }
     Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< view of the camera at the tip
     Qt3DRender::QLayer* blur() const { return m_layers[2]; }     ///< pass 2
-    /// over the camera's picture, in the picture's coordinates
+    /// Over the camera's picture, in the picture's coordinates.
     Qt3DRender::QLayer* marks() const { return m_layers[3]; }
     Qt3DRender::QLayer* outside() const { return m_layers[4]; }  ///< the overview
     Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over the overview, translucent

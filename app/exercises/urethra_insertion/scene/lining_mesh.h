@@ -38,7 +38,7 @@ private:
     const UrethraDrawing& m_drawing;
     std::vector<core::Vec3> m_first;
     std::vector<core::Vec3> m_last;
-    std::vector<double> m_azimuths; ///< of the last ring's points round t(C)
+    std::vector<double> m_azimuths; ///< of the last ring's points, about t(C)
     double m_brim_rad;              ///< polar angle from the neck from which on the sphere does not move
 };
 

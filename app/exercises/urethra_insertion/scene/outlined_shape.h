@@ -14,7 +14,7 @@ public:
 
     void show(bool shown) { m_entity->setEnabled(shown); }
     void setColour(const QColor& colour) { m_tint->setValue(toTint(colour)); }
-    /// fraction of a round shape that is drawn, from the top
+    /// Fraction of a round shape that is drawn, from the top.
     void setShare(double turn) { m_share->setValue(float(turn)); }
     /// Sets position, rotation (radians, counter-clockwise) and stretch along its own x axis.
     void place(double x, double y, double turn_rad = 0.0, double along = 1.0, double size = 1.0);

@@ -25,7 +25,7 @@ const QVector3D kBlood(0.46F, 0.05F, 0.06F);
 constexpr float kNearest_mm = 0.35F;
 constexpr float kFarthest_mm = 260.0F;
 constexpr double kGlansSeen_m = 0.004;   // arc length up to which a turned camera can see the glans
-// distance before the neck; from farther away the light does not reach it
+// Distance before the neck; from farther away the light does not reach it.
 constexpr double kBladderSeen_m = 0.070;
 // Of the lamp, so that a wall seen head-on at the metered distance is neither white nor dark.
 constexpr double kGain = 0.66;

@@ -40,7 +40,7 @@ public:
     }
 
     static constexpr double kNear_m = 0.012;  ///< working distance in the canal
-    static constexpr double kBlend_m = 0.008; ///< past the neck
+    static constexpr double kBlend_m = 0.008; ///< length of the transition past the neck
 
 private:
     simulation::UrethraInsertionParameters m_parameters;

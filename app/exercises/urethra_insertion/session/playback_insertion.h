@@ -17,7 +17,7 @@ namespace chiron::session {
 /// (scoring::InsertionSeries).
 /// Unit: SI.
 struct PlaybackInsertionMoment {
-    /// arc length of the tip's foot; NaN before the trial
+    /// Arc length of the tip's foot; NaN before the trial.
     double depth_m = std::numeric_limits<double>::quiet_NaN();
     double offset_m = std::numeric_limits<double>::quiet_NaN();
     double alignment_rad = std::numeric_limits<double>::quiet_NaN();
@@ -28,8 +28,8 @@ struct PlaybackInsertionMoment {
 /// (PlaybackTrack::of). A plain value.
 /// Thread: any one.
 struct PlaybackInsertion final : PlaybackOfExercise {
-    double length_m = 0.0; ///< L
-    double bend_m = 0.0;   ///< s_B
+    double length_m = 0.0; ///< L: length of the canal
+    double bend_m = 0.0;   ///< s_B: arc length of the bend
     double goal_m = 0.0;   ///< depth that ends the insertion
     /// Track time at which each landmark was seen, NaN if it was not; empty if there are no landmarks.
     std::vector<double> landmarkSeen_s;

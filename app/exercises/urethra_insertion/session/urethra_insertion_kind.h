@@ -36,7 +36,7 @@ public:
     /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for landmarks that were
     /// not seen.
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
-    /// columns of the canal
+    /// Columns of the canal.
     void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override;
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
