@@ -112,8 +112,8 @@ struct ForceFacts {
     double beyondChecked = 0.0; ///< share of the samples outside the poses and depths for which the law was checked, 0..1
 };
 
-/// If a larger share of a score's samples lies outside the checked range, the report states it (data.md,
-/// Range of a law).
+/// If a larger share of a score's samples lies outside the checked range, the report states it
+/// (data.md, Range of a law).
 inline constexpr double kBeyondCheckedSaid = 0.01;
 
 /// Everything that a session report shows. It holds values only: the caller fills it from the database, which

@@ -6,8 +6,8 @@
 
 namespace chiron::desktop {
 
-/// Everything that P1's Info window shows for one moment. Forces and torques act on the endoscope (models.md
-/// §1).
+/// Everything that P1's Info window shows for one moment. Forces and torques act on the endoscope
+/// (models.md §1).
 /// Unit: SI.
 /// Frame: A (models.md §0): x normal to the plane of symmetry, y up, z into the patient.
 struct InsertionValues {

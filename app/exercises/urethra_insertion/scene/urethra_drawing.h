@@ -7,8 +7,8 @@
 
 namespace chiron::scene3d {
 
-/// The positions of everything in the pictures of the urethra, from the same anatomy as the forces (models.md
-/// §1). Pure after construction.
+/// The positions of everything in the pictures of the urethra, from the same anatomy as the forces
+/// (models.md §1). Pure after construction.
 /// Unit: m.
 /// Frame: A.
 /// Thread: any.
