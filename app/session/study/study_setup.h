@@ -14,8 +14,8 @@
 namespace chiron::session {
 
 /// The level under which a condition's sessions are recorded. `control`: a deliberate fault
-/// (psychophysics.md §6). `sealedCode`: the name of the condition in the session's title and in the level's id; empty: its own
-/// id.
+/// (psychophysics.md §6). `sealedCode`: the name of the condition in the session's title and in the level's
+/// id; empty: its own id.
 /// Errors: badInput.
 core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
                                                   simulation::ComparisonControl control = simulation::ComparisonControl::none,
