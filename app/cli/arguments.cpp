@@ -52,8 +52,8 @@ core::Result<Arguments> Arguments::parse(const CommandSpec& command, const QStri
         for (const OptionSpec& option : *options)
             arguments.m_parser->addOption(QCommandLineOption(option.name, option.help, option.valueName));
     }
-    // The parser skips the first word as the program's name. parse() reports, process() would end the
-    // program.
+    // The parser skips the first word as the program's name. parse() reports errors, while process() would
+    // end the program.
     if (!arguments.m_parser->parse(QStringList{QStringLiteral("chiron-cli")} + rest)) {
         const QString reason =
             printable(arguments.m_parser->errorText()).replace(QLatin1Char('\n'), QLatin1String("\\n"));

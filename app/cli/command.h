@@ -11,12 +11,12 @@ namespace chiron::cli {
 
 class Arguments;
 
-/// What a command hands back: the document that --json prints, and what is printed without it. Nothing else
-/// is ever written to stdout.
+/// The result of a command: the document that --json prints, and the text that is printed without --json. A
+/// command writes nothing else to stdout.
 struct CommandOutput {
     QJsonDocument json;
     QString text;
-    int exitCode = 0; ///< 1 where the thing checked does not hold (verify, score, replay, device check)
+    int exitCode = 0; ///< 1 if the check fails (verify, score, replay, device check)
 };
 
 struct OptionSpec {
@@ -32,13 +32,13 @@ struct OperandSpec {
     bool required = true;
 };
 
-/// One command: a row of the table. The handler gets arguments whose form is already checked.
+/// One command, which is one row of the table. The handler receives arguments whose form is already checked.
 struct CommandSpec {
     QString group; ///< "user"
     QString verb;  ///< "add"; empty where the group is the command
     QString summary;
     std::vector<OperandSpec> operands;
-    std::vector<OptionSpec> options; ///< besides those that every command has
+    std::vector<OptionSpec> options; ///< in addition to those that every command has
     QString example;                 ///< one line, starting with chiron-cli
     bool draws = false;              ///< needs a QApplication (fonts, pictures)
     core::Result<CommandOutput> (*run)(const Arguments& arguments) = nullptr;

@@ -5,7 +5,7 @@
 
 namespace chiron::cli {
 
-// One function a file of commands/; each returns its rows of the table.
+// One function per file of commands/; each returns its rows of the command table.
 std::vector<CommandSpec> initCommands();
 std::vector<CommandSpec> siteCommands();
 std::vector<CommandSpec> userCommands();

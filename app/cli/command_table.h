@@ -10,8 +10,8 @@ namespace chiron::cli {
 /// Every command, in the order of the help.
 const std::vector<CommandSpec>& commandTable();
 
-/// The command that the first one to three words name, and how many words that took. Failure: wrongUse, naming
-/// what was found and what is there.
+/// The command that the first one to three words name, and how many words it uses.
+/// Errors: wrongUse, naming the word found and the words that are possible there.
 struct FoundCommand {
     const CommandSpec* command = nullptr;
     int words = 0;

@@ -12,8 +12,9 @@ namespace chiron::cli {
 
 namespace {
 
-/// The line at `next` with those that a quote in it goes on over; `next` is then the line after. Nothing where a quote is not closed. A note
-/// may hold what it likes.
+/// Returns the line at `next`, together with the lines over which a quoted cell of it continues, and advances
+/// `next` to the line after them. Returns nothing if a quote is not closed. Quotes in a note (#) have no
+/// meaning.
 std::optional<QString> record(const QStringList& lines, qsizetype& next) {
     const auto line = [&](qsizetype at) { return lines[at].endsWith(u'\r') ? lines[at].chopped(1) : lines[at]; };
     QString whole = line(next++);
@@ -111,7 +112,8 @@ core::Result<CsvTable> parseCsvTable(QString text, const QString& path) {
     CsvTable table;
     table.name = path;
     QChar separator = u',';
-    if (text.startsWith(QChar(0xFEFF))) // spreadsheets put a byte-order mark before the heading
+    // Spreadsheets put a byte-order mark before the heading.
+    if (text.startsWith(QChar(0xFEFF)))
         text.remove(0, 1);
     const QStringList lines = text.split(u'\n');
     for (qsizetype next = 0; next < lines.size();) {

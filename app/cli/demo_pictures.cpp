@@ -28,7 +28,7 @@ void addValues(std::span<const scoring::MetricValue> metrics, const std::string&
             values.push_back(*metric.value);
 }
 
-/// Points are the trials of one level, or the levels.
+/// The points of the plot are the trials of one level, or the levels.
 report::ComparisonData operatorsOf(const std::vector<session::DemoResult>& results, const std::string& exercise, const session::OperatorComparison& shown) {
     report::ComparisonData data;
     data.title = QString::fromStdString(shown.title);
@@ -63,7 +63,7 @@ core::Result<void> addComparison(DemoPictures& drawn, const QString& file, const
     return {};
 }
 
-/// The session's report, and its plots where `plots` says so.
+/// Draws the report of the session, and its plots if `plots` is true.
 core::Result<void> addReport(DemoPictures& drawn, database::Database& database, const session::DemoResult& shown,
                              const QString& folder, const report::PlotTheme& theme, bool plots) {
     auto connection = database.openReader();
@@ -89,7 +89,7 @@ core::Result<void> addReport(DemoPictures& drawn, database::Database& database, 
     return {};
 }
 
-/// As the demonstration's researcher, whose study it is.
+/// Draws the study's report as the demonstration's researcher, who owns the study.
 core::Result<void> addStudyReport(DemoPictures& drawn, database::Database& database, const session::DemoStudy& study, const QString& folder,
                                   const report::PlotTheme& theme) {
     const auto author = database::AccountService(database).login(session::kDemoResearcher, session::kDemoPassword);

@@ -10,16 +10,17 @@
 
 namespace chiron::cli {
 
-/// What the demonstration draws.
+/// The files that the demonstration draws.
 struct DemoPictures {
     std::vector<QString> reports; ///< PDF
     std::vector<QString> pictures;
 };
 
-/// The exercises of these sessions, in the order in which they were done first.
+/// The exercises of these sessions, in the order of each exercise's first session.
 std::vector<std::string> exercisesOf(const std::vector<session::DemoResult>& results);
 
-/// Draws into `folder` what each exercise shows of itself (session::Demonstration), and the study's report. Needs a QApplication.
+/// Draws the pictures that each exercise offers for the demonstration (session::Demonstration), and the
+/// report of the study, into `folder`. Needs a QApplication.
 core::Result<DemoPictures> drawDemo(database::Database& database, const session::DemoSite& made, const QString& folder);
 
 } // namespace chiron::cli

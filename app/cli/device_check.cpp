@@ -133,7 +133,8 @@ QJsonObject toJson(const FingertipCheck& check, bool withSeries) {
     for (const double rmse : v.rmse_N)
         cycles.append(rmse);
     QJsonObject json{{"mechanism", "fingertip_arm"},
-                     {"seed", QString::number(check.seed)}, // a text: JSON numbers lose large seeds
+                     // A text, because JSON numbers lose digits of large seeds.
+                     {"seed", QString::number(check.seed)},
                      {"simulated", true},
                      {"serial_number", serialJson(check.serialNumber)},
                      {"holds", holds(check)},

@@ -7,7 +7,7 @@ namespace chiron::cli {
 
 /// The list of all commands.
 QString overallHelp();
-/// The commands of a group ("user").
+/// The commands of one group, for example "user".
 QString groupHelp(const QString& group);
 /// Usage, operands, options and an example of one command.
 QString commandHelp(const CommandSpec& command);

@@ -8,11 +8,11 @@ namespace chiron::cli {
 
 struct NewPassword {
     std::string value;
-    bool generated = false; ///< shown once, to be changed at the first login
+    bool generated = false; ///< if so, it is shown once and must be changed at the first login
 };
 
-/// The second secret, or where there is none 16 letters and digits from the system's generator (80 bits),
-/// without the ones that look alike.
+/// Returns the second secret. If there is none, returns 16 letters and digits from the system's random number
+/// generator (80 bits), without characters that look alike.
 NewPassword newPasswordOrGenerated(const std::vector<std::string>& secrets);
 
 } // namespace chiron::cli

@@ -16,7 +16,7 @@ core::Result<QByteArray> readStandardInput(qint64 largestBytes) {
     QFile input;
     if (!input.open(stdin, QIODevice::ReadOnly))
         return badInput(QStringLiteral("stdin: cannot be read: %1").arg(input.errorString()));
-    // A pipe gives what has been written so far: only an empty read is its end.
+    // A read from a pipe returns what has been written so far; only an empty read means the end.
     QByteArray bytes;
     while (bytes.size() <= largestBytes) {
         const QByteArray part = input.read(largestBytes + 1 - bytes.size());

@@ -9,11 +9,14 @@
 
 namespace chiron::cli {
 
-/// The bytes of a file. Failure: notFound; badInput for a folder, an unreadable file or one over the limit.
+/// Reads the bytes of a file.
+/// Errors: notFound; badInput for a folder, an unreadable file or a file over the limit.
 core::Result<QByteArray> readInputFile(const QString& path, qint64 largestBytes);
-/// Everything on stdin. Failure: badInput over the limit.
+/// Reads stdin to its end.
+/// Errors: badInput over the limit.
 core::Result<QByteArray> readStandardInput(qint64 largestBytes);
-/// A JSON object from a file. Failure: also badInput with line and column.
+/// Reads a JSON object from a file.
+/// Errors: those of readInputFile(); badInput with line and column.
 core::Result<QJsonObject> readJsonObject(const QString& path);
 
 } // namespace chiron::cli

@@ -34,7 +34,7 @@ const core::LawParameter* findParameter(const core::LawDescription& law, const Q
     return nullptr;
 }
 
-// Which field of a line belongs to which input column.
+// Maps each field of a line to an input column.
 core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& law,
                                                   const QList<QByteArray>& fields, const QString& name) {
     const QString expected = QStringLiteral("expected the columns %1, each once").arg(inputNames(law));
@@ -57,7 +57,7 @@ core::Result<std::vector<std::size_t>> readHeader(const core::LawDescription& la
     return order;
 }
 
-// A decimal number and nothing else, whatever the locale.
+// Accepts a decimal number and nothing else, independently of the locale.
 bool readNumber(const QByteArray& field, double& value) {
     const QByteArray trimmed = field.trimmed();
     const char* begin = trimmed.constData();

@@ -10,27 +10,30 @@
 
 namespace chiron::cli {
 
-/// Rows of finite numbers in the order of the law's input columns. Row i stood in line i + 2.
+/// Rows of finite numbers in the order of the law's input columns. Row i comes from line i + 2 of the file.
 struct LawTable {
     std::vector<std::vector<double>> rows;
 };
 
-/// Every law that can be evaluated, module by module.
+/// Every law that can be evaluated, ordered by module.
 const std::vector<const core::LawDescription*>& allLaws();
 const core::LawDescription* findLaw(const QString& id); ///< null if there is none
 QString lawNames();
 
-/// The values of the law's parameters in its order: defaults, overridden by the JSON object in `path` (empty:
-/// none). Failure: notFound; badInput with file, JSON path, value and range.
+/// The values of the law's parameters in the law's order: the defaults, overridden by the JSON object in the
+/// file `path` (if `path` is not empty).
+/// Errors: notFound; badInput with file, JSON path, value and range.
 core::Result<std::vector<double>> readLawParameters(const core::LawDescription& law, const QString& path);
 
-/// Reads a CSV with a header of the law's input columns, in any order. Every line ends in a line feed, or the table was cut off. Failure:
-/// badInput with name, line and column.
+/// Reads a CSV table whose header holds the law's input columns in any order. Every line must end in a line
+/// feed; a missing one means that the table was cut off.
+/// Errors: badInput with name, line and column.
 core::Result<LawTable> readLawTable(const core::LawDescription& law, const QByteArray& csv,
                                     const QString& name);
 
-/// The law's answers, row by row. Failure: badInput with name and line of the first row for which the law does not hold or gives no finite
-/// number.
+/// The outputs of the law, one row per input row.
+/// Errors: badInput with name and line of the first row for which the law does not hold or returns a number
+///   that is not finite.
 core::Result<std::vector<std::vector<double>>> evaluateLaw(const core::LawDescription& law, const std::vector<double>& parameters,
                                                            const LawTable& table, const QString& name);
 

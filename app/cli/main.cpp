@@ -4,7 +4,7 @@
 #include <csignal>
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error to report, not an end without a word
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe becomes an error to report instead of a silent end
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

@@ -23,7 +23,7 @@ int fail(const QString& place, const core::Error& error) {
     return exitCodeOf(error.code);
 }
 
-// Either all of it arrives, or the caller hears that it did not (a full disk, a closed pipe).
+// Either all bytes are written, or the caller gets an error (a full disk, a closed pipe).
 int print(const QByteArray& bytes, int exitCode) {
     const auto size = static_cast<std::size_t>(bytes.size());
     if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
@@ -37,7 +37,7 @@ int printHelp(const QString& text, bool json) {
                  0);
 }
 
-/// What this program is: its version, and what the build id says of the compiler and of the models' numbers.
+/// Prints the version of the program and its build id, which identifies the compiler and the models id.
 int printVersion(bool json) {
     const QString build = QString::fromStdString(core::buildId()), version = build.section(u' ', 0, 0);
     return print(json ? QJsonDocument(QJsonObject{{QStringLiteral("program"), QJsonObject{{QStringLiteral("version"), version}, {QStringLiteral("build"), build}}}}).toJson()
@@ -51,8 +51,8 @@ int printOutput(const CommandOutput& output, bool json) {
     return print(output.json.toJson(QJsonDocument::Indented), output.exitCode);
 }
 
-// "--database F user list" is as good as "user list --database F": leading common options move behind the
-// words.
+// "--database F user list" is equivalent to "user list --database F": this function moves leading common
+// options behind the words.
 QStringList wordsFirst(QStringList arguments) {
     QStringList moved;
     while (!arguments.isEmpty() && arguments[0].startsWith(QLatin1String("--")) && arguments[0].size() > 2) {
@@ -66,8 +66,8 @@ QStringList wordsFirst(QStringList arguments) {
     return arguments + moved;
 }
 
-// Where no session manager made a runtime folder (a server, a container), Qt notes the one it takes instead.
-// That is nothing that who asked for a report can use.
+// Without a runtime folder from a session manager (a server, a container), Qt prints a note about the folder
+// that it uses instead. The note is of no use to somebody who asked for a report, so this handler drops it.
 void withoutPlatformNotes(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (message.startsWith(QLatin1String("QStandardPaths: ")))
         return;
@@ -75,12 +75,14 @@ void withoutPlatformNotes(QtMsgType type, const QMessageLogContext& context, con
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
-// Pictures need a QApplication, and none of them a screen: the offscreen platform cannot fail to connect.
+// Drawing pictures needs a QApplication but no screen; the offscreen platform always starts.
 std::unique_ptr<QCoreApplication> makeApplication(bool draws) {
     static int count = 1;
     static char name[] = "chiron-cli";
     static char* values[] = {name,
-                             nullptr}; // Qt's own options are not ours: -platform with a bad name would abort
+                             // Qt's own options are not passed on: -platform with a bad name would abort the
+                             // program.
+                             nullptr};
     if (draws) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         qInstallMessageHandler(withoutPlatformNotes);
@@ -115,7 +117,7 @@ int runProgram(const QStringList& given) {
         return printHelp(groupHelp(first), json);
     QStringList words = arguments;
     if (!words.isEmpty() && words[0].startsWith(QLatin1String("--")))
-        words.clear(); // options only: no command
+        words.clear(); // only options, no command
     const auto found = findCommand(words);
     if (!found)
         return fail({}, found.error());
@@ -128,7 +130,8 @@ int runProgram(const QStringList& given) {
     const auto application = makeApplication(command.draws);
     const auto output = command.run(*parsed);
     if (!output) {
-        const QString place = command.name() + QStringLiteral(": "); // a typed getter has said it already
+        // A typed getter has already put it at the start of the message.
+        const QString place = command.name() + QStringLiteral(": ");
         return fail(QString::fromStdString(output.error().message).startsWith(place) ? QString() : place,
                     output.error());
     }

@@ -13,13 +13,14 @@ namespace chiron::cli {
 /// How one trial ended.
 struct TrialEnding {
     QString state;
-    bool marked = false; ///< or its procedure completed; else its last position is scored, and it is flagged
+    bool marked = false; ///< true also if the trial's procedure was completed; if false, the last position is
+                         ///< scored and the trial is flagged
     bool timedOut = false;
-    bool failed = false; ///< it could not be done any more (torn)
-    bool unfinished = false; ///< it had no end and is in no score
+    bool failed = false; ///< the trial could not be continued (the object tore)
+    bool unfinished = false; ///< the trial had no end and is not part of any score
 };
 
-/// What `train`, `session show` and `score` print about one session.
+/// The values that `train`, `session show` and `score` print about one session.
 struct ScoreView {
     qint64 sessionId = 0;
     QString state;
@@ -31,14 +32,16 @@ struct ScoreView {
 
 using session::metricsJson;
 
-/// [{trial, metrics, marked, timed_out, failed, state, flag}]; flag is "unfinished" where the trial had no end and is in no score, "failed" where the trial could not be done to its end, "no_mark" where the last position stands for a
-/// mark, else null. Trials whose ending is not known have no more than their metrics.
+/// Returns [{trial, metrics, marked, timed_out, failed, state, flag}]. The flag is "unfinished" if the trial
+/// had no end and is not part of any score, "failed" if the trial could not be done to its end, "no_mark" if
+/// the last position is scored in place of a mark, and null otherwise. Trials whose ending is not known have
+/// only trial number and metrics.
 QJsonArray trialsJson(const scoring::ScoreCard& card, const std::vector<TrialEnding>& endings);
-/// One line on flagged trials for people; empty where there is none.
+/// One line about flagged trials, as text; empty if there are none.
 QString flaggedText(const std::vector<TrialEnding>& endings);
-/// The keys of cli.md's `train`: session_id, state, passed, metrics, trials, loop, recording.
+/// The keys that cli.md specifies for `train`: session_id, state, passed, metrics, trials, loop, recording.
 QJsonObject scoreJson(const ScoreView& view);
-/// The same for people.
+/// The same as text.
 QString scoreText(const ScoreView& view);
 QString metricsText(const std::vector<scoring::MetricValue>& metrics);
 

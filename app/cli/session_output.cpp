@@ -22,12 +22,13 @@ QString text(const std::string& words) { return QString::fromStdString(words); }
 
 QJsonObject parsed(const std::string& json) { return QJsonDocument::fromJson(QByteArray::fromStdString(json)).object(); }
 
-/// What it was done with, one entry a tool: driver, model, and how a gimbal's force became torques.
+/// The devices of the session, one entry per tool: driver, model, and how a gimbal's force was converted to
+/// torques.
 QJsonArray devicesJson(const database::SessionRecord& record) {
     QJsonArray list;
     const auto setup = session::setupFromStored(record.setup);
     if (!setup)
-        return list; // a set-up of another version: the rest is shown all the same
+        return list; // the set-up has another version; everything else is still shown
     for (std::size_t tool = 0; tool < setup->devices.size(); ++tool) {
         const devices::DeviceDescriptor& device = setup->devices[tool];
         QJsonObject entry{{"driver", text(device.driver)}, {"model", text(device.model)}, {"kinematics", text(device.kinematics)}};
@@ -40,7 +41,7 @@ QJsonArray devicesJson(const database::SessionRecord& record) {
     return list;
 }
 
-/// What tissue that gave way gave way to.
+/// The quantity to which the tissue gave way.
 QJsonObject causeJson(const simulation::YieldLaw& law, const database::EventRecord& event) {
     const session::YieldCause cause = session::yieldCauseOf(law, event.detailJson);
     return {{"quantity", cause.byTorque ? "torque" : "force"}, {"value", cause.value}, {"unit", cause.byTorque ? "mN·m" : "N"}};
@@ -108,7 +109,8 @@ QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& re
         if (!json.contains(it.key()))
             json.insert(it.key(), it.value());
     }
-    json.insert("seed", text(std::to_string(record.setup.seed))); // a text: JSON numbers lose large seeds
+    // A text, because JSON numbers lose digits of large seeds.
+    json.insert("seed", text(std::to_string(record.setup.seed)));
     json.insert("content_sha256", text(record.contentSha256));
     json.insert("task_sha256", text(catalogue::taskSha256(record.setup.contentJson)));
     json.insert("build", text(record.setup.buildId));
@@ -133,7 +135,8 @@ core::Result<QJsonArray> eventsJson(database::Connection& connection, const data
                          {"tool", event.tool},
                          {"kind", text(event.kind)},
                          {"detail", parsed(event.detailJson)}};
-        if (event.kind == "tissue_yielded" && setup) // of a set-up of another version the level is not known
+        // In a set-up of another version, the level is not known.
+        if (event.kind == "tissue_yielded" && setup)
             json.insert("gave_way_to", causeJson(session::yieldLawOf(setup->level), event));
         array.append(json);
     }

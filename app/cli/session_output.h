@@ -9,28 +9,31 @@
 
 namespace chiron::cli {
 
-/// A stored session with its latest scores, as `session show` and `train` print it. Failure: the reader's.
+/// A stored session with its latest scores, as `session show` and `train` print it.
+/// Errors: those of the reader.
 core::Result<ScoreView> viewOf(database::Connection& connection, const database::Actor& actor,
                                database::SessionId session);
 
-/// `session show`'s document: the view and what is known of the session beside it.
+/// The document of `session show`: the view and the other stored facts about the session.
 QJsonObject sessionJson(const ScoreView& view, const database::SessionRecord& record);
 
-/// What happened in a session: [{tick, time_s, tool, kind, detail}], and of tissue that gave way `gave_way_to` {quantity, value, unit}: the
-/// force or the torque that was its reason. Failure: the reader's.
+/// The events of a session: [{tick, time_s, tool, kind, detail}]. Events of tissue that gave way also have
+/// `gave_way_to` {quantity, value, unit}, the force or the torque that made it give way.
+/// Errors: those of the reader.
 core::Result<QJsonArray> eventsJson(database::Connection& connection, const database::Actor& actor, const database::SessionRecord& record);
 
-/// Of these events where tissue gave way: [{trial, tool, time_s, gave_way_to}]; trials from 1, tools from 0.
+/// The events of tissue that gave way: [{trial, tool, time_s, gave_way_to}]. Trials count from 1, tools from
+/// 0.
 QJsonArray yieldsOf(const QJsonArray& events);
-/// The same for people, a line each, tools from 1; empty where nothing gave way.
+/// The same as text, one line per event, with tools counted from 1; empty if nothing gave way.
 QString yieldsText(const QJsonArray& yields);
-/// What was decided about the session and taken back since, a line each; empty: nothing.
+/// Decisions about the session, including those taken back since, one per line; empty if there are none.
 QString decisionsText(const std::vector<database::SessionDecision>& decisions);
 
 /// One line of a list of sessions.
 QJsonObject summaryJson(const database::SessionSummary& summary);
 
-/// A progress line for people, to stderr.
+/// Prints a progress line to stderr.
 void tell(const QString& line);
 
 } // namespace chiron::cli

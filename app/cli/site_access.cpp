@@ -34,9 +34,9 @@ core::Result<std::unique_ptr<database::Database>> open(const Arguments& argument
                : database::Database::openReadOnly(path.toStdString(), databaseOptions());
 }
 
-/// A refused login counts whatever the command, or reading would be the way to try many passwords. A reader
-/// cannot count, so the login is tried once more by a writer, unless another program is that now. What is
-/// told of it is the writer's word.
+/// A refused login must be counted for every command; otherwise a reading command would allow a password
+/// search. A reader cannot count, so a writer tries the login once more, unless another program holds the
+/// writer's lock. The error that is reported is then the writer's.
 core::Error counted(const Arguments& arguments, const std::string& name, const std::string& password,
                     const core::Error& refused) {
     if (refused.code != core::ErrorCode::notAllowed)
@@ -81,7 +81,7 @@ core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments,
         for (const QString& variable : variables) {
             const QByteArray name = variable.toLatin1();
             secrets.push_back(qgetenv(name.constData()).toStdString());
-            qunsetenv(name.constData()); // no child or crash report inherits it
+            qunsetenv(name.constData()); // so that no child process or crash report inherits it
         }
     }
     if (secrets.empty() || secrets[0].empty())

@@ -11,31 +11,34 @@
 
 namespace chiron::cli {
 
-/// --database, or chiron/chiron.db in the user's data folder. Absolute.
+/// The absolute path of --database, or of chiron/chiron.db in the user's data folder.
 QString databasePath(const Arguments& arguments);
-/// How this program opens databases.
+/// The options with which this program opens databases.
 database::DatabaseOptions databaseOptions();
 
-/// Secrets in the order asked for: with --password-stdin the lines of stdin, otherwise the environment's
-/// variables of these names (removed once read). One that is not there stays empty. Failure: wrongUse when
-/// the first is missing.
+/// Reads secrets in the order in which they are requested: from the lines of stdin with --password-stdin,
+/// otherwise from the environment variables of these names, which are removed after reading. A missing secret
+/// stays empty.
+/// Errors: wrongUse if the first one is missing.
 core::Result<std::vector<std::string>> readSecrets(const Arguments& arguments,
                                                    const std::vector<QString>& variables);
 
 enum class Opening { forReading, forWriting };
 
-/// A database opened on somebody's behalf.
+/// A database opened on behalf of an actor.
 struct Site {
     std::unique_ptr<database::Database> database;
     database::Actor actor = database::Actor::anonymous();
     std::vector<std::string>
-        secrets; ///< [0]: the actor's password; [1]: the second one, empty where not given
+        secrets; ///< [0]: the actor's password; [1]: the second secret, empty if not given
 };
 
-/// Opens the database as the person of --as. Failure: wrongUse without --as or password (before anything is
-/// opened); notFound, locked, storage; notAllowed for a wrong password.
+/// Opens the database as the person of --as.
+/// Errors: wrongUse without --as or password (before anything is opened); notFound, locked, storage;
+///   notAllowed for a wrong password.
 core::Result<Site> openAsPerson(const Arguments& arguments, Opening opening);
-/// As above, or as nobody without --as: for what simulated sessions and files show to anybody.
+/// Does the same, but opens it anonymously without --as, for simulated sessions and files that everybody may
+/// read.
 core::Result<Site> openAsAnybody(const Arguments& arguments, Opening opening);
 
 } // namespace chiron::cli

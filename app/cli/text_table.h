@@ -7,13 +7,15 @@
 
 namespace chiron::cli {
 
-/// A table for a terminal: columns as wide as their widest cell, two spaces apart, numbers to the right.
+/// A table for a terminal. Each column is as wide as its widest cell, columns are two spaces apart, and
+/// numbers are right-aligned.
 class TextTable {
 public:
-    /// A column whose heading begins with '>' is right-aligned; the sign is not shown.
+    /// A column whose heading begins with '>' is right-aligned; the '>' is not shown.
     explicit TextTable(const QStringList& headings);
     void add(const QStringList& cells); ///< missing cells are empty
-    /// With headings and a rule; "(none)" under them without rows. Ends in a line's end.
+    /// Returns the table with headings and a rule, and with "(none)" under them if there are no rows. The
+    /// text ends in a line feed.
     QString toText() const;
 
 private:
@@ -22,12 +24,12 @@ private:
     std::vector<QStringList> m_rows;
 };
 
-/// "name: value" lines with the values under each other.
+/// Lines of the form "name: value" with the values aligned in a column.
 QString alignedPairs(const std::vector<std::pair<QString, QString>>& pairs);
 
-/// The shortest decimal that reads back as the same double; "-" for what is not finite.
+/// The shortest decimal number that reads back as the same double; "-" if the value is not finite.
 QString exactNumber(double value);
-/// As people read it in a table: six significant digits.
+/// A number for tables, with six significant digits.
 QString shortNumber(double value);
 
 } // namespace chiron::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that the screens show: a line each.
+// The exercises that the screens show, one line each.
 #include "app/exercises/comparison/desktop/comparison_face.h"
 #include "app/exercises/elastic_tube/desktop/elastic_tube_face.h"
 #include "app/exercises/object_handling/desktop/object_handling_face.h"
@@ -19,7 +19,7 @@ core::Result<const ExerciseFace*> exerciseFace(std::string_view id) {
     static const ElasticTubeFace elasticTube;
     static const ObjectHandlingFace objectHandling;
     static const PalpationFace palpation;
-    static const ComparisonFace comparison; // of studies
+    static const ComparisonFace comparison; // used by studies only
     static const auto faces =
         std::to_array<const ExerciseFace*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
     std::string known;

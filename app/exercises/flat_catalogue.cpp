@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that are drawn flat: a line each.
+// The exercises that are drawn flat, one line each.
 #include "app/exercises/comparison/scene/flat_comparison.h"
 #include "app/exercises/elastic_tube/scene/flat_tube.h"
 #include "app/exercises/object_handling/scene/flat_handling.h"
@@ -17,7 +17,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// Empty where the parameters are of another kind.
+/// Returns null if the parameters belong to another exercise.
 using MakeFlat = std::unique_ptr<IFlatContent> (*)(const SceneSetup&);
 
 template <class Content, class Parameters> std::unique_ptr<IFlatContent> flat(const SceneSetup& setup) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reports and playback say and show of one exercise alone: a line each.
+// The exercise-specific words and sections of reports and playback, one line per exercise.
 #include "app/exercises/comparison/session_report/comparison_words.h"
 #include "app/exercises/elastic_tube/session_report/tube_report_of.h"
 #include "app/exercises/object_handling/session_report/handling_report_of.h"
@@ -24,7 +24,7 @@ using NameTool = QString (*)(const catalogue::ExerciseLevel&, int tool, int tool
 
 struct ReportLine {
     const char* exercise;
-    MakeSection section; ///< null: it shows nothing of its own
+    MakeSection section; ///< null: the exercise has no section of its own
     EndWords (*ends)();
     NameTool tool;
 };
@@ -37,7 +37,8 @@ constexpr std::array kReportCatalogue{
     ReportLine{"elastic_tube", &tubeSectionOf, &tubeEnds, &instrumentOf},
     ReportLine{"object_handling", &handlingSectionOf, &handlingEnds, &instrumentOf},
     ReportLine{"palpation", &palpationSectionOf, &palpationEnds, &fingerNameOf},
-    ReportLine{"comparison", nullptr, &comparisonEnds, &instrumentOf}, // its studies have reports
+    // No section: its studies have reports of their own.
+    ReportLine{"comparison", nullptr, &comparisonEnds, &instrumentOf},
 };
 
 const ReportLine* lineOf(std::string_view exercise) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that are drawn in 3D: a line each. In the library with Qt3D, which is loaded while the program runs.
+// The exercises that are drawn in 3D, one line each. This file belongs to the library with Qt3D, which is
+// loaded at run time.
 #include "app/exercises/elastic_tube/scene/tube_content.h"
 #include "app/exercises/object_handling/scene/handling_content.h"
 #include "app/exercises/palpation/scene/palpation_content.h"
@@ -31,8 +32,9 @@ std::unique_ptr<ISceneContent> content(const SceneSetup& setup, SharedLight& lig
 struct Line {
     const char* exercise;
     MakeStage stage;
-    MakeContent content; ///< of the laparoscopic stage
-    bool (*fits)(const SceneSetup& setup); ///< the parameters are of its kind
+    MakeContent content; ///< content of the laparoscopic stage
+    /// True if the parameters belong to this exercise.
+    bool (*fits)(const SceneSetup& setup);
 };
 
 template <class Parameters> bool fits(const SceneSetup& setup) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exercises that can be run: a line each.
+// The exercises that can be run, one line each.
 #include "app/exercises/comparison/session/comparison_kind.h"
 #include "app/exercises/elastic_tube/session/elastic_tube_kind.h"
 #include "app/exercises/object_handling/session/object_handling_kind.h"
@@ -18,7 +18,7 @@ std::span<const ExerciseKind* const> exerciseKinds() {
     static const ElasticTubeKind elasticTube;
     static const ObjectHandlingKind objectHandling;
     static const PalpationKind palpation;
-    static const ComparisonKind comparison; // of studies
+    static const ComparisonKind comparison; // used by studies only
     static const auto kinds =
         std::to_array<const ExerciseKind*>({&sphereApex, &urethraInsertion, &elasticTube, &objectHandling, &palpation, &comparison});
     return kinds;

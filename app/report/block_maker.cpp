@@ -95,10 +95,11 @@ PlotView* BlockMaker::keep(std::unique_ptr<PlotView> plot) {
 }
 
 void BlockMaker::addTrialTable(const WordTable& table) {
-    // Columns as wide as their longest word of the head and their longest cell: no language's words are broken.
+    // Columns are as wide as the longest word of their heading and their longest cell, so that no word is
+    // broken in any language.
     const QFontMetricsF head(m_theme.font(11, true));
     const QFontMetricsF body(m_theme.font(12));
-    constexpr double kPadding = 12.5; // a cell's, and rounding
+    constexpr double kPadding = 12.5; // padding of a cell, and rounding
     std::vector<double> widths;
     for (std::size_t column = 0; column < table.head.size(); ++column) {
         double width = 0.0;
@@ -112,7 +113,7 @@ void BlockMaker::addTrialTable(const WordTable& table) {
     for (double& width : widths)
         width /= sum;
     std::vector<bool> right(table.head.size(), true);
-    right[1] = false; // how it ended, in words
+    right[1] = false; // the outcome, in words
     addTable(table.head, table.rows, widths, right);
 }
 

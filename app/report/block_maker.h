@@ -12,8 +12,9 @@
 
 namespace chiron::report {
 
-/// What every report's blocks are made of: headings, named facts, tables, plots. For a body of `width` logical pixels. The plots live
-/// in the maker, so it must outlive the painting. GUI thread.
+/// Builds the blocks that every report consists of: headings, named facts, tables and plots. They fit a body
+/// of `width` logical pixels. The maker owns the plots, so it must outlive the painting.
+/// Thread: GUI.
 class BlockMaker {
 public:
     BlockMaker(const PlotTheme& theme, double width) : m_theme(theme), m_width(width) {}
@@ -25,21 +26,22 @@ public:
 
     void add(double height, double gap, std::function<void(QCPPainter&, const QRectF&)> paint, bool keep = false, int header = -1);
     void addHeading(const QString& text);
-    /// Words in a frame: what must be known before anything else is read.
+    /// Text in a frame, for facts that the reader must know before anything else.
     void addNotice(const QString& text);
     void addText(const QString& text, const QFont& font, const QColor& ink, double gap);
-    /// Label above value; a dash where there is none.
+    /// Label above value; a dash if there is no value.
     void addPairs(const std::vector<std::pair<QString, QString>>& pairs, int columns);
-    /// `shares` of the width; the head is repeated on each page.
+    /// `shares` are the columns' fractions of the width. The head is repeated on each page.
     void addTable(const std::vector<QString>& head, const std::vector<std::vector<QString>>& rows,
                   const std::vector<double>& shares, const std::vector<bool>& rightAligned);
     /// Plots side by side, each with an equal share of the width.
     void addPlotRow(std::vector<std::unique_ptr<PlotView>> row, double height);
-    /// One plot over the whole width; null is left out.
+    /// One plot over the whole width; a null pointer is skipped.
     void addPlot(std::unique_ptr<PlotView> plot, double height);
-    /// A row per trial: columns as wide as their words, the second one (how it ended) to the left.
+    /// One row per trial. Columns are as wide as their words; the second one (how the trial ended) is
+    /// left-aligned.
     void addTrialTable(const WordTable& table);
-    /// Keeps a plot that a block paints, for as long as the blocks.
+    /// Keeps a plot that a block paints alive for as long as the blocks.
     PlotView* keep(std::unique_ptr<PlotView> plot);
 
 protected:

@@ -23,12 +23,13 @@ constexpr double kPageHeight = 297.0 / 25.4 * 96.0;
 constexpr double kSide = 60.0;
 constexpr double kTop = 54.0;
 constexpr double kBottom = 54.0;
-constexpr double kFoot = 40.0; // from the page's end to its number
+constexpr double kFoot = 40.0; // distance of the page number from the page's end
 constexpr double kNameWidth = 150.0;
 constexpr double kPlotHeight = 190.0;
 constexpr double kWidth = kPageWidth - 2 * kSide;
 
-/// Writes from the top of a page to its bottom, then on the next one. Without a painter it only counts the pages.
+/// Fills each page from top to bottom, then continues on the next one. Without a painter it only counts the
+/// pages.
 class Pages {
 public:
     Pages(QPagedPaintDevice& device, QCPPainter& painter, const CheckRecord& record, const PlotTheme& theme, int count)
@@ -36,7 +37,7 @@ public:
         begin();
     }
 
-    /// Room for something this high; `drawn` draws it there.
+    /// Reserves space of this height; `drawn` draws into it.
     template <class Draw> void put(double height, Draw draw) {
         if (m_y + height > kPageHeight - kBottom && m_y > kTop) {
             ++m_page;
@@ -77,7 +78,7 @@ private:
     QCPPainter& m_painter;
     const CheckRecord& m_record;
     const PlotTheme& m_theme;
-    int m_count; ///< of all pages; 0: not known, so nothing is drawn
+    int m_count; ///< number of pages; 0: not known yet, so nothing is drawn
     int m_page = 1;
     double m_y = kTop;
     bool m_whole = true;

@@ -15,31 +15,34 @@ namespace chiron::report {
 
 class PlotView;
 
-/// A table of a check: words and numbers as they are shown, the first line its heads.
+/// A table of a check: words and numbers in display form. The first line holds the column headings.
 struct CheckTable {
     QString title;
     std::vector<QStringList> lines;
 };
 
-/// What a check of a station found, to be printed and kept: in words, tables and plots.
+/// The results of a check of a station, for printing and storage: text, tables and plots.
 struct CheckRecord {
     QString title;
-    QString when; ///< and where, as it is shown
-    /// Who, when, station, device and serial number, build ...: a name and its value each, under the title.
+    QString when; ///< time and place, in display form
+    /// Pairs of name and value under the title: who, when, station, device and serial number, build and so
+    /// on.
     std::vector<std::pair<QString, QString>> head{};
-    QString foot{}; ///< at the foot of each page, before its number
+    QString foot{}; ///< shown at the foot of each page, before the page number
     QString verdict;
-    QStringList facts; ///< a paragraph each
+    QStringList facts; ///< one paragraph each
     std::vector<CheckTable> tables;
-    std::vector<PlotView*> plots; ///< drawn as vectors; the caller's
+    std::vector<PlotView*> plots; ///< drawn as vectors; owned by the caller
 };
 
-/// Writes it as A4 pages (PDF/A-1b). GUI thread; replaces `path` only when the whole file is written. Fails with storage, naming
-/// the path.
+/// Writes the record as A4 pages (PDF/A-1b). Replaces `path` only once the whole file is written.
+/// Thread: GUI.
+/// Errors: storage naming the path.
 core::Result<void> writeCheckPdf(const QString& path, const CheckRecord& record, const PlotTheme& theme);
 
-/// The same pages on somebody's own device, at its resolution. False where it cannot be painted on, or gives no further page. GUI thread.
-/// Each page bears its number and how many there are.
+/// Paints the same pages on the caller's device, at its resolution. Each page shows its number and the number
+/// of pages. Returns false if the device cannot be painted on or refuses a new page.
+/// Thread: GUI.
 bool paintCheck(QPagedPaintDevice& device, const CheckRecord& record, const PlotTheme& theme);
 
 } // namespace chiron::report

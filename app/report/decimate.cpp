@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-// What is kept of one pixel column.
+// The samples that are kept for one pixel column.
 struct Column {
     std::size_t first = 0, low = 0, high = 0, last = 0;
     bool empty = true;

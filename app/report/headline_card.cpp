@@ -12,7 +12,7 @@ namespace chiron::report {
 
 namespace {
 
-// From a value to a place on the card's scale.
+// Maps a value to a position on the card's scale.
 struct Scale {
     double low = 0.0;
     double high = 1.0;
@@ -24,7 +24,7 @@ struct Scale {
 };
 
 Scale scaleFor(const MetricRow& row, const QRectF& bar) {
-    double low = 0.0; // zero belongs to the scale
+    double low = 0.0; // the scale includes zero
     double high = 0.0;
     for (const auto& value : {row.value, row.bandLow, row.bandHigh, row.gateMinimum, row.gateMaximum}) {
         if (value && std::isfinite(*value)) {
@@ -73,7 +73,7 @@ void paintHeadlineCard(QCPPainter& p, const QRectF& box, const MetricRow& row, c
     const QRectF inner = box.adjusted(12, 9, -12, -8);
     const auto line = [&](double top, double height, const QFont& font, const QColor& ink,
                           const QString& words) {
-        // Long words become a little smaller before anything of them is left out: a pass mark without its number says nothing.
+        // Long words get a smaller font before they are elided: a pass mark without its number says nothing.
         QFont fitting = font;
         constexpr double kSmallest_px = 8.0;
         while (QFontMetricsF(fitting).horizontalAdvance(words) > inner.width() && fitting.pixelSize() > kSmallest_px)

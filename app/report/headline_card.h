@@ -12,8 +12,9 @@ namespace chiron::report {
 
 inline constexpr double kHeadlineCardHeight = 138.0;
 
-/// A metric shown large: name, value, a scale with the benchmark band, the pass mark and where the value
-/// lies, and the same in words. GUI thread.
+/// Paints a metric in large format: its name, its value, a scale with the benchmark band, the pass mark and
+/// the position of the value, and the same in words.
+/// Thread: GUI.
 void paintHeadlineCard(QCPPainter& painter, const QRectF& box, const MetricRow& row, const PlotTheme& theme);
 
 } // namespace chiron::report

@@ -5,7 +5,7 @@ namespace chiron::report {
 
 namespace {
 
-// The height that must fit together from `first`: a heading takes its followers with it.
+// The height that must stay together from `first` on: a heading stays with the blocks that follow it.
 double heightTogether(const std::vector<Block>& blocks, std::size_t first) {
     double height = blocks[first].height;
     for (std::size_t i = first; i + 1 < blocks.size() && blocks[i].keepWithNext; ++i)
@@ -18,7 +18,7 @@ double heightTogether(const std::vector<Block>& blocks, std::size_t first) {
 std::vector<std::vector<PlacedBlock>> paginate(const std::vector<Block>& blocks, double bodyHeight) {
     std::vector<std::vector<PlacedBlock>> pages(1);
     double used = 0.0;
-    bool held = false; // the block before keeps this one on its page
+    bool held = false; // the previous block keeps this one on its page
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Block& block = blocks[i];
         const double gap = pages.back().empty() ? 0.0 : block.gapBefore;

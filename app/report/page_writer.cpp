@@ -13,7 +13,7 @@ namespace chiron::report {
 
 namespace {
 
-// A4 in logical pixels of 1/96 inch, and what is kept free around the body.
+// A4 in logical pixels of 1/96 inch, and the margins around the body.
 constexpr int kResolution = 1200;
 constexpr double kPixelsPerInch = 96.0;
 constexpr double kPageWidth = 210.0 / 25.4 * kPixelsPerInch;

@@ -12,25 +12,29 @@ class QPagedPaintDevice;
 
 namespace chiron::report {
 
-/// What stands around the body of every page, and in the file's own properties.
+/// The text around the body of every page, and the properties of the file.
 struct PageFrame {
-    QString heading; ///< top right: what kind of report
+    QString heading; ///< top right: the type of report
     QString who;     ///< first line of the footer
     QString proof;   ///< second line of the footer: digests
-    QString title;   ///< of the PDF, with digests
+    QString title;   ///< title of the PDF, with digests
     QString creator;
     QString site{};  ///< top left, beside the program's name; may be empty
 };
 
-/// Of an A4 page in logical pixels of 1/96 inch.
+/// The side margin and the width of the body of an A4 page in logical pixels of 1/96 inch.
 inline constexpr double kPageSide = 60.0;
 inline constexpr double kPageBodyWidth = 210.0 / 25.4 * 96.0 - 2 * kPageSide;
 
-/// Puts blocks made for kPageBodyWidth on A4 pages: PDF/A-1b with embedded fonts, vectors. Needs a QApplication. GUI thread; replaces
-/// `path` only when the whole file is written. Failure: storage, naming the path.
+/// Writes blocks that fit kPageBodyWidth as A4 pages: PDF/A-1b with embedded fonts and vector graphics. Needs
+/// a QApplication. Replaces `path` only once the whole file is written.
+/// Thread: GUI.
+/// Errors: storage naming the path.
 core::Result<void> writePages(const QString& path, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
 
-/// The same pages on somebody's own device, at its resolution. False where it cannot be painted on, or gives no further page. GUI thread.
+/// Paints the same pages on the caller's device, at its resolution. Returns false if the device cannot be
+/// painted on or refuses a new page.
+/// Thread: GUI.
 bool paintPages(QPagedPaintDevice& device, const PageFrame& frame, const std::vector<Block>& blocks, const PlotTheme& theme);
 
 } // namespace chiron::report

@@ -23,7 +23,7 @@ QImage renderPanels(const std::vector<Panel>& panels, QSize size, double scale, 
     for (const Panel& panel : panels)
         panel.view->paintTo(painter, panel.area);
     painter.end();
-    // The same size on paper at any scale: 96 logical pixels an inch.
+    // The size on paper is independent of the scale: 96 logical pixels per inch.
     image.setDotsPerMeterX(qRound(scale * 96.0 / 0.0254));
     image.setDotsPerMeterY(qRound(scale * 96.0 / 0.0254));
     return image;

@@ -17,21 +17,24 @@ class PlotView;
 struct PlotTheme;
 
 struct Panel {
-    PlotView* view = nullptr; ///< borrowed
+    PlotView* view = nullptr; ///< not owned
     QRectF area;              ///< in logical pixels of the picture
 };
 
-/// Draws panels into one picture of `size` logical pixels at `scale` device pixels each. GUI thread.
+/// Draws panels into one picture of `size` logical pixels, with `scale` device pixels per logical pixel.
+/// Thread: GUI.
 QImage renderPanels(const std::vector<Panel>& panels, QSize size, double scale, const PlotTheme& theme);
 
-/// Device pixels of a logical one in the pictures that are written.
+/// Device pixels per logical pixel in picture files.
 inline constexpr double kPictureScale = 2.0;
 
-/// Writes two plots side by side as one picture. Fails with storage. GUI thread.
+/// Writes two plots side by side as one picture.
+/// Thread: GUI.
+/// Errors: storage.
 core::Result<void> writePair(const QString& path, PlotView& left, PlotView& right, const PlotTheme& theme);
 
-/// Writes an image as PNG through a temporary file that replaces `path` only when complete. Fails with
-/// storage (the path and the system's reason) and with wrongUse for an empty image.
+/// Writes an image as PNG through a temporary file that replaces `path` only once it is complete.
+/// Errors: storage with the path and the system's reason; wrongUse for an empty image.
 core::Result<void> writePng(const QString& path, const QImage& image);
 
 } // namespace chiron::report

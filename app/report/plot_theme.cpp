@@ -8,13 +8,15 @@ namespace chiron::report {
 
 QFont PlotTheme::font(double pixels, bool bold) const {
     QFont font;
-    // Noto Sans stands behind the first family for letters that it lacks.
+    // The families after the first one supply letters that it lacks.
     font.setFamilies({family, QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans")});
     font.setPixelSize(qMax(1, qRound(pixels * scale)));
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
     // Letters keep their true widths at any scale of the paper.
     font.setHintingPreference(QFont::PreferNoHinting);
-    if (copied) // with any space between letters Qt forms no ligatures, which would be copied as letters of their own
+    // With any extra space between letters, Qt forms no ligatures; ligatures would be copied as characters of
+    // their own.
+    if (copied)
         font.setLetterSpacing(QFont::AbsoluteSpacing, 1.0 / 64.0);
     return font;
 }

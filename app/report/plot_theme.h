@@ -8,8 +8,8 @@
 
 namespace chiron::report {
 
-/// Colours, fonts and number locale of plots and pages. All colours are opaque: PDF/A-1b knows no
-/// transparency. Contrast of every ink against the paper is at least 4.5:1.
+/// Colours, fonts and number locale of plots and pages. All colours are opaque, because PDF/A-1b does not
+/// allow transparency. The contrast of every ink against the paper is at least 4.5:1.
 struct PlotTheme {
     QColor paper{255, 255, 255};
     QColor ink{27, 38, 49};
@@ -24,22 +24,25 @@ struct PlotTheme {
     QColor goodFill{223, 240, 231};
     QColor badFill{250, 226, 224};
     QColor warningFill{253, 240, 213};
-    QColor overFill{244, 170, 164}; ///< under a line that is over its limit
+    QColor overFill{244, 170, 164}; ///< fill under the part of a line that exceeds its limit
     QColor seriesA{0, 95, 135};     ///< solid line
     QColor seriesB{178, 84, 0};     ///< dashed line
     QColor seriesC{86, 58, 140};    ///< dotted line
-    QColor seriesD{92, 104, 117};   ///< dash-dotted line: a second session beside the first
-    double scale = 1.0;             ///< of fonts and of the smallest size, 1..2; 1 on paper
-    QString family;                 ///< chosen by reportFontFamily()
-    bool copied = false;            ///< on paper, from which text is copied
+    QColor seriesD{92, 104, 117};   ///< dash-dotted line: a second session for comparison
+    double scale = 1.0;             ///< scale of the fonts and of the minimum size, 1..2; 1 on paper
+    QString family;                 ///< set from reportFontFamily()
+    bool copied = false;            ///< for paper from which text is copied
     QLocale locale = QLocale(QLocale::English, QLocale::UnitedKingdom);
 
-    /// A font of `pixels` logical pixels (1/96 inch) times the scale: sizes are in pixels so that screen, PNG and PDF agree.
+    /// A font of `pixels` logical pixels (1/96 inch) times the scale. Sizes are in pixels so that screen, PNG
+    /// and PDF agree.
     QFont font(double pixels, bool bold = false) const;
 };
 
-/// The first installed of Noto Sans, DejaVu Sans, Inter; the application's own font where none is. Inter comes last: it draws colons,
-/// brackets and minus signs between digits by glyphs that stand for no letter, and text copied from a PDF would lack them. GUI thread.
+/// Returns the first installed family of Noto Sans, DejaVu Sans and Inter, or the application's own font if
+/// none is installed. Inter comes last because it draws colons, brackets and minus signs between digits with
+/// glyphs that have no character code, so they would be missing from text copied from a PDF.
+/// Thread: GUI.
 QString reportFontFamily();
 
 /// The light theme of printed reports, in the given locale.

@@ -12,7 +12,8 @@ namespace chiron::report {
 
 namespace {
 
-/// A row that is not shown takes no room: a least size of its own (0 would be none) overrules that of its words.
+/// A hidden row takes no space: an explicit minimum size overrides that of its text (0 would mean no explicit
+/// size).
 void takeRoom(QCPLayoutElement& row, bool shown) {
     row.setMinimumSize(shown ? QSize(0, 0) : QSize(1, 1));
     row.setMaximumSize(QWIDGETSIZE_MAX, shown ? QWIDGETSIZE_MAX : 1);
@@ -53,14 +54,16 @@ void PlotView::setYAxis(const PlotAxis& axis) {
 }
 
 void PlotView::setYWholeNumbers() {
-    const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed); // shared: QCPAxis takes no other
+    // Shared because QCPAxis requires a shared pointer.
+    const QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
     ticker->setTickStep(1.0);
     ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
     m_impl->plot->yAxis->setTicker(ticker);
 }
 
 void PlotView::setXCategories(const std::vector<QString>& names) {
-    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText); // shared: QCPAxis takes no other
+    // Shared because QCPAxis requires a shared pointer.
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     for (std::size_t i = 0; i < names.size(); ++i)
         ticker->addTick(static_cast<double>(i), names[i]);
     m_impl->plot->xAxis->setTicker(ticker);
@@ -95,7 +98,7 @@ void PlotView::addLine(const QString& name, std::span<const double> x, std::span
         m_impl->takeX(x[i]);
         m_impl->takeY(y[i]);
     }
-    if (count == 1) // one sample is a point, not an invisible line
+    if (count == 1) // a single sample is drawn as a point, because a line would be invisible
         graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(m_impl->color(style)),
                                                QBrush(m_impl->color(style)), 6));
     m_impl->lines.push_back({graph, {x.begin(), x.end()}, {y.begin(), y.end()}, false, 0.0});
@@ -125,7 +128,7 @@ void PlotView::addCounts(const std::vector<PlotPoint>& points, const std::vector
         text->setText(m_impl->theme.locale.toString(counts[i]));
         text->setFont(m_impl->theme.font(9));
         text->setColor(m_impl->theme.muted);
-        const bool above = i % 2 == 0; // neighbours keep out of each other's way
+        const bool above = i % 2 == 0; // so that neighbouring labels do not overlap
         text->setPositionAlignment(Qt::AlignHCenter | (above ? Qt::AlignBottom : Qt::AlignTop));
         text->setPadding(QMargins(0, 5, 0, 5));
         text->setClipToAxisRect(false);
@@ -252,8 +255,9 @@ void PlotView::addEvents(const std::vector<TimedEvent>& events) {
         text->setText(event.label);
         text->setFont(m_impl->theme.font(10));
         text->setColor(m_impl->theme.muted);
+        // Above the axes, so that no data are covered.
         text->setPositionAlignment(Qt::AlignLeft |
-                                   Qt::AlignBottom); // above the axes: nothing measured is covered
+                                   Qt::AlignBottom);
         text->setClipToAxisRect(false);
         text->setPadding(QMargins(1, 0, 3, 1));
         text->position->setTypeY(QCPItemPosition::ptAxisRectRatio);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What a plot on the screen does beside being drawn: the cursor and the seeking.
+// The interactive parts of a plot on the screen: the cursor and seeking.
 namespace chiron::report {
 
 void PlotView::addBand(const QString& name, double low, double high) {
@@ -35,7 +35,8 @@ void PlotView::setLeftMargin(double pixels) {
 void PlotView::Impl::makeCursor() {
     const QString name = QStringLiteral("cursor");
     plot->addLayer(name);
-    plot->layer(name)->setMode(QCPLayer::lmBuffered); // drawn alone: moving it costs no plot
+    // The cursor's layer is drawn separately, so that moving the cursor does not redraw the plot.
+    plot->layer(name)->setMode(QCPLayer::lmBuffered);
     cursor = new QCPItemLine(plot);
     cursor->setLayer(name);
     cursor->setPen(QPen(theme.ink, 1.6 * theme.scale));

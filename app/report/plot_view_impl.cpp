@@ -49,10 +49,11 @@ void styleAxis(QCPAxis* axis, const PlotTheme& theme) {
     axis->grid()->setZeroLinePen(QPen(theme.rule, 1.0));
 }
 
-/// Leaves the wheel to the page that the plot stands on: nobody is held up by a plot while they scroll.
+/// Passes wheel events on to the page that contains the plot, so that a plot does not interrupt scrolling.
 class QuietPlot final : public QCustomPlot {
 public:
-    explicit QuietPlot(QWidget* parent) : QCustomPlot(parent) { setAttribute(Qt::WA_NoMousePropagation, false); } // QCustomPlot would keep what it ignores
+    // QCustomPlot would otherwise keep the events that it ignores.
+    explicit QuietPlot(QWidget* parent) : QCustomPlot(parent) { setAttribute(Qt::WA_NoMousePropagation, false); }
 
 protected:
     void wheelEvent(QWheelEvent* event) override { event->ignore(); }
@@ -125,7 +126,8 @@ QPen PlotView::Impl::pen(PlotStyle style, double width) const {
 QCPGraph* PlotView::Impl::addGraph(const QString& name) {
     QCPGraph* graph = plot->addGraph();
     graph->setName(name);
-    graph->setAdaptiveSampling(false); // fillLines() reduces, the same way on every device
+    // fillLines() reduces the line, in the same way on every device.
+    graph->setAdaptiveSampling(false);
     if (name.isEmpty())
         graph->removeFromLegend();
     return graph;
@@ -136,7 +138,7 @@ void PlotView::Impl::addHorizontal(const QString& name, double value, const QPen
     line->setPen(pen);
     line->point1->setCoords(0.0, value);
     line->point2->setCoords(1.0, value);
-    addGraph(name)->setPen(pen); // for the legend
+    addGraph(name)->setPen(pen); // an entry for the legend
     takeY(value);
 }
 
@@ -146,7 +148,7 @@ void PlotView::Impl::prepare(QSize size) {
     arrangeLegend(size.width());
     const QRect before = plot->viewport();
     plot->setViewport(QRect(QPoint(0, 0), size));
-    // Two rounds: the margins follow the tick labels, which follow the margins.
+    // Two iterations, because the margins depend on the tick labels and the tick labels on the margins.
     for (int round = 0; round < 2; ++round) {
         plot->plotLayout()->update(QCPLayoutElement::upPreparation);
         plot->plotLayout()->update(QCPLayoutElement::upMargins);
@@ -155,10 +157,11 @@ void PlotView::Impl::prepare(QSize size) {
             equaliseScale();
     }
     const int axisWidth = plot->axisRect()->width();
-    // Low plots have fewer numbers, so that none lies upon another.
+    // Plots of small height have fewer ticks, so that their numbers do not overlap.
     plot->yAxis->ticker()->setTickCount(std::clamp(static_cast<int>(plot->axisRect()->height() / (24.0 * theme.scale)), 2, 5));
+    // Two samples per logical pixel, because pictures are written at twice the size.
     fillLines(2 *
-              std::max(axisWidth, 50)); // two samples a logical pixel: pictures are written at twice the size
+              std::max(axisWidth, 50));
     placeEventLabels(axisWidth);
     plot->setViewport(before);
 }
@@ -179,7 +182,7 @@ void PlotView::Impl::arrangeLegend(int width) {
 void PlotView::Impl::fillLines(int columns) {
     const QCPRange shown = plot->xAxis->range();
     for (const Line& line : lines) {
-        // What is shown, and one sample beyond either end, so that the line goes on to the edge.
+        // The visible samples, and one more beyond either end so that the line continues to the edge.
         const std::size_t count = std::min(line.x.size(), line.y.size());
         const auto begin = line.x.begin();
         const auto end = begin + static_cast<std::ptrdiff_t>(count);

@@ -9,18 +9,18 @@
 
 namespace chiron::report {
 
-/// The smallest and largest of what was added; nothing that is not finite counts.
+/// The smallest and the largest of the values added; non-finite values are ignored.
 struct DataRange {
     double low = 0.0;
     double high = 0.0;
     bool empty = true;
 
     void take(double value);
-    /// Widened by 5 % a side; never of zero width. A fixed end stays as it is.
+    /// The range widened by 5 % on each side; its width is never zero. A fixed end stays unchanged.
     QCPRange padded(const PlotAxis& axis) const;
 };
 
-/// The QCustomPlot behind a view, and the full series from which each width's line is made.
+/// The QCustomPlot behind a view, and the full series from which the line for each width is reduced.
 struct PlotView::Impl {
     struct Line {
         QCPGraph* graph = nullptr; ///< owned by the plot
@@ -44,12 +44,12 @@ struct PlotView::Impl {
     void takeX(double value) { xRange.take(value); }
     void takeY(double value) { yRange.take(value); }
 
-    /// Makes the plot ready for a width and height in logical pixels: ranges, legend columns, lines, event
+    /// Prepares the plot for a width and height in logical pixels: ranges, legend columns, lines, event
     /// labels.
     void prepare(QSize size);
     void arrangeLegend(int width);
     void fillLines(int columns);
-    bool fixed() const { return xAxis.minimum && xAxis.maximum; } ///< the x axis shows what it was told to
+    bool fixed() const { return xAxis.minimum && xAxis.maximum; } ///< true if the x axis has a fixed range
     void placeEventLabels(int axisWidth);
     void equaliseScale();
 
@@ -58,7 +58,7 @@ struct PlotView::Impl {
 
     PlotTheme theme;
     QCustomPlot* plot = nullptr; ///< child of the view
-    QCPItemLine* cursor = nullptr; ///< on a layer of its own; made with the first cursor
+    QCPItemLine* cursor = nullptr; ///< on its own layer; created when the cursor is first shown
     double cursorX = std::numeric_limits<double>::quiet_NaN();
     std::function<void(double)> seek;
     QCPTextElement* title = nullptr;

@@ -19,7 +19,7 @@ void text(QCPPainter& p, const QRectF& box, const QFont& font, const QColor& ink
     p.setPen(ink);
     p.drawText(box, flags, words);
 }
-/// What a value can be compared with: a benchmark, or what guessing gives.
+/// The value to compare with: a benchmark, or the result of guessing.
 QString besides(const MetricRow& row, const QLocale& locale) {
     const QString band = formatBand(row, locale);
     return band.isEmpty() ? chanceWords(row, locale) : band;
@@ -106,7 +106,8 @@ void ReportBlocks::addVerdict() {
                 failed << missedMark(row, m_theme.locale);
         }
         if (!failed.isEmpty())
-            words += QStringLiteral(": ") + failed.join(QStringLiteral(" · ")); // no semicolon: it asks a question in Greek
+            // No semicolon as separator, because in Greek it is a question mark.
+            words += QStringLiteral(": ") + failed.join(QStringLiteral(" · "));
     }
     const QFont font = m_theme.font(13, true);
     const double height = textHeight(words, font, m_width - 24) + 14;
@@ -251,7 +252,7 @@ void ReportBlocks::addIntegrity() {
     if (!facts.scoreSeal.isEmpty())
         digests.emplace_back(Words::tr("Score (BLAKE2b)"), facts.scoreSeal);
     addPairs(digests, 1);
-    // One group on one page: a digest alone on a page says nothing.
+    // Keeps the group on one page: a digest alone on a page says nothing.
     for (std::size_t i = first; i + 1 < m_blocks.size(); ++i)
         m_blocks[i].keepWithNext = true;
 }

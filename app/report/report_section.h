@@ -13,7 +13,8 @@ namespace chiron::report {
 class BlockMaker;
 struct PlotTheme;
 
-/// What only one exercise shows in the report of a session. It holds its own values, and knows how they are drawn. GUI thread, once made.
+/// The part of a session's report that is specific to one exercise. It holds its own values and draws them.
+/// Thread: GUI after construction.
 class ReportSection {
 public:
     ReportSection() = default;
@@ -21,9 +22,10 @@ public:
     ReportSection& operator=(const ReportSection&) = delete;
     virtual ~ReportSection() = default;
 
-    /// Adds its blocks, under a heading. It must outlive their painting.
+    /// Adds its blocks, under a heading. The section must outlive the painting of the blocks.
     virtual void addTo(BlockMaker& blocks) const = 0;
-    /// Writes its pictures into `folder`, where it has any, and adds their paths to `written`. Fails with storage.
+    /// Writes its pictures, if any, into `folder` and adds their paths to `written`.
+    /// Errors: storage.
     virtual core::Result<void> savePictures(const QDir& /*folder*/, const PlotTheme&, std::vector<QString>& /*written*/) const {
         return {};
     }

@@ -12,7 +12,7 @@ namespace {
 const QString kDash = QStringLiteral("–");
 const QString kNoBreak = QStringLiteral("\u00a0");
 
-/// Counts are whole and need no word behind them: the row's name says of what.
+/// Counts are whole numbers and need no unit: the name of the row states what is counted.
 bool isCount(const QString& unit) { return unit == QLatin1String("count"); }
 
 QString withUnit(const QString& number, const QString& unit) {
@@ -26,9 +26,11 @@ QString formatNumber(double value, const QLocale& locale) {
     const double size = std::abs(value);
     if (size >= 1e7 || (size > 0.0 && size < 1e-5))
         return locale.toString(value, 'e', 2);
-    if (size > 0.0 && size < 1e-3) // two figures that count, without an exponent: "0.00046 mm"
+    // Two significant figures without an exponent: "0.00046 mm".
+    if (size > 0.0 && size < 1e-3)
         return locale.toString(value, 'f', 1 - static_cast<int>(std::floor(std::log10(size))));
-    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3; // three figures that count
+    // Three significant figures.
+    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 || size == 0.0 ? 2 : 3;
     return locale.toString(value, 'f', decimals);
 }
 
@@ -47,8 +49,9 @@ QString formatGate(const MetricRow& row, const QLocale& locale) {
                             formatNumber(*row.gateMaximum, row.unit, locale),
                         row.unit);
     if (row.gateMaximum == 0.0 && isCount(row.unit))
-        return QStringLiteral("0"); // there can be no fewer than none
-    if (row.gateMaximum && row.limit && *row.limit > 0.0) // one number for the limit, wherever it stands
+        return QStringLiteral("0"); // a count cannot be below zero
+    // The limit is shown as the same number everywhere.
+    if (row.gateMaximum && row.limit && *row.limit > 0.0)
         return QStringLiteral("%1 + %2").arg(withUnit(QStringLiteral("≤ ") + formatNumber(*row.limit, row.unit, locale), row.unit),
                                              withUnit(locale.toString(qRound(100.0 * (*row.gateMaximum / *row.limit - 1.0))), QStringLiteral("%")));
     if (row.gateMaximum)

@@ -60,7 +60,7 @@ core::Result<std::vector<QString>> writeSessionPngs(const QString& folder, const
         return tl::unexpected(storageError(folder, QStringLiteral("the folder could not be made")));
     const QSize wide(900, 360);
     std::vector<QString> written;
-    // One below the other, where several tools need several plots.
+    // Stacks the plots in a column, if several tools need several plots.
     const auto writeColumn = [&](const char* name, std::vector<std::unique_ptr<PlotView>> plots) -> core::Result<void> {
         std::erase(plots, nullptr);
         const QSize size(wide.width(), wide.height() * static_cast<int>(plots.size()));

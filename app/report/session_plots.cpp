@@ -19,7 +19,7 @@ std::unique_ptr<PlotView> timePlot(const QString& title, const PlotAxis& yAxis, 
     auto view = std::make_unique<PlotView>(theme);
     view->setTitle(title);
     PlotAxis time{Words::tr("Time (s)"), std::nullopt, std::nullopt};
-    if (series.t_s.size() > 1) { // the whole session and no more
+    if (series.t_s.size() > 1) { // exactly the whole session
         time.minimum = series.t_s.front();
         time.maximum = series.t_s.back();
     }
@@ -35,9 +35,10 @@ void finish(PlotView& view, const SampleSeries& series, bool empty) {
         view.setNote(Words::tr("No samples were recorded"));
 }
 
-/// A tool's line, in every plot of several tools.
+/// The line style of a tool in every plot of several tools.
 PlotStyle styleOf(std::size_t tool) {
-    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC, PlotStyle::longDashE}; // dash-dotted is a second session's
+    // The dash-dotted style is reserved for a second session.
+    constexpr std::array kStyles{PlotStyle::solidA, PlotStyle::dashedB, PlotStyle::dottedC, PlotStyle::longDashE};
     return kStyles[std::min(tool, kStyles.size() - 1)];
 }
 
@@ -48,9 +49,9 @@ const std::vector<double>& firstOf(const SampleSeries& series, Quantity quantity
     return series.tools.empty() ? kNone : series.tools.front().*quantity;
 }
 
-/// A line a tool, named where there are several, else `alone`.
+/// Adds one line per tool, named after the tool if there are several, else `alone`.
 void addTools(PlotView& view, const SampleSeries& series, Quantity quantity, const QString& alone) {
-    if (series.tools.empty()) // nothing was recorded: what would be here
+    if (series.tools.empty()) // nothing was recorded: add the name to the legend
         view.addLine(alone, series.t_s, {}, styleOf(0));
     for (std::size_t tool = 0; tool < series.tools.size(); ++tool)
         if (const std::vector<double>& values = series.tools[tool].*quantity; !values.empty())
@@ -59,7 +60,7 @@ void addTools(PlotView& view, const SampleSeries& series, Quantity quantity, con
 
 std::size_t toolOf(const CriticalError& error) { return static_cast<std::size_t>(std::max(error.tool, 0)); }
 
-/// The sample at which the error's tool felt most while it went on; nothing where its tool has no samples.
+/// The sample with the largest force on the error's tool during the error; empty if the tool has no samples.
 std::optional<std::size_t> worstOf(const SampleSeries& series, const CriticalError& error) {
     const std::size_t tool = toolOf(error);
     if (series.t_s.empty() || tool >= series.tools.size() || series.tools[tool].tissue_N.size() != series.t_s.size())
@@ -72,7 +73,8 @@ std::optional<std::size_t> worstOf(const SampleSeries& series, const CriticalErr
     return static_cast<std::size_t>(std::max_element(force + from, force + to) - force);
 }
 
-/// Crosses upon the tools' own lines of `quantity`, at the worst of each error; `legend`: named, and with the errors' numbers.
+/// Adds crosses on the tools' lines of `quantity`, at the worst sample of each error. `legend`: also adds the
+/// name and the errors' numbers.
 void addCriticalErrors(PlotView& view, const SampleSeries& series, Quantity quantity, bool legend = true) {
     std::vector<PlotPoint> points;
     std::vector<int> numbers;
@@ -116,7 +118,7 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-// Sample standard deviation (n - 1); not a number for fewer than two values: there is none.
+// Sample standard deviation (n - 1); NaN for fewer than two values, because it does not exist.
 double deviation(const std::vector<double>& values, double centre) {
     if (values.size() < 2)
         return std::numeric_limits<double>::quiet_NaN();
@@ -160,8 +162,8 @@ std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, 
     QString over = Words::tr("over the limit");
     for (const ToolSamples& tool : series.tools)
         if (view->shadeAbove(over, series.t_s, tool.tissue_N, limit_N))
-            over.clear(); // once in the legend
-    // What is assessed is drawn last, on top.
+            over.clear(); // only once in the legend
+    // The assessed force is drawn last, on top.
     if (!several && !firstOf(series, &ToolSamples::measured_N).empty())
         view->addLine(Words::tr("measured"), series.t_s, firstOf(series, &ToolSamples::measured_N), PlotStyle::dottedC);
     if (!several && !firstOf(series, &ToolSamples::commanded_N).empty())
@@ -217,11 +219,12 @@ std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotT
         const double place = static_cast<double>(names.size());
         names.push_back(QStringLiteral("%1\nn = %2").arg(group.name).arg(group.values.size()));
         for (std::size_t i = 0; i < group.values.size(); ++i) {
-            const double aside = 0.03 * (static_cast<double>(i % 5) - 2.0); // equal values stay visible
+            // Shifted sideways, so that equal values stay visible.
+            const double aside = 0.03 * (static_cast<double>(i % 5) - 2.0);
             points.push_back({place - 0.14 + aside, group.values[i]});
             negative = negative || group.values[i] < 0.0;
         }
-        if (group.values.size() < 2) // one value is no mean: its point says it
+        if (group.values.size() < 2) // a single value has no mean; its point shows it
             continue;
         const double centre = mean(group.values);
         means.push_back({place + 0.12, centre});

@@ -9,22 +9,26 @@
 
 namespace chiron::report {
 
-/// The plots of a session. Each makes a new view (GUI thread); empty data give an empty plot with a note,
-/// never a crash.
-/// Where one tool went, in x, y and z; of several tools one plot an axis. Never empty.
+/// The plots of a session. Each function creates new views. Empty data give an empty plot with a note.
+/// Thread: GUI.
+///
+/// The position of one tool in x, y and z in one plot; with several tools, one plot per axis. Never empty.
 std::vector<std::unique_ptr<PlotView>> positionPlots(const SampleSeries& series, const PlotTheme& theme);
-/// Tissue force with the limit line, shaded where it is over it; of one tool commanded and measured force beside it. Of several tools a
-/// line each has the tissue's, and `feltForcePlot` and `measuredForcePlot` have the others: a line's kind tells the tool in all of them.
+/// Tissue force with the limit line; the area above the limit is shaded. With one tool, commanded and
+/// measured force are drawn in the same plot. With several tools, each tool has one line for the tissue
+/// force, and `feltForcePlot` and `measuredForcePlot` show the other forces; the line style identifies the
+/// tool in all of them.
 std::unique_ptr<PlotView> forcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
-/// What each of several tools was given; null where there is one alone, and where nothing was felt.
+/// The force given to each of several tools; null with a single tool or if nothing was felt.
 std::unique_ptr<PlotView> feltForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
-/// What the device measured of each of several tools; null where there is one alone, and where nothing was measured.
+/// The force that the device measured for each of several tools; null with a single tool or if nothing was
+/// measured.
 std::unique_ptr<PlotView> measuredForcePlot(const SampleSeries& series, double limit_N, const PlotTheme& theme);
 std::unique_ptr<PlotView> speedPlot(const SampleSeries& series, const PlotTheme& theme);
-/// An endoscope in its canal over time: distance from the centre-line, angle to it.
+/// An endoscope in its canal over time: the distance from the centre-line, and the angle to it.
 std::unique_ptr<PlotView> offsetPlot(const SampleSeries& series, const PlotTheme& theme);
 std::unique_ptr<PlotView> alignmentPlot(const SampleSeries& series, const PlotTheme& theme);
-/// One column an operator: its sessions as points, mean ± SD beside them, the reference as a line.
+/// One column per operator: its sessions as points with mean ± SD beside them, and the reference as a line.
 std::unique_ptr<PlotView> comparisonPlot(const ComparisonData& data, const PlotTheme& theme);
 
 } // namespace chiron::report

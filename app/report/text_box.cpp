@@ -10,7 +10,7 @@ namespace chiron::report {
 
 namespace {
 
-// Breaks the words into lines of a width; returns the height they take.
+// Breaks the words into lines of a width and returns the height of all lines.
 double breakLines(QTextLayout& layout, Qt::Alignment side, double width) {
     QTextOption option(side);
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);

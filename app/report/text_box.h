@@ -10,8 +10,9 @@ class QPainter;
 
 namespace chiron::report {
 
-/// Text broken between words, and inside a word only where the word alone is wider than the box. Measuring
-/// and drawing share one layout, so what is measured fits. GUI thread.
+/// The style of text that is wrapped between words, and inside a word only if the word alone is wider than
+/// the box. Measuring and drawing use the same layout, so text drawn into a box of the measured height fits.
+/// Thread: GUI.
 struct TextStyle {
     QFont font;
     QColor ink;

@@ -9,11 +9,11 @@ namespace chiron::report {
 enum class TrialOutcome {
     done,
     timedOut,
-    failed,     ///< it could not be done any more
-    unfinished, ///< the session ended before
+    failed,     ///< the trial could not be continued
+    unfinished, ///< the session ended first
 };
 
-/// In words: "done", "time was up", "torn" (where it can tear), "not finished".
+/// The outcome in words: "done", "time was up", "torn" (if the object can tear), "not finished".
 QString trialOutcomeWords(TrialOutcome outcome, bool tears);
 
 } // namespace chiron::report

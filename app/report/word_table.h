@@ -6,7 +6,7 @@
 
 namespace chiron::report {
 
-/// A table as screen and paper show it: the same words, the same order.
+/// A table that screen and paper show with the same words in the same order.
 struct WordTable {
     std::vector<QString> head;
     std::vector<std::vector<QString>> rows;

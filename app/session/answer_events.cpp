@@ -23,7 +23,7 @@ AnswerEvents::Wanted& AnswerEvents::want(const char* kind, std::string detailJso
 }
 
 void AnswerEvents::place(const FrameTime& frame) {
-    constexpr double kSameTime_s = 0.6e-6; // traces hold whole microseconds
+    constexpr double kSameTime_s = 0.6e-6; // traces have times in whole microseconds
     for (Wanted& wanted : m_wanted) {
         const bool here = wanted.tick ? frame.tick >= *wanted.tick : frame.t_s + kSameTime_s >= wanted.from_s;
         if (wanted.placed || !here)

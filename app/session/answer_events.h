@@ -15,28 +15,28 @@ namespace chiron::session {
 
 class ExerciseKind;
 
-/// When each frame of a recording was, in its order.
+/// The tick and time of each frame of a recording, in the frames' order.
 struct FrameTime {
     std::uint64_t tick = 0;
     double t_s = 0.0; ///< device time since the first frame
 };
 
-/// Events whose tick and time are still to be read from the frames.
+/// Collects events whose tick and time are found later, when the frames are read.
 class AnswerEvents {
 public:
-    /// At the frame of this tick; the detail is the trial.
+    /// Adds an event at the frame of this tick; its detail is the trial.
     void addAt(std::uint64_t tick, const char* kind, int trial);
-    /// At the first frame that is not earlier than this, device time.
+    /// Adds an event at the first frame that is not earlier than this device time.
     void addFrom(double t_s, const char* kind, std::string detailJson);
 
     bool empty() const noexcept { return m_wanted.empty(); }
-    void place(const FrameTime& frame); ///< each frame, in order
-    std::vector<database::EventRecord> take(); ///< those that were placed
+    void place(const FrameTime& frame); ///< call it for each frame, in order
+    std::vector<database::EventRecord> take(); ///< the events whose frame was found
 
 private:
     struct Wanted {
         std::optional<std::uint64_t> tick;
-        double from_s = 0.0; ///< without a tick
+        double from_s = 0.0; ///< used if there is no tick
         bool placed = false;
         database::EventRecord event;
     };
@@ -45,7 +45,7 @@ private:
     std::vector<Wanted> m_wanted;
 };
 
-/// What a session's answers were worth, as events among the others (ExerciseKind::addAnswerEvents). Pure.
+/// The outcomes of a session's answers as events (ExerciseKind::addAnswerEvents). Pure function.
 std::vector<database::EventRecord> answerEvents(const ExerciseKind& kind, std::span<const FrameTime> frames,
                                                 const scoring::SessionTrace& trace, std::span<const database::TrialRecord> trials);
 

@@ -9,24 +9,28 @@
 
 namespace chiron::session {
 
-/// Whether the day's backup is still to be made: one a calendar day, of the local time in `now`. A latest one of any other day, also of
-/// a later one (the clock was set back), makes it due. Pure.
+/// True if the backup of the day is still missing: there is one per calendar day of the local time in `now`.
+/// If the latest backup is from any other day, even a later one (the clock was set back), a new one is due.
+/// Pure function.
 bool isBackupDue(const database::BackupStanding& standing, const QDateTime& now);
 
-/// What came of looking after the day's backup.
+/// The result of the check for the day's backup.
 struct DailyWork {
     bool due = false;
-    core::Result<database::DailyBackup> made = core::fail(core::ErrorCode::cancelled, "nothing was due"); ///< where it was due
+    /// Valid if a backup was due.
+    core::Result<database::DailyBackup> made = core::fail(core::ErrorCode::cancelled, "nothing was due");
 };
 
-/// Makes the day's backup where it is due, as the program itself. Failure to read the plan counts as due. Blocking and long: a worker's
-/// task.
+/// Makes the day's backup if it is due, on behalf of the program itself. If the plan cannot be read, the
+/// backup counts as due. Blocks for a long time; call it on a worker.
 DailyWork backUpIfDue(database::Database& database, const std::string& stationFolder, const std::atomic<bool>* cancel);
 
-/// How long to wait after so many failures one after the other: a quarter of an hour, doubled up to four hours. Pure.
+/// The waiting time after a number of consecutive failures: a quarter of an hour, doubled for each failure up
+/// to four hours. Pure function.
 std::chrono::milliseconds waitAfterFailures(int failures) noexcept;
 
-/// Where the plan's backups go: its folder, else the station's, else beside the database. Absolute.
+/// The folder of the plan's backups: the plan's own, else the station's, else one beside the database.
+/// Absolute path.
 std::string folderOfPlan(const database::BackupPlan& plan, const std::string& stationFolder, const std::string& databaseFile);
 
 } // namespace chiron::session

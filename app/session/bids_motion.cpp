@@ -14,7 +14,7 @@ namespace chiron::session {
 
 namespace {
 
-constexpr double kTick_s = 1e-3; ///< nominal
+constexpr double kTick_s = 1e-3; ///< nominal duration of a tick
 
 struct Channel {
     const char* name;
@@ -24,7 +24,8 @@ struct Channel {
     const char* description;
 };
 
-/// As BIDS 1.9 has it (motion, BEP029): LATENCY from the first sample, POS, ORNT; what is neither is MISC.
+/// The channels as defined by BIDS 1.9 (motion, BEP029): LATENCY since the first sample, POS, ORNT; all
+/// others are MISC.
 constexpr std::array<Channel, 18> kChannels{{{"latency", "n/a", "LATENCY", "s", "since the first sample"},
                                              {"tip_x", "x", "POS", "m", "tool tip"},
                                              {"tip_y", "y", "POS", "m", "tool tip"},
@@ -70,7 +71,7 @@ struct Written {
     std::uint64_t firstTick = 0;
     double duration_s = 0.0;
     std::int64_t first_ns = 0;
-    std::vector<double> onset_s;    ///< of each event
+    std::vector<double> onset_s;    ///< one per event
     std::vector<double> end_s;
 };
 
@@ -149,7 +150,8 @@ QByteArray sidecar(const SessionView& session, const BidsRecording& recording, c
                      {"MISCChannelCount", count("MISC")},
                      {"LATENCYChannelCount", count("LATENCY")},
                      {"RecordingDuration", written.duration_s}};
-    if (!recording.protocolSha256.isEmpty()) // the schema of this file allows no keys of our own
+    // The schema of this file does not allow additional keys.
+    if (!recording.protocolSha256.isEmpty())
         json.insert("TaskDescription", QStringLiteral("%1 (protocol SHA-256 %2)").arg(recording.taskDescription, recording.protocolSha256));
     return QJsonDocument(json).toJson();
 }

@@ -7,8 +7,9 @@
 
 namespace chiron::session {
 
-/// The channel table of a session's recording, from its devices' axes and what its kind of exercise records of the scene.
-/// Failure: an exercise that does not exist; what ChannelTable::forTools refuses.
+/// The channel table of a session's recording, from the axes of its devices and the scene quantities that its
+/// exercise records.
+/// Errors: notFound for an unknown exercise; those of ChannelTable::forTools.
 core::Result<recording::ChannelTable> channelTableFor(const SessionSetup& setup);
 
 } // namespace chiron::session

@@ -14,9 +14,10 @@ namespace chiron::session {
 
 namespace {
 
-constexpr std::uint64_t kArming_ticks = 30'000; ///< somebody who never holds still is not waited for longer
+constexpr std::uint64_t kArming_ticks = 30'000; ///< longest time to wait for somebody who does not hold still
 
-/// The loop until its scene is over; the end is asked for where it takes too long or is no longer wanted.
+/// Runs the loop until its scene is over; requests the end if this takes too long or the measurement is
+/// cancelled.
 struct ProbeTask {
     haptics::HapticLoop& loop;
     haptics::LiveInputs& inputs;
@@ -37,7 +38,9 @@ void runProbe(ProbeTask& task, bool realtime) {
     std::thread haptic([&] {
         realtime::TickSource ticks;
         if (realtime) {
-            (void)realtime::setUpRealtimeThread(); // without its priority ticks are late, and a burst with a gap is left out
+            // Without real-time priority ticks are late, and a burst of the excitation with a gap is
+            // discarded.
+            (void)realtime::setUpRealtimeThread();
             realtime::MonotonicClock clock;
             realtime::PeriodicRunner(clock, ticks).run(task, stop);
         } else {
@@ -57,7 +60,8 @@ core::Result<void> shake(devices::IDevice& device, const devices::WorkspaceMappi
     scenes.offer(scene);
     haptics::DelayListener listener(settings, record);
     haptics::SafetySettings safety;
-    safety.heartbeatWatched = false; // it ends by itself, and asks for half a newton
+    // The scene ends by itself and requests only half a newton.
+    safety.heartbeatWatched = false;
     const haptics::LoopTool tool{device, mapping};
     auto loop = haptics::HapticLoop::create({{&tool, 1}, inputs, supervisor, safety, scenes, listener});
     if (!loop)

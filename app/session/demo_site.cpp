@@ -18,8 +18,9 @@ struct DemoPerson {
     const char* name;
     const char* displayName;
     database::Role role;
-    const char* operatorName; ///< who stands in for a trainee's hand; empty: does not train
-    std::vector<const char*> learns{}; ///< one attempt after the other at what is learned: who stands in, with growing skill
+    const char* operatorName; ///< operator that acts as the trainee's hand; empty: the person does not train
+    /// For a trainee who learns: the operators of successive attempts, with growing skill.
+    std::vector<const char*> learns{};
 };
 
 constexpr const char* kAdministrator = "amalia";
@@ -32,12 +33,12 @@ const DemoPerson kPeople[] = {
     {"eva", "Eva Expert", database::Role::trainee, "expert"},
 };
 
-/// One planned session, and on whose behalf.
+/// One planned session and the person on whose behalf it runs.
 struct Planned {
     std::string person;
     database::Actor actor;
     ScriptedSession session;
-    std::string displayName{}; ///< of a person
+    std::string displayName{}; ///< full name of a person
     int attempt = 1;
     int attempts = 1;
 };
@@ -50,13 +51,13 @@ bool hasOperator(const std::string& exercise, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Nobody does what cannot be run.
+/// The part of an exercise that does not exist is empty.
 DemoPart demoPartOf(const std::string& exercise, int level) {
     const auto kind = exerciseKind(exercise);
     return kind ? (*kind)->demoPart(level) : DemoPart{};
 }
 
-/// Who stands in at a level, attempt by attempt.
+/// The operators that act as the person's hand at a level, one per attempt.
 std::vector<std::string> handsAt(const DemoPerson& person, const std::string& exercise, int level) {
     const DemoPart part = demoPartOf(exercise, level);
     if (!(person.learns.empty() ? part.ofWhoCan : part.ofWhoLearns))

@@ -20,39 +20,44 @@ struct DemoResult {
     bool scoreSame = false;
 };
 
-/// How far the making of a demonstration is.
+/// The progress of making a demonstration.
 struct DemoProgress {
     int step = 1; ///< from 1
     int of = 1;
-    std::string doing; ///< what the step is: an exercise's level and who does it, a study's participant
-    std::string exercise{}; ///< the same in parts; empty: the study's
+    std::string doing; ///< description of the step: the level of an exercise and who does it, or a
+                       ///< participant of the study
+    std::string exercise{}; ///< the exercise of the step; empty: a participant of the study
     int level = 0;
-    std::string person{}; ///< full name; empty: an operator as the simulated account
+    std::string person{}; ///< full name; empty: a scripted operator under the simulated account
     int attempt = 1;      ///< of this person at this level
     int attempts = 1;
 };
 
-/// What a demonstration holds.
+/// The contents of a demonstration.
 struct DemoSite {
-    std::vector<DemoResult> sessions; ///< of exercises
+    std::vector<DemoResult> sessions; ///< sessions of exercises
     DemoStudy study;
 };
 
-/// The people of a demonstration site; their password is documented, and the database marked *demonstration*.
+/// Accounts of a demonstration site. Their password is documented, and the database is marked
+/// *demonstration*.
 inline constexpr const char* kDemoPassword = "asclepius-demo";
-inline constexpr const char* kDemoResearcher = "rhea"; ///< whose the studies are
+inline constexpr const char* kDemoResearcher = "rhea"; ///< author of the studies
 
-/// Fills a fresh database: an administrator, a trainer, a researcher, three trainees; four operators on every level of
-/// every exercise as the simulated account, and attempts of each trainee: one of them can do it, two learn two of the exercises, one attempt after the
-/// other with scripted hands of growing skill; each session replayed and scored again; the researcher's studies (makeDemoStudy). `progress` hears of each step before it runs, on the calling thread. Takes about a minute of one core; `cancel` ends
-/// it early (the database is then to be thrown away). Failure: wrongUse if there are people; cancelled; the first failing
-/// session's.
+/// Fills a new database with an administrator, a trainer, a researcher and three trainees. Four operators do
+/// every level of every exercise under the simulated account. One trainee has mastered the exercises; two
+/// others learn two of the exercises, with repeated attempts by scripted hands of growing skill. Each session
+/// is replayed and scored again. The researcher's studies are made by makeDemoStudy. `progress` is called
+/// before each step, on the calling thread. Takes about one minute of one core. `cancel` ends it early; the
+/// caller must then discard the database.
+/// Errors: wrongUse if there are people; cancelled; that of the first failing session.
 core::Result<DemoSite> makeDemoSite(database::Database& database, const catalogue::Catalogue& catalogue,
                                     std::uint64_t seed, const std::function<void(const DemoProgress&)>& progress,
                                     const std::atomic<bool>* cancel = nullptr);
 
-/// makeDemoSite in a new file, opened for writing and marked *demonstration*. What was made goes again when it fails or is
-/// cancelled. Failure: badInput if the file exists (it is left as it is), storage, as makeDemoSite.
+/// Runs makeDemoSite in a new file that is opened for writing and marked *demonstration*. Removes the file
+/// again on failure or cancellation.
+/// Errors: badInput if the file exists (it is left unchanged); storage; those of makeDemoSite.
 core::Result<std::unique_ptr<database::Database>> createDemoSite(const std::string& file, const database::DatabaseOptions& options,
                                                                  const catalogue::Catalogue& catalogue, std::uint64_t seed,
                                                                  const std::function<void(const DemoProgress&)>& progress,

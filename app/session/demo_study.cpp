@@ -30,7 +30,7 @@ constexpr DemoParticipant kParticipants[] = {
     {"SIM-7", "weber:0.12,lapse:0.02", true},
 };
 
-/// Adds a study of the content, frozen where asked for.
+/// Adds a study of the content, frozen if requested.
 core::Result<database::StudyNumber> addStudy(database::Database& database, const database::Actor& author, const catalogue::StudyCatalogue& content,
                                              const char* id, bool freeze) {
     const psychophysics::StudyDesign* design = content.find(id);
@@ -47,7 +47,7 @@ core::Result<database::StudyNumber> addStudy(database::Database& database, const
     });
 }
 
-/// Enrols a participant and lets it do the study; the session it was recorded in, or 0.
+/// Enrols a participant who then does the study. Returns the session in which it was recorded, or 0.
 core::Result<database::SessionId> runParticipant(database::Database& database, const database::Actor& author, database::StudyNumber study,
                                                  const DemoParticipant& who, std::uint64_t seed, const std::atomic<bool>* cancel) {
     const auto observer = psychophysics::parseObserver(who.observer);
@@ -87,7 +87,7 @@ core::Result<bool> replaysAlike(database::Database& database, const database::Ac
     return replay ? core::Result<bool>(replay->identical) : tl::unexpected(replay.error());
 }
 
-/// What analysis says of it, as anybody who opens it is told.
+/// Analyses the study as for everybody who opens it.
 core::Result<void> analyse(database::Database& database, const database::Actor& author, std::uint64_t seed, DemoStudy& made) {
     auto connection = database.openReader();
     if (!connection)

@@ -13,33 +13,37 @@
 
 namespace chiron::session {
 
-/// One simulated participant of the demonstration's study, as it came out.
+/// The results of one simulated participant of the demonstration's study.
 struct DemoStudyRun {
     std::string participant; ///< code
-    std::string observer;    ///< what it is made of
-    database::SessionId session = 0; ///< its recording; 0: not rendered, the observer was told the values
+    std::string observer;    ///< parameters of the simulated observer
+    database::SessionId session = 0; ///< its recording; 0: not rendered, the observer received the values
+                                     ///< directly
     psychophysics::RunEstimate estimate;
-    bool choicesSame = false; ///< the log chooses the same stimuli again
+    bool choicesSame = false; ///< replaying the log chooses the same stimuli
 };
 
 /// The studies of a demonstration site.
 struct DemoStudy {
     database::StudyNumber study = 0; ///< frozen, with data
     database::StudyNumber draft = 0;
-    std::string key;       ///< of `study`
-    std::string condition; ///< its only one
+    std::string key;       ///< key of `study`
+    std::string condition; ///< its only condition
     std::vector<DemoStudyRun> runs;
     psychophysics::GroupEstimate group;
-    bool replayIdentical = false; ///< forces of the rendered sitting, simulated again
+    bool replayIdentical = false; ///< the forces of the rendered session agree when simulated again
 };
 
-/// Participants of the demonstration's study: so many steps does making it take.
+/// Number of participants of the demonstration's study, which is the number of steps that making it takes.
 int demoStudyParticipants();
 
-/// The content's ranking of stiffness, frozen, done by simulated participants with Weber fractions of their own: all but the last without
-/// rendering (their estimates carry not_rendered), the last through the scene, recorded and replayed. Beside it a draft of the surgeons'
-/// study. Nobody consents: nobody takes part. `author`: a researcher. `progress` hears in words of each participant before it begins, on the
-/// calling thread. Deterministic by seed. Failure: cancelled; the content's; the repository's; a run that is not complete.
+/// Creates the content's ranking study of stiffness, frozen and done by simulated participants who each have
+/// their own Weber fraction. All but the last run without rendering (their estimates carry not_rendered); the
+/// last one runs through the scene and is recorded and replayed. Also creates a draft of the surgeons' study.
+/// There is no consent, because no person takes part. `author` is a researcher. `progress` receives a
+/// description of each participant before that participant begins, on the calling thread. Deterministic for a
+/// given seed.
+/// Errors: cancelled; those of the content; those of the repository; a run that is not complete.
 core::Result<DemoStudy> makeDemoStudy(database::Database& database, const database::Actor& author, std::uint64_t seed,
                                       const std::function<void(const std::string& doing)>& progress,
                                       const std::atomic<bool>* cancel = nullptr);

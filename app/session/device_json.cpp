@@ -59,7 +59,8 @@ QJsonObject toJson(const devices::DeviceDescriptor& d) {
             {"maximum_torque_Nm", d.maximumTorque_Nm},
             {"maximum_damping_Ns_per_m", d.maximumDamping_Ns_per_m},
             {"friction_compensation", d.frictionCompensation}};
-    if (!d.serialNumber.empty()) // without it the text is as it was before there was such a thing
+    // Without a serial number, the text is the same as before the field existed.
+    if (!d.serialNumber.empty())
         json.insert("serial_number", QString::fromStdString(d.serialNumber));
     return json;
 }
@@ -98,7 +99,8 @@ QJsonObject toJson(const devices::WorkspaceMapping& m) {
     QJsonObject json{{"origin_m", QJsonArray{m.origin_m[0], m.origin_m[1], m.origin_m[2]}},
                      {"scale", m.scale},
                      {"left_handed", m.leftHanded}};
-    if (m.turned()) // without it the base is not turned, as in sessions from before there was such a thing
+    // If missing, the base is not turned, as in sessions stored before the field existed.
+    if (m.turned())
         json.insert("base_turn", QJsonArray{m.q_WD[0], m.q_WD[1], m.q_WD[2], m.q_WD[3]});
     return json;
 }

@@ -8,8 +8,8 @@
 
 namespace chiron::session {
 
-/// What a session stores of its device, so that a replay makes the same kinematics and the same caps again. Lossless:
-/// doubles are written in their shortest form that reads back to the same bits.
+/// The data that a session stores of its device, so that a replay creates the same kinematics and the same
+/// caps again. Lossless: doubles are written in the shortest form that reads back to the same bits.
 QJsonObject toJson(const devices::DeviceDescriptor& descriptor);
 core::Result<devices::DeviceDescriptor> descriptorFromJson(const QJsonObject& json);
 

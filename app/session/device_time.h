@@ -7,16 +7,17 @@
 
 namespace chiron::session {
 
-/// Neither its place nor its time is to be believed, and the clock of those to come must not follow it.
+/// True for a sample whose position and time cannot be trusted; the clock of later samples must not depend on
+/// it.
 inline bool isRefused(const core::ToolFrame& tool) noexcept {
     return (tool.status & core::sample_status::kRefused) != 0;
 }
 
-/// The time that scores, events, playback and export share: the device's clock of tool 0 since its first packet that was
-/// not refused. A refused packet brings no time.
+/// The time base that scores, events, playback and export share: the device clock of tool 0 since its first
+/// packet that was not refused. A refused packet does not advance the time.
 class DeviceTime {
 public:
-    /// s, at this frame. Negative where the device's clock was set back.
+    /// The time at this frame, s. Negative if the device's clock was set back.
     double at(const core::HapticFrame& frame) noexcept {
         const core::ToolFrame& tool = frame.tool[0];
         if (isRefused(tool))
@@ -28,8 +29,8 @@ public:
         m_last_s = since(tool.deviceTime_us);
         return m_last_s;
     }
-    bool started() const noexcept { return m_started; } ///< a packet that can be believed has come
-    /// s, of a time of any tool; once started.
+    bool started() const noexcept { return m_started; } ///< a trustworthy packet has arrived
+    /// Converts a device time of any tool to seconds; call it only once started() is true.
     double since(std::uint64_t deviceTime_us) const noexcept {
         return static_cast<double>(static_cast<std::int64_t>(deviceTime_us - m_origin_us)) * 1e-6;
     }

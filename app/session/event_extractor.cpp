@@ -26,7 +26,7 @@ const char* wordFor(CommandKind kind) {
     case CommandKind::end: return "end";
     case CommandKind::present: return "presented";
     case CommandKind::answer: return "answered";
-    case CommandKind::report: // the recorded quantities tell what was said
+    case CommandKind::report: // reports are contained in the recorded quantities
     case CommandKind::none: break;
     }
     return nullptr;

@@ -12,18 +12,21 @@
 
 namespace chiron::session {
 
-/// A guard of the supervisor that is worth a mark in playback, and its stored word.
+/// A guard of the supervisor that playback marks, with its stored word.
 struct MarkedGuard {
     std::uint32_t bit = 0;
     const char* word = "";
-    bool latched = false; ///< a fault that stays
+    bool latched = false; ///< a fault that persists
 };
-/// Caps, slew and arming act all the time and are read from the channel instead.
+/// Caps, slew limit and arming are not included, because they act all the time and can be read from the
+/// channel.
 std::span<const MarkedGuard> markedGuards() noexcept;
 
-/// Stored frames -> the events and trials of a session, as playback marks them and the database keeps them: trial
-/// starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each guard, tissue that gave way (with its
-/// force in mN and torque in mN·m; which of them was the reason follows from the level: yield_cause.h), the onset of tissue force over the limit. The change of stage that completes a procedure is told as its completion.
+/// Converts stored frames to the events and trials of a session, as playback marks them and the database
+/// stores them: trial starts, marks, time-outs, stages, landmarks, completions, commands, the onset of each
+/// guard, tissue that gave way (with its force in mN and torque in mN·m; which of them was the cause follows
+/// from the level: yield_cause.h), and the onset of tissue force over the limit. The change of stage that
+/// completes a procedure is reported as its completion.
 class EventExtractor {
 public:
     EventExtractor(double forceLimit_N, std::uint64_t sessionSeed, int tools)
@@ -35,9 +38,9 @@ public:
     const std::vector<database::TrialRecord>& trials() const noexcept { return m_trials; }
     std::uint64_t frames() const noexcept { return m_frames; }
     std::uint64_t lastTick() const noexcept { return m_lastTick; }
-    bool finished() const noexcept { return m_finished; } ///< the exercise came to its end by itself
+    bool finished() const noexcept { return m_finished; } ///< the exercise reached its end by itself
     bool faulted() const noexcept { return m_faulted; }   ///< the last frame is in a latched fault
-    bool ended() const noexcept { return m_endCommand; }  ///< the person ended it
+    bool ended() const noexcept { return m_endCommand; }  ///< the person ended the session
 
 private:
     void addFrame(const core::HapticFrame& frame);
@@ -56,8 +59,9 @@ private:
     std::uint64_t m_lastTick = 0;
     std::uint32_t m_guards = 0;
     std::array<bool, core::kMaxTools> m_over{};
-    std::array<double, core::kMaxTools> m_torque_Nm{}; ///< likewise the torque
-    std::array<double, core::kMaxTools> m_force_N{}; ///< tissue force of the tick before: how hard was pushed when tissue gave way
+    std::array<double, core::kMaxTools> m_torque_Nm{}; ///< likewise, the torque
+    std::array<double, core::kMaxTools> m_force_N{}; ///< tissue force of the previous tick, which tells how
+                                                     ///< hard the tool pushed when tissue gave way
     bool m_finished = false;
     bool m_faulted = false;
     bool m_endCommand = false;

@@ -46,7 +46,8 @@ struct MomentRule;
 struct SessionSetup;
 class PlaybackTrack;
 
-/// A scripted trainee: what moves each hand (one a tool; of one mind where there are several), and what the hands are like.
+/// A scripted trainee: one strategy per tool, which moves that hand, and the parameters of the hands. With
+/// several tools, the strategies share one decision model.
 struct ScriptedTrainee {
     std::vector<std::unique_ptr<mechanisms::HandStrategy>> strategies;
     mechanisms::HandParameters hand;
@@ -60,20 +61,22 @@ inline ScriptedTrainee oneHanded(std::unique_ptr<mechanisms::HandStrategy> strat
     return trainee;
 }
 
-/// What a mouse and a keyboard move: a point, an endoscope, or the graspers of a laparoscopy, one at a time.
+/// The tool that mouse and keyboard move: a point, an endoscope, or the graspers of a laparoscopy, one at a
+/// time.
 using PointerTool = devices::ToolShape;
 
-/// How the tools of an exercise on fingertip platforms (P3) are fingers of hands: tool = hand · perHand + finger.
+/// Maps the tools of an exercise on fingertip platforms (P3) to fingers of hands: tool = hand · perHand +
+/// finger.
 struct FingersOfHand {
     int perHand = 1;
     double spacing_m = 0.018; ///< from one pad to the next, along x_T
 };
 
-/// The simulated mechanism where nothing else is asked for: P2's gimbal.
+/// Kinematics id of the mechanism used where no other is requested: P2's gimbal.
 inline constexpr std::string_view kUsualMechanism = "gimbal_hprd";
 
-/// How one kind of exercise is run: its scene, its operators and its truth. A new
-/// kind adds a class and one line in app/exercises/session_catalogue.cpp. Stateless.
+/// An exercise: its scene, its scripted operators and its truth. A new exercise adds a class and one line in
+/// app/exercises/session_catalogue.cpp. Stateless.
 class ExerciseKind {
 public:
     ExerciseKind() = default;
@@ -85,103 +88,123 @@ public:
     /// The simulated mechanism that a scripted operator holds: kinematics id "gimbal_hprd" (P2), "five_bar_spherical" (P1) or
     /// "fingertip_arm" (P3).
     virtual std::string_view mechanism() const noexcept { return kUsualMechanism; }
-    /// All on which it can be done, the usual one (mechanism()) first.
+    /// All mechanisms on which the exercise can be done; the usual one (mechanism()) comes first.
     virtual std::vector<std::string_view> mechanisms() const { return {mechanism()}; }
-    /// Whether a trace that ends within a trial means its last position as the answer. Where a mark answers nothing by itself it
-    /// does not, and the trial stays without its end.
+    /// True if the last position of a trace that ends within a trial counts as the answer. False if a mark
+    /// alone is not the answer; the trial then has no end.
     virtual bool traceEndIsMark() const noexcept { return true; }
-    /// Whether the mark of a trial ends it, so that a trace file without numbers of trials ends at its first mark.
+    /// True if the mark of a trial ends it, so that a trace file without trial numbers ends at its first
+    /// mark.
     virtual bool markEndsTrial() const noexcept { return false; }
-    /// SafetySettings::capKnee of its sessions. 0: a force is cut at the cap, so that all below it is felt as it is.
+    /// The SafetySettings::capKnee of its sessions. 0: a force is cut off at the cap, so that all smaller
+    /// forces are rendered unchanged.
     virtual double capKnee() const noexcept { return 0.0; }
-    /// How many instruments a level is done with, 1..core::kMaxTools.
+    /// The number of instruments of a level, 1..core::kMaxTools.
     virtual int toolCount(const catalogue::ExerciseLevel&) const { return 1; }
-    /// Of a kind whose mechanism is "fingertip_arm".
+    /// Only for exercises whose mechanism is "fingertip_arm".
     virtual FingersOfHand fingers(const catalogue::ExerciseLevel&) const { return {}; }
-    /// How wide the jaw of a hand opens where its tool is a point that has one (mouse and keyboard), rad; 0: no jaw.
+    /// The largest opening of a hand's jaw, rad, if its tool is a point with a jaw (mouse and keyboard); 0:
+    /// no jaw.
     virtual double fingerJaw_rad(const catalogue::ExerciseLevel&) const { return 0.0; }
-    /// Where the device base of an instrument stands in W when nothing else is said: its entry point in the abdomen's wall.
+    /// The default position of an instrument's device base in W: its entry point in the abdominal wall.
     virtual devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel&, int) const { return {}; }
-    /// How high above W's origin a pointer's tool begins over this place of W, metres, where there is nothing to be found on the way
-    /// down; empty: as high as the driver begins.
+    /// The height above W's origin at which a pointer's tool starts over this point of W, metres, if the
+    /// exercise needs no search on the way down; empty: the driver's own starting height.
     virtual std::optional<double> pointerStart_m(const catalogue::ExerciseLevel&, double /*x_m*/, double /*y_m*/) const { return {}; }
-    /// What the scene puts into `SceneOutput::quantities`, in that order; recorded with the session. At most core::kMaxQuantities.
+    /// The scene's values in `SceneOutput::quantities`, in this order; they are recorded with the session. At
+    /// most core::kMaxQuantities.
     virtual std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel&) const { return {}; }
-    /// Whether the books of energy are recorded (TickHeader::energySupplied_J, energyStored_J) and plotted in playback.
+    /// True if the energy balance is recorded (TickHeader::energySupplied_J, energyStored_J) and plotted in
+    /// playback.
     virtual bool recordsEnergy(const catalogue::ExerciseLevel&) const { return false; }
-    /// How a mouse and a keyboard move the tool: a point, or an endoscope that is advanced along its axis and turned.
+    /// The way in which mouse and keyboard move the tool: as a point, or as an endoscope that is advanced
+    /// along its axis and turned.
     virtual PointerTool pointerTool() const noexcept { return PointerTool::point; }
-    /// Where the tip of an endoscope begins, m, W: of a mouse and keyboard, and of a simulated mechanism that holds one.
+    /// The starting position of an endoscope's tip, m, W, for mouse and keyboard and for a simulated
+    /// mechanism that holds one.
     virtual core::Vec3 endoscopeStart_W() const noexcept { return core::Vec3::Zero(); }
-    /// From what is stored with the session alone, its devices' data included, so that a replay makes the same scene.
+    /// Makes the scene only from data stored with the session, including those of its devices, so that a
+    /// replay makes the same scene.
     virtual std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const = 0;
-    /// When what is touched gives way; as it stands here: never.
+    /// The law by which the touched tissue gives way; the default never does.
     virtual simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel&) const { return {}; }
-    /// Failure: notFound naming the operators that exist.
+    /// Makes a scripted operator.
+    /// Errors: notFound naming the operators that exist.
     virtual core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
                                                        std::uint64_t seed) const = 0;
-    /// The same on a certain mechanism of mechanisms(), where that makes a difference.
+    /// The same on a given mechanism of mechanisms(), for exercises in which this makes a difference.
     virtual core::Result<ScriptedTrainee> makeOperatorOn(std::string_view, const catalogue::ExerciseLevel& level,
                                                          const std::string& name, std::uint64_t seed) const {
         return makeOperator(level, name, seed);
     }
-    /// The same with device bases that stand elsewhere than toolPlace() says, one a tool: only where operatorsKnowTheirPlace().
+    /// The same with device bases at other positions than those of toolPlace(), one per tool; only if
+    /// operatorsKnowTheirPlace().
     virtual core::Result<ScriptedTrainee> makeOperatorAt(std::span<const devices::WorkspaceMapping>, std::string_view mechanism,
                                                          const catalogue::ExerciseLevel& level, const std::string& name,
                                                          std::uint64_t seed) const {
         return makeOperatorOn(mechanism, level, name, seed);
     }
-    /// Whether its scripted hands look at W and reach in D, so that a device's base can be mounted as one likes. Others take D for W.
+    /// True if its scripted hands convert targets from W to D, so that a device's base can be mounted
+    /// anywhere. Otherwise they assume that D equals W.
     virtual bool operatorsKnowTheirPlace() const noexcept { return false; }
     virtual std::vector<std::string> operatorNames() const = 0;
     virtual int trialCount(const catalogue::ExerciseLevel& level) const = 0;
     virtual double forceLimit_N(const catalogue::ExerciseLevel& level) const = 0;
-    /// Limits of a level beside that of the force on the tissue: which metric should not come to more, and how much that is, N.
+    /// Limits of a level in addition to that of the force on the tissue: the metric, and the value that it
+    /// should not exceed, N.
     virtual std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel&) const { return {}; }
-    /// The exercise's torque cap for the supervisor; the site's default (models.md §5) where it commands no torque.
+    /// The exercise's torque cap for the supervisor; the site's default (models.md §5) if the exercise
+    /// commands no torque.
     virtual double torqueLimit_Nm(const catalogue::ExerciseLevel&) const { return 0.150; }
-    /// Longest time, in ticks, that a session of this level can take without pauses: a scripted run stops there.
+    /// The longest duration of a session of this level without pauses, in ticks; a scripted run stops there.
     virtual std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const = 0;
-    /// Adds to a trial what is true of it (from content and seed) and what its mark touched.
+    /// Adds the truth of a trial (from content and seed) and the object that its mark touched.
     virtual void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                           scoring::TrialTrace& trial) const = 0;
-    /// What could be touched in each trial, for playback: the geometry that was felt.
+    /// The geometry that could be touched in each trial, for playback; the same geometry as the felt one.
     virtual std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
                                                         std::uint64_t seed) const = 0;
-    /// Whether addMarks() needs the trace: it then is of the same pass as the track.
+    /// True if addMarks() needs the trace, which then comes from the same pass as the track.
     virtual bool marksFromTrace() const noexcept { return false; }
-    /// Adds to a track what only the whole of a trial tells: what an answer was worth, what scores count. By the same judgement as the
-    /// scores. Marks stay in the order of time. `trace` is null unless marksFromTrace(). Failure: a trace that cannot be scored.
+    /// Adds to a track the marks that need the whole trial: outcomes of answers, and events that the scores
+    /// count. Uses the same judgement as the scores. Marks stay in the order of time. `trace` is null unless
+    /// marksFromTrace().
+    /// Errors: a trace that cannot be scored.
     virtual core::Result<void> addMarks(const SessionSetup&, const scoring::SessionTrace* /*trace*/, PlaybackTrack&) const { return {}; }
-    /// Adds what the answer of a trial was worth, as events of its session. By the same judgement as the scores.
+    /// Adds the outcome of a trial's answer as events of its session. Uses the same judgement as the scores.
     virtual void addAnswerEvents(const scoring::TrialTrace&, const database::TrialRecord&, AnswerEvents&) const {}
-    /// Adds to what is stored with a trial what is true of it beside TrialTrace::truth.
+    /// Adds truth to the stored data of a trial, in addition to TrialTrace::truth.
     virtual void storeTruth(const scoring::TrialTrace&, QJsonObject& /*truth*/) const {}
-    /// The columns that an exported trace has for this exercise beside quantities and TrialTrace::truth.
+    /// The columns that an exported trace has for this exercise, in addition to the quantities and
+    /// TrialTrace::truth.
     virtual void addColumns(std::span<const scoring::TrialTrace>, scoring::TraceColumns&) const {}
-    /// Fills those columns that say something of the whole trial ...
+    /// Fills the columns that describe the whole trial ...
     virtual void fillRowOfTrial(const scoring::TrialTrace&, scoring::TraceRow&) const {}
     /// ... and those of the sample of this row (its tool and time are set), which lies within the trial.
     virtual void fillRowOfSample(const scoring::TrialTrace&, scoring::TraceRow&) const {}
     /// Who does this level in the demonstration site.
     virtual DemoPart demoPart(int level) const { return {.ofWhoCan = level <= 2, .ofWhoLearns = level == 1}; }
-    /// What the demonstration site shows of it: columns of its table, a picture of its operators, a report.
+    /// The content that the demonstration site shows of it: columns of its table, a picture of its operators,
+    /// a report.
     virtual Demonstration demonstration() const { return {}; }
-    /// Where its own metrics were worst. For each metric the first rule that names it decides.
+    /// The rules that locate the worst moment of the exercise's own metrics. For each metric, the first rule
+    /// that names it applies.
     virtual std::vector<MomentRule> momentRules() const;
-    /// How it serves studies whose answers are marks; null: it does not, or not this condition.
+    /// The exercise's support for studies whose answers are marks; null if it has none or not for this
+    /// condition.
     virtual const MarkSessions* markSessions(const psychophysics::Condition&) const { return nullptr; }
 };
 
-/// Where the bases of a level's tools stand when nobody mounts them elsewhere.
+/// The default positions of the bases of a level's tools.
 std::vector<devices::WorkspaceMapping> usualPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level);
 
-/// All that can be run, those of studies included.
+/// All exercises that can be run, including those used only by studies.
 std::span<const ExerciseKind* const> exerciseKinds();
-/// The ids of those for which `holds`, in that order, as in "a, b, c".
+/// The ids of the exercises for which `holds` is true, in the same order, as "a, b, c".
 std::string idsOfKinds(bool (*holds)(const ExerciseKind&));
 
-/// The kind with this id. Failure: notFound naming the kinds that exist.
+/// The exercise with this id.
+/// Errors: notFound naming the exercises that exist.
 core::Result<const ExerciseKind*> exerciseKind(std::string_view id);
 
 } // namespace chiron::session

@@ -18,20 +18,22 @@ using core::Vec3;
 
 constexpr std::array<double, 6> kSpeeds_m_per_s{0.001, 0.010, 0.020, 0.050, 0.100, 0.150};
 constexpr double kArming_s = 3.0, kHeld_s = 2.0, kTurn_s = 0.5;
-constexpr double kSettled = 0.4; ///< share of a stroke that is left out at each end
+constexpr double kSettled = 0.4; ///< fraction of a half that is left out at its start; at its end, 0.1 is
+                                 ///< left out
 
-/// Half of a stroke: a second's way, within 4 and 45 mm.
+/// Half the length of a stroke: the distance covered in one second, limited to 4 to 45 mm.
 double halfOf(double speed_m_per_s) { return std::clamp(speed_m_per_s, 0.004, 0.045); }
 
 struct Stroke {
     Vec3 direction = Vec3::UnitX();
     double speed_m_per_s = 0.0;
-    double begin_s = 0.0; ///< to the far end of it, back, and to the middle again: 4 halves and two turns
+    double begin_s = 0.0; ///< start; then to one end, to the other end and back to the middle: 4 halves and
+                          ///< two turns
     double half_s() const { return halfOf(speed_m_per_s) / speed_m_per_s; }
     double end_s() const { return begin_s + 4.0 * half_s() + 2.0 * kTurn_s; }
 };
 
-/// What the hand noted of one stroke.
+/// The hand's measurements during one stroke.
 struct Noted {
     double there_N = 0.0, back_N = 0.0;
     int there = 0, back = 0;
@@ -41,7 +43,7 @@ struct Noted {
 struct Notes {
     std::vector<Stroke> strokes;
     std::vector<Noted> noted;
-    Vec3 held_N = Vec3::Zero(); ///< when it began to hold
+    Vec3 held_N = Vec3::Zero(); ///< force when the hand began to hold still
     double change_N = 0.0;
     double work_J = 0.0;
     double end_s = 0.0;
@@ -60,7 +62,7 @@ Notes plan() {
     return notes;
 }
 
-/// Moves as planned and writes down what it feels.
+/// Moves as planned and records the felt forces.
 class FeelingHand final : public mechanisms::HandStrategy {
 public:
     FeelingHand(const Vec3& centre_D, Notes& notes) : m_centre_D(centre_D), m_notes(notes) {}
@@ -83,11 +85,12 @@ public:
     }
 
 private:
-    /// Out by a half, back by two, out by a half; what is felt counts in the middle of the two long ways.
+    /// Moves out by one half, back by two, and out by one half. Forces are averaged over the middle part of
+    /// each movement.
     void stroke(const Stroke& s, Noted& noted, double t, const mechanisms::HandPerception& seen, mechanisms::HandIntention& wanted) noexcept {
         const double half = s.half_s(), in = t - s.begin_s;
         const double turned = half + kTurn_s, back = turned + 2.0 * half + kTurn_s;
-        double x = 0.0, v = 0.0; // in halves; halves a second
+        double x = 0.0, v = 0.0; // position in halves; velocity in halves per second
         if (in < half)
             x = in / half, v = 1.0 / half;
         else if (in < turned)
@@ -102,7 +105,7 @@ private:
         wanted.p_DDesired = m_centre_D + x * way_m * s.direction;
         wanted.v_DDesired = v * way_m * s.direction;
         const double along_N = seen.f_T_D.dot(s.direction);
-        const double progress = (in - turned) / (2.0 * half); // of the way back
+        const double progress = (in - turned) / (2.0 * half); // progress of the movement back, 0..1
         if (progress > kSettled && progress < 1.0 - 0.1)
             noted.back_N += along_N, ++noted.back;
         const double out = in < half ? in / half : (in - back) / half;
@@ -114,7 +117,7 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Nothing to touch.
+/// A scene with nothing to touch.
 class FreeAir final : public simulation::IScene {
 public:
     void respond(const realtime::HapticTick&, const simulation::SceneInput& in, simulation::SceneOutput& out) noexcept override {

@@ -11,28 +11,29 @@
 
 namespace chiron::session {
 
-/// Where one person stands at one exercise.
+/// The standing of one person in one exercise.
 struct ExerciseStanding {
     std::string exercise;
     std::vector<LevelStanding> levels;  ///< in the order of the content
-    std::optional<LevelStanding> open;  ///< the lowest level that is not passed; absent: every level is
-    int attempts = 0;                   ///< at all levels
+    std::optional<LevelStanding> open;  ///< the lowest level that is not passed; empty: all are passed
+    int attempts = 0;                   ///< over all levels
 };
 
-/// Where one person of a group stands.
+/// The standing of one person of a group.
 struct PersonStanding {
     database::PersonId person = 0;
-    std::string name;                               ///< the full one where there is one
+    std::string name;                               ///< full name, if there is one
     std::vector<ExerciseStanding> exercises;        ///< every exercise, in the order of the content
-    std::optional<LevelStanding> next;              ///< what to do next (nextStep); absent: every level is passed
-    std::optional<database::SessionSummary> latest; ///< the latest session, whatever became of it; absent: none
-    int toReview = 0;                               ///< sessions that await the look of whoever asks
+    std::optional<LevelStanding> next;              ///< the next step (nextStep); empty: every level is
+                                                    ///< passed
+    std::optional<database::SessionSummary> latest; ///< the latest session, whatever its outcome; empty: none
+    int toReview = 0;                               ///< sessions that await a review by the person who asks
 
     bool allPassed() const noexcept { return !next; }
 };
 
-/// The trainees whose accounts are enabled, and whoever else has trained, in the order of `people`. What was recorded for a study is no training and
-/// left out. Pure.
+/// The standings of all trainees with enabled accounts, and of all others who have trained, in the order of
+/// `people`. Sessions recorded for a study are not training and are ignored. Pure function.
 std::vector<PersonStanding> groupStandings(const catalogue::Catalogue& catalogue, std::span<const database::Person> people,
                                            std::span<const database::SessionSummary> sessions);
 

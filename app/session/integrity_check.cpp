@@ -15,7 +15,8 @@ database::Finding finding(database::SessionId session, const std::string& detail
 } // namespace
 
 std::vector<database::Finding> checkScores(database::Connection& connection, database::SessionId session) {
-    // The program itself looks: the check changes nothing and shows nothing of anybody but whether it holds.
+    // Runs with the maintenance actor: the check changes nothing and reveals nothing about anybody except
+    // whether it passes.
     const database::Actor actor = database::Actor::maintenance();
     auto stored = SessionView::open(connection, actor, session);
     if (!stored)

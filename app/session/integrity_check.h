@@ -5,12 +5,12 @@
 
 namespace chiron::session {
 
-/// The whole of `verify`: the database's own checks, and every score recomputed from its recording.
+/// Everything that `verify` checks: the database's own checks, and every score recomputed from its recording.
 database::VerifyReport verifyEverything(const std::string& databaseFile,
                                         const database::DatabaseOptions& options = {},
                                         const database::VerifyWatch& watch = {});
 
-/// Recomputes one session's scores and compares them with the stored ones; empty if they are the same.
+/// Recomputes the scores of one session and compares them with the stored ones; empty if they are equal.
 std::vector<database::Finding> checkScores(database::Connection& connection, database::SessionId session);
 
 } // namespace chiron::session

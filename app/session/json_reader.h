@@ -18,7 +18,7 @@ class JsonReader {
 public:
     JsonReader(const QJsonObject& object, QString place) : m_object(object), m_place(std::move(place)) {}
 
-    /// Of a key that earlier versions did not write: `otherwise` where it is not there.
+    /// Reads a number; returns `otherwise` if an earlier version did not write the key.
     double number(const char* key, double otherwise) { return m_object.contains(QLatin1String(key)) ? number(key) : otherwise; }
     double number(const char* key) { return value(key, QJsonValue::Double, "a number").toDouble(); }
     bool boolean(const char* key) { return value(key, QJsonValue::Bool, "true or false").toBool(); }
@@ -35,7 +35,7 @@ public:
         }
         return all;
     }
-    /// One of two words: true for `yes`, false for `no`.
+    /// Reads one of two words: true for `yes`, false for `no`.
     bool oneOf(const char* key, const char* yes, const char* no) {
         const QString word = string(key);
         if (word != QLatin1String(yes) && word != QLatin1String(no))
@@ -43,7 +43,8 @@ public:
         return word == QLatin1String(yes);
     }
 
-    /// A whole number within [low, high]; outside it is an error, never a wrap-around.
+    /// Reads a whole number within [low, high]. A number outside this range is an error and never wraps
+    /// around.
     std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) {
         const double v = number(key);
         if (!(v >= static_cast<double>(low) && v <= static_cast<double>(high)) || v != std::floor(v)) {

@@ -8,7 +8,7 @@
 
 namespace chiron::session {
 
-/// What a level lets a person see and hear, on the kind of device at hand; all else is off.
+/// The cues that a level shows or plays on the current class of device; all others are off.
 struct LevelCues {
     bool object = false;
     bool tool = false;
@@ -19,13 +19,15 @@ struct LevelCues {
     bool sound = false;
     bool coverage = false;
     bool overview = false; ///< endoscopy: a second picture, from outside
-    bool guidance = false; ///< endoscopy: the way is marked in the picture
+    bool guidance = false; ///< endoscopy: the picture marks the way
 };
 
-/// The cue words that hold on the kind of device at hand: a level's own, or those of its shown-force variant. Pure.
+/// The cue words for the current class of device: the level's own, or those of its shown-force variant. Pure
+/// function.
 const std::vector<std::string>& cueWordsOf(const catalogue::ExerciseLevel& level, bool felt);
 
-/// A level that needs force, done on a device that renders none, has cues of its own (its shown-force variant). Pure.
+/// The cues of a level. A level that needs force uses its shown-force variant on a device that renders none.
+/// Pure function.
 LevelCues cuesOf(const catalogue::ExerciseLevel& level, bool felt);
 
 } // namespace chiron::session

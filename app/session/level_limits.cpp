@@ -15,7 +15,7 @@ std::optional<double> largestPassed(const catalogue::ExerciseLevel& level, std::
     return gate == level.gates.end() ? std::nullopt : gate->maximum;
 }
 
-/// What content allows a metric to come to, whatever the pass marks say, N; absent: it sets no limit to it.
+/// The limit that the content sets for a metric, independently of pass marks, N; empty if it sets none.
 std::optional<double> ownLimit(const catalogue::ExerciseLevel& level, std::string_view metric) {
     const auto kind = exerciseKind(level.exercise);
     if (!kind)
@@ -28,7 +28,7 @@ std::optional<double> ownLimit(const catalogue::ExerciseLevel& level, std::strin
     return {};
 }
 
-/// The stricter of the two, where there is one.
+/// The stricter of the two limits, if there is one.
 std::optional<double> limitOf(const catalogue::ExerciseLevel& level, std::string_view metric) {
     const std::optional<double> own_N = ownLimit(level, metric), passed_N = largestPassed(level, metric);
     return own_N && passed_N ? std::min(*own_N, *passed_N) : own_N ? own_N : passed_N;

@@ -38,7 +38,7 @@ std::optional<LevelStanding> nextStep(std::span<const LevelStanding> standings) 
     const auto open = [](const LevelStanding& standing) { return standing.standing() != Standing::passed; };
     const auto newest = std::max_element(standings.begin(), standings.end(),
                                          [](const auto& a, const auto& b) { return a.latest.value_or(0) < b.latest.value_or(0); });
-    if (newest != standings.end() && newest->latest) { // of the exercise in hand first
+    if (newest != standings.end() && newest->latest) { // the exercise of the latest attempt comes first
         const auto here = std::find_if(standings.begin(), standings.end(),
                                        [&](const LevelStanding& standing) { return standing.exercise == newest->exercise && open(standing); });
         if (here != standings.end())

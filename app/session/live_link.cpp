@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tick code: the haptic thread's side of a window. Nothing here allocates, locks or throws (tests/realtime).
+// Tick code: the haptic thread's side of the link to a window. Nothing here allocates, locks or throws
+// (tests/realtime).
 #include "session/live_link.h"
 
 #include <cmath>
@@ -8,7 +9,7 @@ namespace chiron::session {
 
 namespace {
 
-constexpr std::uint64_t kStatisticsEvery_ticks = 256; // as the loop's own tap
+constexpr std::uint64_t kStatisticsEvery_ticks = 256; // same interval as in the loop's own tap
 
 template <class A>
 double norm3(const A& v, std::size_t at = 0) noexcept {

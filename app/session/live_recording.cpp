@@ -12,7 +12,8 @@
 namespace chiron::session {
 
 namespace {
-constexpr std::int64_t kNeverOld = std::numeric_limits<std::int64_t>::min() / 2; // of an as-fast run's clock
+// For runs faster than real time, which have no clock.
+constexpr std::int64_t kNeverOld = std::numeric_limits<std::int64_t>::min() / 2;
 } // namespace
 
 core::Result<recording::DatabaseId> ringIdOf(const database::Database& database) {
@@ -53,7 +54,7 @@ core::Result<std::unique_ptr<LiveRecording>> LiveRecording::start(database::Data
         return database::SessionRepository(context.connection(), actor).openSink(session);
     });
     if (!sink) {
-        (void)live->m_ring->remove(); // nothing was recorded yet: leave nothing to recover
+        (void)live->m_ring->remove(); // nothing was recorded yet, so leave nothing to recover
         return tl::unexpected(sink.error());
     }
     live->m_sink = std::move(*sink);
@@ -81,8 +82,9 @@ core::Result<void> LiveRecording::drain() {
 
 core::Result<RecordingReport> LiveRecording::finish() {
     stopDraining();
-    // A drain that failed once (disk full, say) kept its frames: this is the second and last try. As a source, not as a
-    // job: a job's transaction commits after the job, and the ring must not be told before that frames are stored.
+    // A drain that failed once (for instance because the disk was full) kept its frames; this is the second
+    // and last try. It runs as a source, not as a job: a job's transaction commits after the job, and the
+    // ring must not learn before the commit that its frames are stored.
     m_finishing = true;
     m_database.writer().addSource(*this);
     auto stored = m_database.writer().removeSource(*this);

@@ -15,18 +15,19 @@
 
 namespace chiron::session {
 
-/// What became of a recording.
+/// The result of a recording.
 struct RecordingReport {
-    std::uint64_t frames = 0;  ///< stored
-    std::uint64_t dropped = 0; ///< lost to a full ring; not 0: the session is incomplete
+    std::uint64_t frames = 0;  ///< frames stored
+    std::uint64_t dropped = 0; ///< frames lost because the ring was full; if not 0, the session is incomplete
     std::uint64_t bytes = 0;   ///< payload bytes stored
 };
 
-/// A session's recording while it runs: ring, recorder and sink, drained by the writer thread every 20 ms. Made and
-/// destroyed by the session's thread; the haptic thread pushes into sink().
+/// The recording of a running session: ring, recorder and sink, which the writer thread drains every 20 ms.
+/// The session's thread creates and destroys it; the haptic thread pushes into sink().
 class LiveRecording final : public database::IDrainable {
 public:
-    /// Reserves the ring and opens the sink for the running session. Failure: storage, with nothing left behind.
+    /// Reserves the ring and opens the sink for the running session.
+    /// Errors: storage, with nothing left behind.
     static core::Result<std::unique_ptr<LiveRecording>> start(database::Database& database,
                                                               const database::Actor& actor,
                                                               database::SessionId session, const SessionSetup& setup,
@@ -38,7 +39,8 @@ public:
 
     core::IFrameSink& sink() noexcept { return *m_ring; }
     core::Result<void> drain() override; ///< writer thread
-    /// After the last push: stores everything and removes the ring. Failure: the sink's; the ring file stays.
+    /// Call it after the last push: stores everything and removes the ring.
+    /// Errors: those of the sink; the ring file then stays.
     core::Result<RecordingReport> finish();
 
 private:
@@ -54,11 +56,13 @@ private:
     std::unique_ptr<recording::FrameDrain> m_drain;
     core::Result<void> m_drainOutcome;
     bool m_draining = false;
-    bool m_realtime = true; ///< chunks close by the clock too; as-fast ones when they are full: the same every time
-    bool m_finishing = false; ///< the next drain stores everything; set while the writer does not drain
+    bool m_realtime = true; ///< if true, the clock also closes chunks; faster than real time, only full ones
+                            ///< are closed, so that the result is reproducible
+    bool m_finishing = false; ///< the next drain stores everything; set while the writer is not draining
 };
 
-/// The database's UUID as a ring's header carries it. Failure: badInput.
+/// The database's UUID in the form in which the header of a ring stores it.
+/// Errors: badInput.
 core::Result<recording::DatabaseId> ringIdOf(const database::Database& database);
 
 } // namespace chiron::session

@@ -17,7 +17,7 @@ std::optional<LatenessBins> binsFrom(const QJsonObject& json) {
         return std::nullopt;
     for (qsizetype i = 0; i < edges.size(); ++i) {
         if (edges.at(i).toInteger() != bins.kEdges_us[static_cast<std::size_t>(i)])
-            return std::nullopt; // bins of another version: not comparable
+            return std::nullopt; // bins of another version cannot be compared
     }
     for (qsizetype i = 0; i < counts.size(); ++i)
         bins.counts[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(counts.at(i).toInteger());

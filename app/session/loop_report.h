@@ -11,17 +11,17 @@
 
 namespace chiron::session {
 
-/// How late the ticks of a run started, in bins that a person can read: up to each edge, and beyond the last.
+/// Histogram of the lateness of ticks in a few readable bins: one up to each edge, and one beyond the last.
 struct LatenessBins {
     static constexpr std::array<std::int64_t, 10> kEdges_us{2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000};
     std::array<std::uint64_t, kEdges_us.size() + 1> counts{};
     bool operator==(const LatenessBins&) const = default;
 };
 
-/// The histogram's counts in these bins. A bucket of the histogram counts where it ends.
+/// The histogram's counts in these bins. Each bucket of the histogram counts at its upper end.
 LatenessBins latenessBinsOf(const haptics::LatencyHistogram& lateness) noexcept;
 
-/// The loop's punctuality; absent numbers where ticks ran back to back.
+/// The punctuality of the loop. The optional values are empty for ticks that ran back to back.
 struct LoopReport {
     std::uint64_t ticks = 0;
     std::uint64_t late = 0;
@@ -32,14 +32,17 @@ struct LoopReport {
     bool realtime = false;
     bool priorityGranted = false;
     std::string priorityDetail;
-    std::optional<double> passivity_J;    ///< what the passivity controller kept from people (PassivityController::kept_J()); absent in sessions stored before
-    std::optional<LatenessBins> lateness; ///< absent also in sessions stored before it was kept
+    /// The energy that the passivity controller withheld from people (PassivityController::kept_J()); empty
+    /// in sessions that were stored before it existed.
+    std::optional<double> passivity_J;
+    std::optional<LatenessBins> lateness; ///< empty also in sessions that were stored before it existed
 };
 
-/// Fills the punctuality of a run on a clock from its statistics.
+/// Fills in the punctuality of a run on a clock from its statistics.
 void setPunctuality(LoopReport& report, const haptics::LoopStatistics& statistics);
 
-/// As a session stores it, and back. Failure of reading (badInput): not a JSON object.
+/// The report in the form in which a session stores it, and its reader.
+/// Errors: badInput when reading: not a JSON object.
 std::string loopJson(const LoopReport& report);
 core::Result<LoopReport> loopReportFrom(const std::string& json);
 

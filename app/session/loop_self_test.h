@@ -10,14 +10,15 @@
 
 namespace chiron::session {
 
-/// What a self-test of the loop found: its punctuality without any device, and what the system granted its thread.
+/// The result of a self-test of the loop: its punctuality without any device, and the scheduling that the
+/// system granted to its thread.
 struct SelfTestResult {
     LoopReport loop;
     realtime::RealtimeStatus granted;
     bool cancelled = false;
 };
 
-/// Ticks that do nothing but count: what is late here is late because of the machine, not because of an exercise.
+/// A task whose ticks only count. Lateness measured here is caused by the machine, not by an exercise.
 class SelfTestTask {
 public:
     explicit SelfTestTask(std::uint64_t ticks) noexcept : m_wanted(ticks) {}
@@ -27,7 +28,8 @@ public:
     }
     void timing(const realtime::TickTiming& timing) noexcept { m_statistics.add(timing); }
 
-    const haptics::LoopStatistics& statistics() const noexcept { return m_statistics; } ///< after the run
+    /// Valid after the run.
+    const haptics::LoopStatistics& statistics() const noexcept { return m_statistics; }
     std::uint64_t done() const noexcept { return m_done.load(std::memory_order_relaxed); } ///< any thread
 
 private:
@@ -36,8 +38,9 @@ private:
     haptics::LoopStatistics m_statistics;
 };
 
-/// Runs `task` on `clock` until it has its ticks or `cancel` is set; MonotonicClock, or VirtualClock in tests. On the calling
-/// thread, which should be one that setUpRealtimeThread() was asked for.
+/// Runs `task` on `clock` until it has had its number of ticks or `cancel` is set. The clock is a
+/// MonotonicClock, or a VirtualClock in tests. Runs on the calling thread, which should have been set up with
+/// setUpRealtimeThread().
 template <class Clock>
 LoopReport runSelfTest(Clock& clock, SelfTestTask& task, const std::atomic<bool>& cancel) {
     realtime::TickSource ticks;
@@ -50,8 +53,8 @@ LoopReport runSelfTest(Clock& clock, SelfTestTask& task, const std::atomic<bool>
     return report;
 }
 
-/// The same in real time, on a thread of its own that is made fit for ticks and gone afterwards. Blocking; a
-/// worker's task. `task` tells how far it is meanwhile.
+/// Does the same in real time, on a separate thread with real-time scheduling that ends with the test.
+/// Blocks; call it on a worker. `task` reports the progress meanwhile.
 SelfTestResult selfTestOnOwnThread(SelfTestTask& task, const std::atomic<bool>& cancel);
 
 } // namespace chiron::session

@@ -8,19 +8,21 @@
 
 namespace chiron::session {
 
-/// How to find where one of an exercise's own metrics was worst, for those without a PlaybackPeak.
+/// A rule that locates the worst moment of one of an exercise's own metrics, for metrics without a
+/// PlaybackPeak.
 struct MomentRule {
     enum class By {
-        largestMark,     ///< the mark of the first of the kinds with the largest value
-        firstMark,       ///< the first mark, of the first of the kinds that there is; the metric's own value goes with it
-        largestQuantity, ///< where one of the scene's quantities was largest
-        farthestAnswer   ///< the answer farthest from what was to be found, in per cent of its radius
+        largestMark,     ///< the mark with the largest value, of the first of `marks`
+        firstMark,       ///< the first mark, of the first of `marks` that occurs; the value shown is the
+                         ///< metric's
+        largestQuantity, ///< the moment at which one of the scene's quantities was largest
+        farthestAnswer   ///< the answer farthest from the target, in per cent of the target's radius
     };
-    std::string_view metric; ///< its id; with '*' at the end, of all that begin so
+    std::string_view metric; ///< metric id; a trailing '*' matches every id with this beginning
     By by = By::firstMark;
     std::vector<PlaybackMarkKind> marks{};
-    std::string_view quantity{}; ///< ExerciseKind::quantities
-    double factor = 1.0;         ///< of the mark's value, for the unit
+    std::string_view quantity{}; ///< one of ExerciseKind::quantities
+    double factor = 1.0;         ///< factor of the mark's value that gives the unit
     std::string_view unit{};
 
     bool isOf(std::string_view id) const noexcept {

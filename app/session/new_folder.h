@@ -11,18 +11,23 @@
 
 namespace chiron::session {
 
-/// A folder that appears whole or not at all: written beside its place under another name, then renamed. Gone where it is not committed.
+/// A folder that appears either complete or not at all: it is written beside its final place under another
+/// name and then renamed. Without commit() it is deleted.
 class NewFolder {
 public:
-    /// Whether nothing is there. Failure: badInput.
+    /// Checks that the path is unused.
+    /// Errors: badInput.
     static core::Result<void> isFree(const std::filesystem::path& folder);
-    /// Failure: badInput where `folder` exists; storage where nothing can be written beside it.
+    /// Begins a new folder.
+    /// Errors: badInput if `folder` exists; storage if its parent is not writable.
     static core::Result<NewFolder> begin(const std::filesystem::path& folder);
 
-    /// Absolute path of a file to be, its folders made. `name`: with / between folders.
+    /// Returns the absolute path of a new file and creates its parent folders. `name` separates folders by
+    /// "/".
     core::Result<QString> place(const QString& name);
     core::Result<void> write(const QString& name, const QByteArray& bytes);
-    /// Failure: badInput where something has come to be there meanwhile; storage.
+    /// Renames the folder to its final name.
+    /// Errors: badInput if the path has been used in the meantime; storage.
     core::Result<void> commit();
 
 private:

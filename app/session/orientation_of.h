@@ -6,14 +6,14 @@
 
 namespace chiron::session {
 
-/// From recorded counts to how a tool is turned. Pure: the same counts always give the same doubles.
+/// Converts recorded counts to the orientation of a tool. Pure: the same counts always give the same doubles.
 class IOrientationOf {
 public:
     IOrientationOf() = default;
     IOrientationOf(const IOrientationOf&) = delete;
     IOrientationOf& operator=(const IOrientationOf&) = delete;
     virtual ~IOrientationOf() = default;
-    /// Whether the tool's device can turn it at all; where it cannot, orientation means nothing.
+    /// True if the tool's device can rotate it; otherwise the orientation has no meaning.
     virtual bool turns(int tool) const noexcept = 0;
     virtual core::Quat q_WT(int tool, const core::ToolFrame& frame) const noexcept = 0;
 };

@@ -96,7 +96,8 @@ QJsonObject sessionJson(const database::PersonSession& session) {
         json[QStringLiteral("decisions")] = decisionsJson(session.record.decisions);
     if (session.sealed) {
         json[QStringLiteral("sealed")] = true;
-        json[QStringLiteral("recording")] = QJsonValue(); // how much it is tells the conditions of a blinded study apart
+        // Its size would reveal the condition of a blinded study.
+        json[QStringLiteral("recording")] = QJsonValue();
     }
     if (session.scores) {
         json[QStringLiteral("passed")] = session.scores->passed;
@@ -125,7 +126,7 @@ QJsonObject studyTrialJson(const database::StudyTrial& trial) {
             {QStringLiteral("utc"), text(trial.utc)}};
 }
 
-// As a participant of a study.
+// The data of a person as a participant of a study.
 QJsonObject participationJson(const database::PersonParticipation& held) {
     QJsonArray runs;
     for (const database::StudyRun& run : held.runs)
@@ -154,7 +155,7 @@ QJsonObject participationJson(const database::PersonParticipation& held) {
             {QStringLiteral("consent_sha256"), text(held.participant.consentSha256)},
             {QStringLiteral("runs"), runs},
             {QStringLiteral("trials"), trials},
-            {QStringLiteral("trials_sealed"), held.sealed}, // handed out once the study is unblinded
+            {QStringLiteral("trials_sealed"), held.sealed}, // released once the study is unblinded
             {QStringLiteral("answers"), answers}};
 }
 

@@ -13,7 +13,8 @@ namespace chiron::session {
 QJsonArray decisionsJson(const std::vector<database::SessionDecision>& decisions);
 /// id, name, display_name, code, roles, enabled, must_change_password, created.
 QJsonObject personJson(const database::Person& person);
-/// Everything held about a person, as `person export` and the People screen hand it out; samples are exported per session.
+/// All stored data of a person, as output by `person export` and the People screen; samples are exported per
+/// session.
 QJsonObject personExportJson(const database::PersonExport& everything);
 
 } // namespace chiron::session

@@ -7,7 +7,7 @@ namespace chiron::session {
 
 namespace {
 
-/// How far the ghost is moved so that its object lies where the first session's lies.
+/// The displacement that moves the ghost's object to the position of the first session's object.
 core::Vec3 shiftBetween(const PlaybackTrial& trial, const PlaybackTrial& ghost) {
     if (!trial.object || !ghost.object)
         return core::Vec3::Zero();

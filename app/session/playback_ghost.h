@@ -8,25 +8,25 @@
 
 namespace chiron::session {
 
-/// A second session of the same exercise and level beside the first: each of its trials starts when the first's trial
-/// of the same number starts. Where the objects of the two trials differ (other seeds), the ghost is moved with its
-/// object, so that both hands are seen at the same place of the ball.
+/// A second session of the same exercise and level for comparison with the first. Each of its trials starts
+/// when the first session's trial of the same number starts. If the objects of the two trials differ (other
+/// seeds), the ghost is moved with its object, so that both hands are seen relative to the same object.
 struct GhostTool {
     PlaybackTool tool;
-    double ownTime_s = 0.0; ///< on the ghost's own track
+    double ownTime_s = 0.0; ///< time on the ghost's own track
 };
 
-/// The ghost's tool 0 at `t_s` of `track`; nothing before the first trial, after the ghost's trial has ended, and in a
-/// trial that the ghost does not have. Pure.
+/// The ghost's tool 0 at `t_s` of `track`; empty before the first trial, after the end of the ghost's trial,
+/// and in a trial that the ghost does not have. Pure function.
 std::optional<GhostTool> ghostAt(const PlaybackTrack& track, const PlaybackTrack& ghost, double t_s);
 
-/// What the ghost did over the first track's time, for a second line in a plot; a gap (not a number) between trials.
+/// The ghost's values over the first track's time, for a second line in a plot; NaN between trials.
 struct GhostSeries {
     std::vector<double> t_s;
     std::vector<double> tissue_N;
     std::vector<double> speed_m_per_s;
     std::vector<double> offset_m;      ///< empty without an endoscope
-    std::vector<double> alignment_rad; ///< the same
+    std::vector<double> alignment_rad; ///< empty without an endoscope
 };
 GhostSeries ghostSeries(const PlaybackTrack& track, const PlaybackTrack& ghost);
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kContact_N = 0.02;
 constexpr double kBridge_s = 0.2;
-constexpr double kShortest_s = 0.02; // the slew at every touch limits for a tick or two: nobody feels that
+// The slew limit acts for one or two ticks at every contact, which nobody can feel.
+constexpr double kShortest_s = 0.02;
 
 double tissueOf(const core::ToolFrame& tool) {
     return std::hypot(tool.tissue[0], tool.tissue[1], tool.tissue[2]);
@@ -72,7 +73,7 @@ void MarkExtractor::add(const core::HapticFrame& frame, double t_s) {
     addStandstill(frame, t_s);
 }
 
-// What stands still because force was stopped, or taken away, was not paused by anybody.
+// A standstill because force was stopped by a person or by the supervisor is not a pause.
 void MarkExtractor::addStandstill(const core::HapticFrame& frame, double t_s) {
     const core::ForceState force = frame.header.force;
     if (frame.header.paused == 0)
@@ -163,7 +164,7 @@ void MarkExtractor::addForces(const core::HapticFrame& frame, double t_s) {
     }
 }
 
-/// What gives way before a trial runs, or while it is paused, is nobody's error.
+/// Tissue that gives way before a trial runs, or during a pause, does not count as an error.
 void MarkExtractor::noteYield(const core::HapticFrame& frame, double t_s, int tool) {
     const auto i = static_cast<std::size_t>(tool);
     const double force_N = tissueOf(frame.tool[i]), torque_Nm = torqueOf(frame.tool[i]);

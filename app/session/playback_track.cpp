@@ -33,7 +33,7 @@ PlaybackView PlaybackTrack::at(double t_s) const {
     const bool last = i + 1 == moments.size();
     const double step = last ? 0.0 : moments[i + 1].t_s - moments[i].t_s;
     const double part = step > 0.0 ? std::clamp((t_s - moments[i].t_s) / step, 0.0, 1.0) : 0.0;
-    // From one trial to the next the object jumps: nothing to interpolate.
+    // The object jumps from one trial to the next, so nothing is interpolated across.
     const bool joined = !last && moments[i + 1].trial == moments[i].trial;
     for (int k = 0; k < toolCount; ++k)
         view.tools.push_back(joined && part > 0.0 ? between(tool(i, k), tool(i + 1, k), part) : tool(i, k));

@@ -7,7 +7,7 @@ namespace chiron::session {
 
 namespace {
 constexpr std::string_view kPrefix = "quantity.";
-constexpr std::size_t kSupplied = core::kMaxQuantities; // slots past the header's array
+constexpr std::size_t kSupplied = core::kMaxQuantities; // slots beyond the array of the header
 constexpr std::size_t kStored = core::kMaxQuantities + 1;
 } // namespace
 

@@ -16,8 +16,9 @@ namespace chiron::session {
 
 namespace {
 
-/// The dead ring of a session, if there is one. An unreadable ring is an error: it may hold what nothing else does. Only
-/// the session's own is looked at: another's damage is not this one's.
+/// The ring that a dead program left of a session, if there is one. An unreadable ring is an error, because
+/// it may hold data that exist nowhere else. Only the session's own ring is examined: damage to another one
+/// does not concern it.
 core::Result<std::optional<recording::RecoveredRing>> ringOf(const std::vector<std::filesystem::path>& rings,
                                                              const recording::DatabaseId& id,
                                                              database::SessionId session) {
@@ -73,7 +74,8 @@ core::Result<RecoveredSession> recoverOne(database::Database& database, const da
     recovered.session = record.summary.id;
     auto ring = ringOf(rings, id, record.summary.id);
     if (!ring && ring.error().code == core::ErrorCode::badInput) {
-        // It will be no better next time: the session ends with what was committed, the file stays for an expert.
+        // A later try would not succeed either: the session ends with its committed data, and the file stays
+        // for an expert.
         recovered.problem = ring.error().message;
         ring = std::optional<recording::RecoveredRing>();
     }
@@ -98,7 +100,8 @@ core::Result<RecoveredSession> recoverOne(database::Database& database, const da
     return recovered;
 }
 
-/// Where a session's ring may lie: the folder of today's programs, and the one that its own program used.
+/// The possible locations of a session's ring: the current program's folder, and the one that the session's
+/// own program used.
 std::vector<std::filesystem::path> ringsFor(const database::SessionRecord& record,
                                             const std::filesystem::path& ringFolder, const recording::DatabaseId& id) {
     auto rings = recording::listRings(ringFolder, id);
@@ -111,8 +114,8 @@ std::vector<std::filesystem::path> ringsFor(const database::SessionRecord& recor
     return rings;
 }
 
-/// A program killed between the end of its session and the removal of its ring leaves a ring whose frames are all
-/// stored. Rings of sessions that this database does not know (a backup was restored) are left alone.
+/// A program killed between the end of its session and the removal of its ring leaves a ring whose frames are
+/// all stored. Rings of sessions that this database does not know (after restoring a backup) are left alone.
 void removeRingsOfEndedSessions(database::SessionReader reader, const std::filesystem::path& ringFolder,
                                 const recording::DatabaseId& id) {
     for (const auto& path : recording::listRings(ringFolder, id)) {
@@ -121,7 +124,7 @@ void removeRingsOfEndedSessions(database::SessionReader reader, const std::files
             continue;
         const auto record = reader.session(ring->session());
         if (record && record->summary.state != database::SessionState::running)
-            (void)ring->remove(); // the next start tries again
+            (void)ring->remove(); // if this fails, the next start tries again
     }
 }
 

@@ -17,7 +17,7 @@ namespace chiron::session {
 
 namespace {
 
-/// Keeps the frames of the chunk in hand. Grows outside the ticks it watches: reserve() comes first.
+/// Collects the frames of the current chunk. reserve() is called between ticks, so the ticks do not allocate.
 class CollectingSink final : public core::IFrameSink {
 public:
     void reserve(std::size_t frames) {
@@ -52,7 +52,7 @@ double largestDifference(std::span<const core::HapticFrame> stored, std::span<co
     return largest;
 }
 
-/// The loop of a replay: the session's own code with a recording in the place of devices and people.
+/// The loop of a replay: the session's own code, with a recording in place of devices and people.
 class Replay {
 public:
     explicit Replay(SessionView& session) : m_session(session) {}
@@ -124,7 +124,8 @@ private:
     haptics::SceneExchange m_scenes;
     CollectingSink m_sink;
     realtime::TickSource m_ticks;
-    std::unique_ptr<haptics::HapticLoop> m_loop; // last: gives its scene back before the exchange goes
+    // Declared last: it gives its scene back before m_scenes is destroyed.
+    std::unique_ptr<haptics::HapticLoop> m_loop;
 };
 
 } // namespace
@@ -145,7 +146,8 @@ core::Result<ReplayReport> replaySession(SessionView& session) {
         report.note = "recorded on CPU class \"" + stored.cpuClass + "\"";
     }
     core::Result<void> outcome;
-    // A thread of its own: models need their floating-point environment, the caller keeps his.
+    // Runs on a separate thread, because the models need their own floating-point environment and the
+    // caller's must not change.
     std::thread worker([&] {
         core::setModelFloatingPointEnvironment();
         Replay replay(session);

@@ -12,15 +12,16 @@ namespace chiron::session {
 
 struct ReplayReport {
     std::uint64_t frames = 0;       ///< re-simulated
-    bool identical = false;         ///< every chunk's hash of unrounded forces is the recorded one
-    bool comparable = true;         ///< same models id, compiler and CPU class: only then must bits agree
+    bool identical = false;         ///< the hash of unrounded forces agrees for every chunk
+    bool comparable = true;         ///< same models id, compiler and CPU class; only then must the bits agree
     double maximumDifference_N = 0.0; ///< largest force difference at the stored resolution, tissue or commanded
     std::optional<std::uint64_t> firstDifferentTick; ///< start of the first chunk that differs
-    std::string note;               ///< why it is not comparable, or what ended the replay
+    std::string note;               ///< the reason why it is not comparable, or why the replay ended
 };
 
-/// Re-simulates a session from its recorded inputs through the same loop, scene and supervisor, and compares the
-/// forces. Failure: the reader's (damaged chunks), badInput where the recording has gaps.
+/// Re-simulates a session from its recorded inputs through the same loop, scene and supervisor, and compares
+/// the forces.
+/// Errors: those of the reader (damaged chunks); badInput if the recording has gaps.
 core::Result<ReplayReport> replaySession(SessionView& session);
 
 } // namespace chiron::session

@@ -13,7 +13,8 @@
 
 namespace chiron::session {
 
-/// Hands each frame to the recording and to a witness (live plots, a test), and remembers where the trial stands.
+/// Passes each frame to the recording and to an optional witness (live plots, a test), and stores the current
+/// phase of the trial.
 class TeeSink final : public core::IFrameSink {
 public:
     TeeSink(core::IFrameSink& recording, core::IFrameSink* witness) noexcept
@@ -21,7 +22,8 @@ public:
     bool tryPush(const core::HapticFrame& frame) noexcept override {
         const bool stored = m_recording.tryPush(frame);
         if (m_witness)
-            m_witness->tryPush(frame); // a witness that is full misses a frame; the recording is what counts
+            // A witness that is full misses the frame; only the recording must be complete.
+            m_witness->tryPush(frame);
         m_phase = frame.header.phase;
         return stored;
     }
@@ -33,16 +35,18 @@ private:
     core::TrialPhase m_phase = core::TrialPhase::idle;
 };
 
-/// What ends a scripted run, beside the exercise itself.
+/// The conditions that end a scripted run, in addition to the exercise itself.
 struct RunLimits {
     std::uint64_t tickLimit = 0;
-    const devices::IDevice* device = nullptr; ///< where it comes to an end (IDevice::finished()), that marks the last position and ends the session
+    /// When the device has finished (IDevice::finished()), the last position is marked and the session ends.
+    const devices::IDevice* device = nullptr;
     const std::atomic<bool>* cancel = nullptr;
-    LiveLink* live = nullptr; ///< a window that looks on: gets every tick
+    LiveLink* live = nullptr; ///< an observing window, which receives every tick
     bool endIsMark = true; ///< ExerciseKind::traceEndIsMark()
 };
 
-/// The loop as a runner drives it: ends it by command, so that the end is recorded like everything else. A TickTask.
+/// Adapts the loop to a runner and ends it by a command, so that the end is recorded like everything else. A
+/// TickTask.
 class RunTask {
 public:
     RunTask(haptics::HapticLoop& loop, haptics::LiveInputs& inputs, const TeeSink& sink, RunLimits limits) noexcept
@@ -55,7 +59,8 @@ public:
         if (!m_ending && wantsEnd(now)) {
             m_ending = true;
             if (m_limits.endIsMark && m_limits.device && m_limits.device->finished() && m_sink.phase() == core::TrialPhase::running)
-                m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd}); // a trace without a mark: its last position is the answer
+                // A trace without a mark: its last position is the answer.
+                m_inputs.postOwn({core::CommandKind::mark, kMarkOfTraceEnd});
             else
                 m_inputs.postOwn({core::CommandKind::end});
         } else if (m_ending && !m_ended) {

@@ -11,7 +11,8 @@ namespace chiron::session {
 
 namespace {
 
-/// Every field once, for both directions; a new field of SafetySettings belongs here too (a test counts them).
+/// Lists every field once, for both directions. A new field of SafetySettings must be added here (a test
+/// counts them).
 template <class Settings, class Field>
 void eachField(Settings& settings, Field&& field) {
     field("siteForce_N", settings.siteForce_N);
@@ -69,7 +70,8 @@ core::Result<haptics::SafetySettings> safetyFromJson(const QJsonObject& json) {
         if constexpr (std::is_same_v<Value, bool>)
             value = in.boolean(name);
         else if constexpr (std::is_same_v<Value, double>)
-            value = name == std::string_view("capKnee") ? in.number(name, 0.0) : in.number(name); // versions before cut forces off
+            // Versions before this field existed cut forces off.
+            value = name == std::string_view("capKnee") ? in.number(name, 0.0) : in.number(name);
         else
             value = static_cast<Value>(in.integer(name, 0, std::numeric_limits<Value>::max()));
     });

@@ -8,7 +8,7 @@
 
 namespace chiron::session {
 
-/// The supervisor's numbers as stored with each session: a replay uses those of its day.
+/// The supervisor's settings as stored with each session; a replay uses the stored ones.
 QJsonObject toJson(const haptics::SafetySettings& settings);
 core::Result<haptics::SafetySettings> safetyFromJson(const QJsonObject& json);
 

@@ -10,7 +10,7 @@ namespace chiron::session {
 
 namespace {
 
-/// The first folder on the way up that is there.
+/// The path or its nearest parent that exists.
 QString present(const std::string& place) {
     QString path = QFileInfo(QString::fromStdString(place)).absoluteFilePath();
     while (!QFileInfo::exists(path) && path != QLatin1String("/"))
@@ -18,7 +18,7 @@ QString present(const std::string& place) {
     return path;
 }
 
-/// "/dev/nvme0n1p2" -> "nvme0n1"; what is no partition of a disk is itself.
+/// "/dev/nvme0n1p2" -> "nvme0n1"; a device that is not a partition of a disk is returned as it is.
 std::string diskOf(const QByteArray& device) {
     std::error_code error;
     const auto name = std::filesystem::path(std::filesystem::canonical(device.toStdString(), error)).filename();

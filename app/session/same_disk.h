@@ -5,8 +5,9 @@
 
 namespace chiron::session {
 
-/// Whether two places, or what is there of the way to them, lie on one disk, as far as the system tells: the same file system, or
-/// two partitions of one disk. A disk that fails would take both. Blocking, short.
+/// True if two paths (or their nearest existing parents) are on the same disk, as far as the system reports
+/// it: on the same file system, or on two partitions of one disk. The failure of that disk would destroy
+/// both. Blocks for a short time.
 bool onOneDisk(const std::string& a, const std::string& b);
 
 } // namespace chiron::session

@@ -8,8 +8,8 @@
 
 namespace chiron::session {
 
-/// [{id, version, value, unit, passed}]; a value that is not defined is null with its reason, passed only
-/// where gated.
+/// [{id, version, value, unit, passed}]; an undefined value is null and has a reason; `passed` is present
+/// only for metrics with a pass mark.
 QJsonArray metricsJson(const std::vector<scoring::MetricValue>& metrics);
 
 } // namespace chiron::session

@@ -33,7 +33,8 @@ core::Vec3 torqueOf(const core::Array6& wrench) {
     return {scoring::onTorqueGrid(wrench[3]), scoring::onTorqueGrid(wrench[4]), scoring::onTorqueGrid(wrench[5])};
 }
 
-/// Frames -> rows: the session's own trials (trace()) say what became of each, the frames give the samples.
+/// Converts frames to rows: the session's own trials (trace()) give the outcomes, the frames give the
+/// samples.
 class RowMaker {
 public:
     RowMaker(SessionView& session, const ExerciseKind& kind, const std::vector<scoring::TrialTrace>& trials, const scoring::TraceColumns& columns)
@@ -42,10 +43,11 @@ public:
             m_trials[trial.trial] = &trial;
     }
 
-    /// Before the frame's rows.
+    /// Call it before the rows of the frame.
     void begin(const core::HapticFrame& frame) { m_time.at(frame); }
 
-    /// False where the packet was refused or read before: a sample is written once, as it is scored once.
+    /// Returns false if the packet was refused or read before: each sample is written once, as it is scored
+    /// once.
     bool takes(const core::HapticFrame& frame, int tool) {
         const core::ToolFrame& t = frame.tool[static_cast<std::size_t>(tool)];
         const bool isNew = !isRefused(t) && m_clocks[static_cast<std::size_t>(tool)].advances(t.deviceTime_us);
@@ -73,7 +75,7 @@ public:
         row.contact = core::contactOfStatus(t.status);
         row.forceLimit_N = m_session.record().setup.forceLimit_N;
         row.plannedTrials = m_session.record().setup.plannedTrials;
-        for (std::size_t i = 0; tool == 0 && i < m_quantities.size(); ++i) // tool 0 stands for the tick
+        for (std::size_t i = 0; tool == 0 && i < m_quantities.size(); ++i) // tool 0 represents the tick
             row.quantities.push_back(m_quantities.value(i, frame));
         addOutcome(row);
         return row;
@@ -85,7 +87,7 @@ private:
             return;
         const auto found = m_trials.find(row.trial);
         const bool known = found != m_trials.end();
-        // Samples between trials belong to none; their columns hold what a reader accepts.
+        // Samples between trials belong to no trial; their columns hold values that a reader accepts.
         const scoring::TrialTrace& trial = known ? *found->second : *m_trials.begin()->second;
         m_kind.fillRowOfTrial(trial, row);
         row.truth = scoring::truthOf(trial, m_columns.truth);
@@ -122,7 +124,8 @@ scoring::TraceColumns columnsOf(SessionView& session, const ExerciseKind& kind, 
     for (const RecordedQuantities::Quantity& quantity : quantities.list())
         columns.quantities.push_back(quantity.id);
     columns.truth = scoring::truthIdsOf(trials);
-    columns.failed = quantities.size() > 0; // exercises with quantities end a trial in more than one way
+    // In exercises with quantities, a trial can end in more than one way.
+    columns.failed = quantities.size() > 0;
     columns.completed = columns.failed;
     kind.addColumns(trials, columns);
     columns.unfinished = std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.unfinished; });
@@ -162,7 +165,7 @@ core::Result<void> exportCsv(SessionView& session, const QString& path) {
         return flush();
     });
     if (written)
-        written = flush(); // the header alone, where nothing was recorded
+        written = flush(); // only the header, if nothing was recorded
     if (!written)
         return written;
     if (!file.commit())

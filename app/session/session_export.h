@@ -9,12 +9,14 @@
 
 namespace chiron::session {
 
-/// Writes a session's raw samples as a trace file (cli.md, Trace files), every executed tick, with trial, phase, pause,
-/// commanded and measured force, the scene's quantities and the truth beside them: `metrics` on this file gives the session's own scores.
-/// Replaces `path` only when the whole file is written. Failure: storage, the reader's.
+/// Writes a session's raw samples as a trace file (cli.md, Trace files): every executed tick, with trial,
+/// phase, pause, commanded and measured force, the scene's quantities and the truth. `metrics` on this file
+/// gives the session's own scores. Replaces `path` only once the whole file is written.
+/// Errors: storage; those of the reader.
 core::Result<void> exportCsv(SessionView& session, const QString& path);
 
-/// Writes what is known of a session beside its samples (setup, states, trials, events, scores) as one JSON document.
+/// Writes everything stored about a session except its samples (setup, states, trials, events, scores) as one
+/// JSON document.
 core::Result<void> exportJson(SessionView& session, const QJsonObject& summary, const QString& path);
 
 } // namespace chiron::session

@@ -29,7 +29,7 @@ SessionState stateOf(const EventExtractor& seen, const RunEnding& ending) {
     return seen.faulted() ? SessionState::faulted : SessionState::stopped;
 }
 
-/// A trial that has not ended shares the session's fate.
+/// A trial without an end gets its state from the session's.
 database::TrialRecord withFate(database::TrialRecord trial, SessionState session) {
     if (trial.state == SessionState::running)
         trial.state = session == SessionState::completed ? SessionState::stopped : session;
@@ -48,14 +48,14 @@ std::string truthJson(const ExerciseKind& kind, const scoring::TrialTrace& trial
     return QJsonDocument(truth).toJson(QJsonDocument::Compact).toStdString();
 }
 
-/// What a session's last transaction stores.
+/// The data that the last transaction of a session stores.
 struct Conclusion {
     SessionState state = SessionState::completed;
     const ExerciseKind* kind = nullptr;
     EventExtractor seen;
-    std::shared_ptr<const scoring::SessionTrace> trace; ///< the truth of each trial goes with its row
+    std::shared_ptr<const scoring::SessionTrace> trace; ///< the truth of each trial is stored with its row
     core::Result<scoring::ScoreCard> card;
-    std::vector<database::EventRecord> answers; ///< what the answers were worth
+    std::vector<database::EventRecord> answers; ///< outcomes of the answers
 };
 
 core::Result<Conclusion> conclude(SessionView& stored, const RunEnding& ending) {
@@ -111,14 +111,16 @@ core::Result<scoring::ScoreCard> concludeSession(database::Database& database, c
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
-    // The program ends what it recorded, also a sitting of a blinded study, which nobody may open. What is stored is the actor's to store.
+    // The program ends every session that it recorded, including one of a blinded study, which nobody may
+    // open; hence the maintenance actor. The results are stored on behalf of the session's actor.
     auto stored = SessionView::open(**connection, database::Actor::maintenance(), session);
     if (!stored)
         return tl::unexpected(stored.error());
     auto conclusion = conclude(**stored, ending);
     if (!conclusion)
         return tl::unexpected(conclusion.error());
-    // One transaction: a program killed here leaves a session that is either to be recovered or has its scores.
+    // In one transaction, so that a program killed here leaves a session that either needs recovery or has
+    // its scores.
     auto done = database.write([&](database::WriteContext& context) -> core::Result<void> {
         if (auto ended = storeEnd(context, actor, session, *conclusion, ending); !ended || !conclusion->card)
             return ended;

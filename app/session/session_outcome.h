@@ -11,17 +11,18 @@
 
 namespace chiron::session {
 
-/// What the run knew of its own end that the recording does not show.
+/// Facts about the end of a run that the recording does not contain.
 struct RunEnding {
     std::uint64_t dropped = 0;    ///< frames lost to a full ring
-    bool interrupted = false;     ///< the program died; found by recovery
-    bool stopped = false;         ///< asked to stop from outside (signal, window closed)
+    bool interrupted = false;     ///< the program died; detected by recovery
+    bool stopped = false;         ///< stopped from outside (signal, window closed)
     std::string loopJson = "{}";
 };
 
-/// After the last frame is stored: derives trials, events and state from the stored frames, ends the session and stores
-/// its scores. One path for a session that just ended and for one that a crash left open. Blocking; a worker's task.
-/// Failure: storage, or the reader's.
+/// Call it after the last frame is stored: derives trials, events and state from the stored frames, ends the
+/// session and stores its scores. A session that has just ended and one that a crash left open are handled in
+/// the same way. Blocks; call it on a worker.
+/// Errors: storage; those of the reader.
 core::Result<scoring::ScoreCard> concludeSession(database::Database& database, const database::Actor& actor,
                                                  database::SessionId session, const RunEnding& ending);
 

@@ -17,7 +17,7 @@ namespace chiron::session {
 namespace {
 
 std::string compact(const QJsonObject& object) {
-    return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject keeps its keys sorted
+    return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject sorts its keys
 }
 
 core::Result<QJsonObject> parse(const std::string& text, const char* column) {

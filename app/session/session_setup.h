@@ -12,28 +12,33 @@
 
 namespace chiron::session {
 
-/// What a session's scores are made of; stored with it, so that a change leaves stored sessions as they were.
+/// The trials that a session's scores include. It is stored with the session, so that a change of the rule
+/// does not affect stored sessions.
 enum class ScoringRule {
-    begunTrials = 1,    ///< one that was cut off counts with what there is of it (sessions without a word of it)
-    finishedTrials = 2, ///< a trial without an end is in no score
+    begunTrials = 1,    ///< a trial that was cut off counts with its existing samples (sessions that store no
+                        ///< rule)
+    finishedTrials = 2, ///< a trial without an end is not part of any score
 };
 
-/// Everything that decides what a session's scene, supervisor and kinematics do. Stored with the session and made again
-/// from what is stored, never from today's files: editing a level later changes no old score and no old replay.
+/// Everything that determines the behaviour of a session's scene, supervisor and kinematics. It is stored
+/// with the session and restored from there, never from the current files: editing a level later changes no
+/// old score and no old replay.
 struct SessionSetup {
     catalogue::ExerciseLevel level;
     std::uint64_t seed = 0;
-    std::vector<devices::DeviceDescriptor> devices;  ///< one a tool
-    std::vector<devices::WorkspaceMapping> mappings; ///< one a tool
+    std::vector<devices::DeviceDescriptor> devices;  ///< one per tool
+    std::vector<devices::WorkspaceMapping> mappings; ///< one per tool
     haptics::SafetySettings safety;
     ScoringRule scoring = ScoringRule::finishedTrials;
 
-    bool felt() const; ///< whether any tool renders force: the class that scores are grouped by
+    bool felt() const; ///< true if any tool renders force: the class by which scores are grouped
 };
 
-/// The columns of a new session that the setup decides; the caller adds who, operator, ring and recording.
+/// The columns of a new session that the setup determines; the caller adds person, operator, ring and
+/// recording.
 database::NewSession toNewSession(const SessionSetup& setup);
-/// Failure: badInput naming column and key.
+/// Restores the setup from the stored columns.
+/// Errors: badInput naming column and key.
 core::Result<SessionSetup> setupFromStored(const database::NewSession& stored);
 
 } // namespace chiron::session

@@ -140,7 +140,8 @@ core::Result<scoring::ScoreCard> SessionView::scoresOf(const scoring::SessionTra
     for (const catalogue::MetricChoice& metric : metrics) {
         int version = metricVersion > 0 ? metricVersion : metric.version;
         while (known && metricVersion > 0 && version > 1 && !scoring::findMetric(metric.id, version))
-            --version; // a metric that did not change has no version of its own
+            // A metric that did not change in a version keeps its older version number.
+            --version;
         requests.push_back({metric.id, version});
     }
     return scoring::calculateScore(trace, requests, m_setup.level.gates, completed);

@@ -19,18 +19,21 @@ namespace chiron::session {
 class ExerciseKind;
 class TraceAssembler;
 
-/// Hears how much of the recording is read, 0..1; false stops the work.
+/// Receives the fraction of the recording that has been read, 0..1; returning false stops the work.
 using ReadProgress = std::function<bool(double)>;
-/// Sees the frames of a recording in order, chunk by chunk.
+/// Receives the frames of a recording in order, chunk by chunk.
 using FrameVisitor = std::function<core::Result<void>(std::span<const core::HapticFrame>)>;
 
-/// One stored session, opened for review: its setup as it was, and everything that its recording tells. Scores, debrief, playback,
-/// report, replay and exports look back through it, so that one value is derived in one place. What is derived from the samples is read
-/// when it is first asked for and kept; decode() derives all of it from one pass. Lives on the thread, and within the life, of its
-/// connection; what trace() and track() give outlives it and may be read on any thread.
+/// One stored session, opened for review: its setup at the time, and everything derived from its recording.
+/// Scores, debrief, playback, report, replay and exports all use it, so that each value is derived in one
+/// place. Data derived from the samples are computed on first use and cached; decode() derives all of them in
+/// one pass. It belongs to the thread of its connection and must not outlive the connection. The results of
+/// trace() and track() outlive it and may be read on any thread.
 class SessionView {
 public:
-    /// Failure: notFound, notAllowed, badInput (damaged rows), doesNotHold (damaged chunks are named when touched).
+    /// Opens a session.
+    /// Errors: notFound, notAllowed, badInput (damaged rows), doesNotHold (damaged chunks are named when they
+    ///   are read).
     static core::Result<std::unique_ptr<SessionView>> open(database::Connection& connection, const database::Actor& actor,
                                                            database::SessionId session);
     SessionView(const SessionView&) = delete;
@@ -41,25 +44,29 @@ public:
     const ToolPositions& positions() const noexcept { return *m_positions; }
     recording::RecordingReader& reader() noexcept { return *m_reader; }
 
-    /// Reads the recording once and derives trace and track from it (about a second for a session of ten minutes, on a worker).
-    /// Failure: the reader's, doesNotHold naming the damaged chunk; cancelled.
+    /// Reads the recording once and derives trace and track from it. Takes about one second for a session of
+    /// ten minutes, so call it on a worker.
+    /// Errors: those of the reader; doesNotHold naming the damaged chunk; cancelled.
     core::Result<void> decode(const ReadProgress& progress = {});
-    /// The trials as metrics see them, truth included. `also` sees every frame of the recording, of the same pass where the trace is not
-    /// known yet. Failure: the reader's, or the visitor's.
+    /// The trials as the metrics see them, truth included. `also` visits every frame of the recording, in the
+    /// same pass if the trace has not been derived yet.
+    /// Errors: those of the reader or of the visitor.
     core::Result<std::shared_ptr<const scoring::SessionTrace>> trace();
     core::Result<std::shared_ptr<const scoring::SessionTrace>> trace(const FrameVisitor& also);
-    /// The session as playback shows it, with everything that happened as marks. Failure: as decode().
+    /// The session for playback, with all events as marks.
+    /// Errors: those of decode().
     core::Result<std::shared_ptr<const PlaybackTrack>> track(const ReadProgress& progress = {});
-    /// Calls `visit` for each chunk's frames in order: for what is written or counted frame by frame. Failure: the reader's, or the visitor's.
+    /// Calls `visit` for the frames of each chunk in order, for output or counting frame by frame.
+    /// Errors: those of the reader or of the visitor.
     core::Result<void> eachChunk(const FrameVisitor& visit);
-    /// How often the whole recording has been decoded through this view.
+    /// Number of times that this view has decoded the whole recording.
     int decodings() const noexcept { return m_decodings; }
 
-    /// Computes the scores from the recording. `completed` decides whether gates can be passed.
+    /// Computes the scores from the recording. Gates can be passed only if the session is `completed`.
     core::Result<scoring::ScoreCard> computeScores();
-    /// The same under a chosen version of every metric that has it (0: the session's own).
+    /// The same with a chosen version of every metric that has this version (0: the session's own).
     core::Result<scoring::ScoreCard> computeScores(int metricVersion);
-    /// The scores of this session's trace once it is known whether it was completed.
+    /// The scores for a given trace of this session, once it is known whether the session was completed.
     core::Result<scoring::ScoreCard> scoresOf(const scoring::SessionTrace& trace, bool completed,
                                               int metricVersion = 0) const;
 
@@ -78,7 +85,7 @@ private:
     int m_decodings = 0;
 };
 
-/// Whether two score cards are the same, bit for bit: ids, versions, values, verdicts.
+/// True if two score cards are equal bit for bit: ids, versions, values, verdicts.
 bool sameScores(const scoring::ScoreCard& a, const scoring::ScoreCard& b);
 
 } // namespace chiron::session

@@ -13,17 +13,18 @@
 
 namespace chiron::session {
 
-/// A database opened for writing with what a crash left behind brought in: how every program that trains starts.
+/// A database opened for writing after recovery from a crash. Every program that trains starts in this way.
 struct OpenedSite {
     std::unique_ptr<database::Database> database;
     std::vector<RecoveredSession> recovered;
 };
 
-/// Opens `file`, making it (and its folder) if it is missing, and recovers. A file that is
-/// damaged where nobody could log in is told so, and left as it is. Failure: locked, storage, badInput.
+/// Opens `file`, creates it (and its folder) if it is missing, and recovers. Reports a file that is damaged
+/// so that nobody could log in, and leaves it unchanged.
+/// Errors: locked, storage, badInput.
 core::Result<OpenedSite> openSite(const std::string& file, const database::DatabaseOptions& options);
 
-/// A scripted session in words: what `train` and `demo` ask for.
+/// The specification of a scripted session, as used by `train` and `demo`.
 struct ScriptedSession {
     std::string exercise;
     int level = 1;
@@ -31,16 +32,17 @@ struct ScriptedSession {
     std::uint64_t seed = 1;
     bool realtime = false;
     bool familiarisation = false;
-    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< of the simulated gimbal
+    mechanisms::PolarMap map = mechanisms::PolarMap::exact; ///< map of the simulated gimbal
     std::string mechanism{}; ///< kinematics id of the simulated mechanism; "": the exercise's usual one
-    WorkspaceChoice mounting{}; ///< how the bases of the simulated mechanisms stand
+    WorkspaceChoice mounting{}; ///< mounting of the bases of the simulated mechanisms
 };
 
-/// Whether its operator, or trace, can be had at all: asked before a database is made for it. Failure: notFound (exercise,
-/// level, operator), badInput (trace).
+/// Checks whether the operator or trace is available, before a database is created for it.
+/// Errors: notFound (exercise, level, operator), badInput (trace).
 core::Result<void> checkOperator(const catalogue::Catalogue& catalogue, const ScriptedSession& session);
 
-/// Runs it as `actor`. Failure: notFound (exercise, level, operator), badInput (trace), as runTraining.
+/// Runs the session as `actor`.
+/// Errors: notFound (exercise, level, operator); badInput (trace); those of runTraining.
 core::Result<TrainingResult> runScripted(database::Database& database, const database::Actor& actor,
                                          const catalogue::Catalogue& catalogue, const ScriptedSession& session,
                                          const std::atomic<bool>* cancel = nullptr);

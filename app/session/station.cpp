@@ -12,7 +12,7 @@
 namespace chiron::session {
 
 namespace {
-/// Asks the driver for a device for each tool of the request.
+/// Requests a device from the driver for each tool of the request.
 core::Result<Station> stationOf(const devices::Driver& driver, devices::DriverRequest request) {
     Station station;
     for (const devices::ToolRequest& tool : request.tools)
@@ -50,7 +50,8 @@ WorkspaceChoice ofPointer(WorkspaceChoice choice) {
     return choice;
 }
 
-/// Where the devices of a level stand: the kind's places, each mounted as chosen or else as the level says, about that place.
+/// The positions of a level's devices: those of the exercise, each with the chosen mounting, or else the
+/// level's, relative to that position.
 core::Result<std::vector<devices::WorkspaceMapping>> placesOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                                               std::size_t hands, const WorkspaceChoice& chosen) {
     const int tools = kind.toolCount(level);
@@ -92,7 +93,7 @@ devices::TracePoint pointOf(const scoring::TraceRow& row, const scoring::TraceCo
     return point;
 }
 
-/// From the earliest time of any tool to the latest: one clock for all.
+/// Extends every tool's trace from the earliest to the latest time of any tool, so that all share one clock.
 void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
     double begin_s = tools.front().front().t_s;
     double end_s = tools.front().back().t_s;
@@ -114,7 +115,8 @@ void playTogether(std::vector<std::vector<devices::TracePoint>>& tools) {
 }
 
 std::optional<double> startOf(const ExerciseKind& kind, const catalogue::ExerciseLevel& level, const devices::WorkspaceMapping& mapping) {
-    return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]); // a pointer begins in the middle of its box
+    // A pointer starts in the middle of its box.
+    return kind.pointerStart_m(level, mapping.origin_m[0], mapping.origin_m[1]);
 }
 } // namespace
 
@@ -144,7 +146,7 @@ core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice)
 }
 
 namespace {
-/// What a session asks of a driver whose devices a person moves, without its tools.
+/// The request to a driver whose devices a person moves, without its tools.
 devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool) {
     devices::DriverRequest request;
     request.shape = tool;
@@ -153,7 +155,8 @@ devices::DriverRequest requestOf(const WorkspaceChoice& choice, PointerTool tool
     return request;
 }
 
-/// A pointer is mounted nowhere: each tool stands where the kind puts it, with the workspace that the person chose.
+/// A pointer has no mounting: each tool is at the exercise's position, with the workspace that the person
+/// chose.
 core::Result<std::vector<devices::WorkspaceMapping>> pointerPlaces(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                                                    const WorkspaceChoice& choice) {
     const auto chosen = mappingOf(choice);
@@ -258,7 +261,8 @@ core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue:
     if (std::find(known.begin(), known.end(), chosen) == known.end())
         return core::fail(core::ErrorCode::wrongUse, "mechanism \"" + std::string(chosen) + "\": exercise " + std::string(kind.id()) +
                                                          " is not done on it");
-    // Hand and mind have streams of their own: the same person in another field trembles alike.
+    // Hand and decision model have separate random streams, so that the same person trembles alike in another
+    // field.
     const auto hands = static_cast<std::size_t>(std::max(kind.toolCount(level), 0));
     auto places = placesOf(kind, level, hands, mounting);
     if (!places)
@@ -301,7 +305,7 @@ core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool t
         return core::fail(core::ErrorCode::wrongUse, "trace: " + std::to_string(tools) + " instruments, expected 1 to 4");
     std::vector<std::vector<devices::TracePoint>> points(static_cast<std::size_t>(tools));
     for (const scoring::TraceRow& row : rows.rows)
-        if (row.tool < tools) // more hands than the level has instruments: the others are left out
+        if (row.tool < tools) // rows of further tools than the level has are ignored
             points[row.tool].push_back(pointOf(row, rows.columns));
     for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].empty())

@@ -19,52 +19,62 @@
 
 namespace chiron::session {
 
-/// One tool of a session: what is held, where its workspace lies in W, and where the window puts what a person does.
+/// One tool of a session: its device, the position of its workspace in W, and where a window sends a person's
+/// input.
 struct StationTool {
     std::unique_ptr<devices::IDevice> device;
     devices::WorkspaceMapping mapping;
-    devices::HandInput input; ///< of `device`; empty where it is not moved through the window
+    devices::HandInput input; ///< input of `device`; empty if the window does not move it
 };
 
-/// The tools a session is done with. Moved, not copied.
+/// The tools of a session. Can be moved, not copied.
 struct Station {
     std::vector<StationTool> tools;
     std::string operatorName; ///< scripted operator or "trace:<file>"; empty: a person's own hand
 
-    std::vector<devices::WorkspaceMapping> mappings() const; ///< one a tool
-    bool felt() const noexcept; ///< whether any device renders force, as its descriptor says
-    /// Of each tool that a mouse and a keyboard move as a point or a grasper, in the order of the tools.
+    std::vector<devices::WorkspaceMapping> mappings() const; ///< one per tool
+    bool felt() const noexcept; ///< true if any device renders force, according to its descriptor
+    /// The mailbox of each tool that mouse and keyboard move as a point or a grasper, in the order of the
+    /// tools.
     std::vector<devices::PointerMailbox*> pointers() const;
-    devices::EndoscopeMailbox* endoscope() const noexcept; ///< of the first tool that they move as an endoscope, or nullptr
+    /// The mailbox of the first tool that they move as an endoscope, or nullptr.
+    devices::EndoscopeMailbox* endoscope() const noexcept;
 };
 
-/// The scripted hand that holds a simulated mechanism outside of an exercise: while it is measured, and in a study without people.
+/// A scripted hand that holds a simulated mechanism outside of an exercise: while the mechanism is measured, and
+/// in a study without people.
 struct SimulatedHand {
-    std::unique_ptr<mechanisms::HandStrategy> strategy; ///< begins at devices::kHeldFrom_D
+    std::unique_ptr<mechanisms::HandStrategy> strategy; ///< starts at devices::kHeldFrom_D
     mechanisms::HandParameters hand;
-    std::uint64_t seed = 1; ///< of its tremor
+    std::uint64_t seed = 1; ///< seed of its tremor
     double frictionCompensation = 0.0;
     const mechanisms::GimbalPlantParameters* gimbal = nullptr; ///< DriverRequest::gimbal
 };
 
-/// One tool of the simulated mechanism with this kinematics id. Failure: wrongUse for an unknown one; badInput.
+/// Makes a station with one tool of the simulated mechanism with this kinematics id.
+/// Errors: wrongUse for an unknown mechanism; badInput.
 core::Result<Station> simulatedStation(std::string_view mechanism, SimulatedHand hand);
 
-/// How a person's workspace lies in W: what the set-up screen and the command line offer. What it says takes the place of what the level
-/// says of every instrument (ExerciseLevel::mounting); a left-handed one mirrors that.
+/// The position of a person's workspace in W, as offered by the set-up screen and the command line. It
+/// replaces the level's mounting of every instrument (ExerciseLevel::mounting); a left-handed mounting is the
+/// mirror image.
 using WorkspaceChoice = core::BaseMounting;
 
-/// The mapping of a choice. Failure: badInput naming the value and its range.
+/// The mapping of a choice.
+/// Errors: badInput naming the value and its range.
 core::Result<devices::WorkspaceMapping> mappingOf(const WorkspaceChoice& choice);
 
-/// A mouse and a keyboard that move one point (class "shown"). Whatever the scale, the tool reaches the same box of W: a larger scale
-/// makes the hand's part of it smaller. Failure: badInput.
+/// A mouse and a keyboard that move one point (class "shown"). The tool reaches the same box of W at any
+/// scale: a larger scale only makes the hand's share of it smaller.
+/// Errors: badInput.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice = {});
 
-/// The same for a level of an exercise. An endoscope begins at the kind's endoscopeStart_W(), looking in. Several points (fingers): one
-/// tool each, at the kind's places, every one with the same box round its own place, so that the fingers of a hand stay side by side at an
-/// edge too. Graspers: one tool for each instrument, jaws open, above the field under their entry points; all reach the same box of W,
-/// whose middle is the choice's origin. Failure: badInput; wrongUse for a level without 1..kMaxTools instruments.
+/// The same for a level of an exercise. An endoscope starts at the exercise's endoscopeStart_W(), looking in.
+/// Several points (fingers) are one tool each at the exercise's positions, each with the same box round its
+/// own position, so that the fingers of a hand stay side by side at an edge too. Graspers are one tool per
+/// instrument, with open jaws, above the field under their entry points; all reach the same box of W, whose
+/// centre is the choice's origin.
+/// Errors: badInput; wrongUse for a level without 1..kMaxTools instruments.
 core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const ExerciseKind& kind,
                                            const catalogue::ExerciseLevel& level);
 
@@ -72,19 +82,24 @@ core::Result<Station> keyboardMouseStation(const WorkspaceChoice& choice, const 
 core::Result<Station> personStation(const devices::Driver& driver, const WorkspaceChoice& choice, const ExerciseKind& kind,
                                     const catalogue::ExerciseLevel& level);
 
-/// A simulated mechanism of the kind's (`mechanism`: its kinematics id; "": the usual one), one for each instrument of the level, with a scripted operator on it. Failure: that of the kind's makeOperator();
-/// wrongUse for a mechanism that does not exist, or that the kind is not done on.
-/// `map`: how a force becomes motor torques on P2's gimbal (models.md §2.1). `mounting`: how every base stands, instead of what the level
-/// says, beside the kind's places; badInput as mappingOf(), wrongUse where the kind's scripted hands take D for W.
+/// A simulated mechanism of the exercise, one for each instrument of the level, with a scripted operator on
+/// it. `mechanism`: its kinematics id; "": the usual one. `map`: how a force is converted to motor torques on
+/// P2's gimbal (models.md §2.1). `mounting`: how every base is mounted relative to the exercise's positions,
+/// instead of the level's mounting.
+/// Errors: those of makeOperator(); wrongUse for a mechanism that does not exist or that the exercise does
+///   not support, and for a mounting if the scripted hands assume that D equals W; badInput as in
+///   mappingOf().
 core::Result<Station> scriptedStation(const ExerciseKind& kind, const catalogue::ExerciseLevel& level,
                                       const std::string& operatorName, std::uint64_t seed,
                                       mechanisms::PolarMap map = mechanisms::PolarMap::exact, std::string_view mechanism = {},
                                       const WorkspaceChoice& mounting = {});
 
-/// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that the level needs;
-/// rows of other tools are left out. All begin with the file's earliest row and end with its last: a tool waits where its own
-/// first row has it, and stays where its last one leaves it. `tool`: the kind's pointerTool(); an endoscope needs the columns of
-/// orientation, graspers the jaw's. Failure: badInput naming file and row, columns or the tool that is missing.
+/// A recorded trace as input devices (class "shown": nobody feels anything), one for each of the `tools` that
+/// the level needs; rows of other tools are ignored. All devices begin with the file's earliest row and end
+/// with its last: a tool stays at the position of its own first row before that row, and at that of its last
+/// row after it. `tool`: the exercise's pointerTool(); an endoscope needs the columns of orientation,
+/// graspers that of the jaw.
+/// Errors: badInput naming file and row, columns or the missing tool.
 core::Result<Station> traceStation(const scoring::TraceRows& rows, PointerTool tool = PointerTool::point, int tools = 1);
 
 } // namespace chiron::session

@@ -23,7 +23,7 @@ QByteArray dictionaryJson(const StudyExportData& data, const std::vector<ExportT
     return QJsonDocument(QJsonObject{{"protocol_sha256", data.sha256()}, {"missing", kNotAvailable}, {"reading", readingJson()}, {"files", files}}).toJson();
 }
 
-/// Psych-DS' metadata (schema.org's Dataset): what a data set is and which variables it holds.
+/// The metadata of Psych-DS (schema.org's Dataset): a description of the data set and its variables.
 QByteArray descriptionJson(const StudyExportData& data, const std::vector<ExportTable>& tables) {
     QJsonArray variables;
     QStringList named;
@@ -74,7 +74,8 @@ core::Result<void> exportStudyCsv(database::StudyReader& reader, database::Study
         files.emplace_back(table.name + ".csv", csvOf(table));
     files.emplace_back("data_dictionary.csv", csvOf(dictionaryOf(tables)));
     files.emplace_back("data_dictionary.json", dictionaryJson(*data, tables));
-    if (!data->blinded) // orders and tables in it would tell which code is which
+    // The orders and tables in it would reveal which code is which condition.
+    if (!data->blinded)
         files.emplace_back("design.json", QByteArray::fromStdString(data->record.designJson));
     files.emplace_back("dataset_description.json", descriptionJson(*data, tables));
     files.emplace_back("README.txt", readme(*data));

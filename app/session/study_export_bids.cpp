@@ -27,7 +27,7 @@ QString taskWords(psychophysics::Task task) {
     return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
 }
 
-/// What participants and conditions are called in names of files, where only letters and digits may be.
+/// The names of participants and conditions in file names, which may contain only letters and digits.
 struct Labels {
     std::map<QString, QString> subject; ///< by code
     std::map<QString, QString> task;    ///< by the condition's label
@@ -47,7 +47,8 @@ Labels labelsOf(const StudyExportData& data) {
 
 const ExportColumn kParticipantId{"participant_id", "", "sub- and the letters and digits of the participant's random code (x2, x3, … behind them where codes differ in other signs alone)"};
 
-/// The columns of a table without the first, which say whose it is: BIDS says that by names of files, and by participant_id.
+/// A table without its first columns, which identify the participant: BIDS does this by file names and by
+/// participant_id.
 ExportTable asParticipants(const ExportTable& table, const Labels& labels) {
     ExportTable result{table.name, table.description, {kParticipantId, {"code", "", "the participant's random code, as it was given"}}, {}};
     result.columns.insert(result.columns.end(), table.columns.begin() + 2, table.columns.end());
@@ -93,9 +94,10 @@ core::Result<void> writeRun(NewFolder& folder, const StudyExportData& data, cons
     return writeTable(folder, QStringLiteral("sub-%1/beh/%2%3_beh").arg(recording.subject, recording.stem(), recording.tail()), table, head);
 }
 
-/// What is told of a participant while conditions are sealed: one line, in place of the runs.
+/// The data of a participant while conditions are sealed: one line in place of the runs.
 core::Result<void> writeSealed(NewFolder& folder, const StudyExportData& data, const ExportedParticipant& participant, const ExportTable& quality, const QString& subject) {
-    ExportTable table{QStringLiteral("beh"), quality.description, {quality.columns.begin() + 2, quality.columns.end()}, {}}; // whose it is, the file's name says
+    // The file name identifies the participant.
+    ExportTable table{QStringLiteral("beh"), quality.description, {quality.columns.begin() + 2, quality.columns.end()}, {}};
     for (const QStringList& row : quality.rows)
         if (row[1].toStdString() == participant.participant.code)
             table.rows.push_back(row.mid(2));
@@ -104,7 +106,8 @@ core::Result<void> writeSealed(NewFolder& folder, const StudyExportData& data, c
     return writeTable(folder, QStringLiteral("sub-%1/beh/sub-%1_task-sealed_beh").arg(subject), table, head);
 }
 
-/// The recordings of a run, one a sitting. Erased ones, and those that the actor may not read, are left out.
+/// Writes the recordings of a run, one per session. Omits recordings that are erased or that the actor may
+/// not read.
 core::Result<void> writeSittings(NewFolder& folder, database::Connection& connection, const database::Actor& actor, const ExportedRun& run, BidsRecording recording) {
     std::vector<database::SessionId> sessions;
     for (const StudyTrial& trial : run.trials)
@@ -130,7 +133,7 @@ core::Result<void> writeSittings(NewFolder& folder, database::Connection& connec
 
 core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     ExportTable table = asParticipants(participantsTable(data), labels);
-    // Of participants without data there is no folder, and BIDS wants one for each line.
+    // BIDS requires a folder for each line, and participants without data have none.
     std::set<QString> withData;
     for (const ExportedParticipant& each : data.participants)
         if (std::any_of(each.runs.begin(), each.runs.end(), [&](const ExportedRun& run) { return data.sealed || !run.trials.empty(); }))
@@ -139,11 +142,13 @@ core::Result<void> writeParticipants(NewFolder& folder, const StudyExportData& d
     return writeTable(folder, "participants", table, {});
 }
 
-/// What a column of a questionnaire is about: nothing where it is asked once, else a condition. Behind a name, and in words.
+/// The condition of a questionnaire's column, as an ending of its name and in words; empty if the
+/// questionnaire is asked once.
 QString endingOf(const AnsweredPart& part) { return part.label.empty() ? QString() : u'_' + QString::fromStdString(part.label); }
 QString aboutOf(const AnsweredPart& part) { return part.label.empty() ? QString() : QStringLiteral("; about the condition ") + QString::fromStdString(part.label); }
 
-/// The scores of a part of a questionnaire by the participant's code, and their columns behind the questions'.
+/// The scores of a part of a questionnaire by the participant's code; their columns are appended to those of
+/// the questions.
 std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psychophysics::Questionnaire& questionnaire, const AnsweredPart& part, std::vector<ExportColumn>& columns) {
     std::map<QString, QStringList> by;
     const ExportTable scores = scoresTable(data);
@@ -164,14 +169,14 @@ std::map<QString, QStringList> scoresBy(const StudyExportData& data, const psych
     return by;
 }
 
-/// One part of a questionnaire with what its columns need.
+/// One part of a questionnaire with the data for its columns.
 struct PhenotypePart {
     AnsweredPart answered;
     std::map<QString, QStringList> scores; ///< by code
     int scoreColumns = 0;
 };
 
-/// A participant's cells of one part; empty where they answered nothing of it.
+/// A participant's cells of one part; empty if they answered none of its questions.
 QStringList cellsOf(const psychophysics::Questionnaire& questionnaire, const PhenotypePart& part, const ExportedParticipant& participant) {
     std::map<std::string, QString> given;
     QStringList languages;
@@ -194,12 +199,13 @@ QStringList cellsOf(const psychophysics::Questionnaire& questionnaire, const Phe
     return cells;
 }
 
-/// phenotype/ID.tsv: a line a participant, a column a question; of one that is asked after each condition a column a question and condition.
+/// Writes phenotype/ID.tsv: one line per participant, one column per question; for a questionnaire asked
+/// after each condition, one column per question and condition.
 core::Result<void> writeQuestionnaires(NewFolder& folder, const StudyExportData& data, const Labels& labels) {
     for (const psychophysics::Questionnaire& questionnaire : data.design->questionnaires) {
         ExportTable table{QString::fromStdString(questionnaire.id), english(questionnaire.title), {kParticipantId}, {}};
         std::vector<PhenotypePart> parts;
-        std::vector<qsizetype> widths; // of each part, in columns
+        std::vector<qsizetype> widths; // number of columns of each part
         for (AnsweredPart& answered : answeredParts(*data.design, questionnaire, data.answers)) {
             const std::size_t before = table.columns.size();
             for (const auto& item : questionnaire.items)
@@ -238,7 +244,8 @@ core::Result<void> writeHead(NewFolder& folder, const StudyExportData& data, con
                                          : QStringLiteral("sourcedata/design.json is the frozen protocol.\n");
     const QJsonObject description{{"Name", english(data.design->title)}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}, {"ProtocolSHA256", data.sha256()},
                                   {"Authors", QJsonArray{"n/a"}}, {"GeneratedBy", QJsonArray{QJsonObject{{"Name", "Chiron"}}}}};
-    if (!data.blinded) // orders and tables in it would tell which code is which
+    // The orders and tables in it would reveal which code is which condition.
+    if (!data.blinded)
         if (auto written = folder.write(QStringLiteral("sourcedata/design.json"), QByteArray::fromStdString(data.record.designJson)); !written)
             return written;
     for (const auto& [name, bytes] :

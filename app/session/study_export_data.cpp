@@ -15,7 +15,7 @@ namespace {
 
 using database::StudyTrial;
 
-/// Codes are random, so that neither the order of enrolment nor that of the runs shows in a table.
+/// Codes are random, so that the tables reveal neither the order of enrolment nor that of the runs.
 void sortByCodes(StudyExportData& data) {
     std::sort(data.participants.begin(), data.participants.end(),
               [](const auto& a, const auto& b) { return a.participant.code < b.participant.code; });

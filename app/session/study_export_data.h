@@ -13,12 +13,15 @@
 
 namespace chiron::session {
 
-/// One run with its trials, as exports and reports tell of it.
+/// One run with its trials, as exports and reports show it.
 struct ExportedRun {
     database::StudyRun run;
-    const psychophysics::Condition* condition = nullptr; ///< never null; while blinded any of the design's, so nothing is told of it that conditions do not share
+    /// Never null. While blinded it is any condition of the design, so that only values shared by all
+    /// conditions are used.
+    const psychophysics::Condition* condition = nullptr;
     QString label;                                       ///< condition's id, or its sealed code while blinded
-    int index = 1;                                       ///< from 1: among this participant's runs of this condition
+    int index = 1;                                       ///< number among this participant's runs of this
+                                                         ///< condition, from 1
     std::vector<database::StudyTrial> trials;
     psychophysics::RunEstimate estimate;
 };
@@ -28,7 +31,7 @@ struct ExportedParticipant {
     std::vector<ExportedRun> runs;
 };
 
-/// Everything of a study that leaves it. Move-only: runs point into `design`.
+/// All data of a study that may be exported. Move-only, because the runs point into `design`.
 struct StudyExportData {
     StudyExportData() = default;
     StudyExportData(StudyExportData&&) = default;
@@ -38,9 +41,10 @@ struct StudyExportData {
     std::unique_ptr<psychophysics::StudyDesign> design;
     database::Blinding blinding;
     bool blinded = false;
-    /// Conditions differ, and the study is blinded: runs have no trials and no estimate, so that nothing tells their conditions apart.
+    /// The study is blinded and its conditions differ: runs have no trials and no estimate, so that nothing
+    /// reveals the conditions.
     bool sealed = false;
-    bool oneTask = true;  ///< every condition asks the same; else answers would tell conditions apart
+    bool oneTask = true;  ///< every condition has the same task; otherwise answers would reveal the condition
     bool oneTable = true; ///< every condition has the same differences
     std::vector<ExportedParticipant> participants;
     std::vector<database::QuestionnaireAnswer> answers;
@@ -49,10 +53,11 @@ struct StudyExportData {
     QString sha256() const { return QString::fromStdString(record.summary.sha256); }
 };
 
-/// The trials that analysis takes: scored, answered, not practice.
+/// The trials that the analysis uses: scored and answered, without practice.
 std::vector<psychophysics::ScoredTrial> scoredTrialsOf(const std::vector<database::StudyTrial>& trials);
 
-/// Reads it all and estimates each run; while blinded ordered by codes. Failure: wrongUse for a draft; the reader's.
+/// Reads all data and estimates each run; ordered by codes while blinded.
+/// Errors: wrongUse for a draft; those of the reader.
 core::Result<StudyExportData> gatherStudy(database::StudyReader& reader, database::StudyNumber study);
 
 } // namespace chiron::session

@@ -48,7 +48,7 @@ QString stateWord(database::ParticipantState state) {
     return QLatin1String(words[static_cast<std::size_t>(state)]);
 }
 
-/// Pauses of trials that know theirs, together; not a number where none does.
+/// Total pauses of the trials that store them; NaN if none does.
 double pausedIn(const std::vector<database::StudyTrial>& trials) {
     double sum = std::numeric_limits<double>::quiet_NaN();
     for (const database::StudyTrial& trial : trials)
@@ -57,7 +57,7 @@ double pausedIn(const std::vector<database::StudyTrial>& trials) {
     return sum;
 }
 
-/// What its trials say of the sittings, each word once.
+/// The distinct values of a circumstance over a run's trials.
 QString eachOf(const std::vector<database::StudyTrial>& trials, std::string TrialCircumstances::*member) {
     QStringList words;
     for (const database::StudyTrial& trial : trials) {
@@ -70,7 +70,7 @@ QString eachOf(const std::vector<database::StudyTrial>& trials, std::string Tria
 
 QString forceWord(const std::optional<bool>& felt) { return !felt ? kNotAvailable : *felt ? QStringLiteral("felt") : QStringLiteral("shown"); }
 
-/// Of all sittings of a run. That of a single trial is in trials.
+/// The devices of all sessions of a run. That of a single trial is in the trials table.
 QStringList deviceCells(const StudyExportData& data, const std::vector<database::StudyTrial>& trials) {
     QStringList devices;
     std::optional<bool> felt;
@@ -92,7 +92,7 @@ const QuestionnaireItem* itemOf(const StudyExportData& data, const database::Que
     return nullptr;
 }
 
-/// A question of those that are written down at the enrolment. Free texts stay behind, as everywhere.
+/// A question of those asked at enrolment. Free texts are not exported, as elsewhere.
 struct EnrolmentField {
     const psychophysics::Questionnaire* of;
     const QuestionnaireItem* item;
@@ -113,7 +113,7 @@ QString fieldWords(const psychophysics::StudyText& words) {
     return found == words.end() ? QString() : QString::fromStdString(found->second);
 }
 
-/// Named as the question, and where that is taken, with the questionnaire's name before it.
+/// The column is named like the question, preceded by the questionnaire's name if that name is taken.
 ExportColumn enrolmentColumn(const EnrolmentField& field, const std::vector<ExportColumn>& taken) {
     const QString id = QString::fromStdString(field.item->id);
     const bool free = std::none_of(taken.begin(), taken.end(), [&](const ExportColumn& column) { return column.name == id; });
@@ -130,7 +130,7 @@ QString enrolmentCell(const StudyExportData& data, const EnrolmentField& field, 
     return kNotAvailable;
 }
 
-/// Nothing where the participant did not answer it.
+/// Empty if the participant did not answer this part.
 std::optional<psychophysics::QuestionnaireReply> replyOf(const AnsweredPart& part, database::ParticipantNumber participant) {
     psychophysics::QuestionnaireReply reply;
     for (const database::QuestionnaireAnswer& answer : part.answers)
@@ -139,7 +139,7 @@ std::optional<psychophysics::QuestionnaireReply> replyOf(const AnsweredPart& par
     return reply.numbers.empty() ? std::nullopt : std::optional(std::move(reply));
 }
 
-/// What an answer is about, and the score of answers.
+/// The columns with the condition that an answer is about, and with the score of answers.
 const ExportColumn kAbout{"condition", "", "that it is about, where the questionnaire is asked after each: its id in design.json, its sealed code while blinded; n/a where it is asked once"};
 
 QString kindWord(QuestionnaireItem::Kind kind) {

@@ -52,7 +52,7 @@ std::vector<ExportColumn> answerColumns() {
             {"paused_s", "s", "pauses of the trial, until force was back in full"}};
 }
 
-/// When, as events need it, and under what circumstances.
+/// The times that event files need, and the circumstances of the trial.
 std::vector<ExportColumn> timeColumns() {
     return {{"sitting", "1", "which sitting of the run, from 1; n/a without a recording (quick runs)"},
             {"onset", "s", "start of the presentation since the sitting's recording began, pauses included; n/a as sitting"},
@@ -108,7 +108,7 @@ void addTimes(QStringList& cells, const ExportedRun& run, const StudyTrial& tria
     cells << word(told.language) << word(told.masking);
 }
 
-/// Of a study of the apex; along x and y of the world, mark less apex.
+/// Only for a study of the apex; along x and y of the world, mark minus apex.
 std::vector<ExportColumn> markColumns() {
     return {{"mark_error_x", "m", "where an apex was marked beside where it is, along x; n/a in other studies, without a mark, and while blinded"},
             {"mark_error_y", "m", "the same along y"},
@@ -118,7 +118,8 @@ std::vector<ExportColumn> markColumns() {
             {"mark_planned", "", "drawn by the observer for planning: nothing was rendered", kYesNo}};
 }
 
-/// Whether what hangs on the task may be written: while blinded only if all conditions have the same.
+/// True if values that depend on the task may be exported: while blinded, only if all conditions have the
+/// same task.
 bool tellsTask(const StudyExportData& data) { return !data.blinded || data.oneTask; }
 
 bool isScored(const StudyTrial& trial) {
@@ -150,7 +151,8 @@ void addAnswer(QStringList& cells, const StudyExportData& data, const ExportedRu
     const bool tells = tellsTask(data);
     const auto index = [tells](int value) { return value < 0 || !tells ? kNotAvailable : QString::number(value); };
     const bool physical = run.condition->task == psychophysics::Task::adjustment;
-    const bool timed = trial.exploration_s > 0.0; // an observer who was told the values explored nothing
+    // An observer who received the values directly explored nothing.
+    const bool timed = trial.exploration_s > 0.0;
     cells << index(trial.answer) << (right < 0 || trial.answer < 0 || !tells ? kNotAvailable : exportFlag(trial.answer == right)) << index(trial.outcome)
           << (trial.value && tells && !(data.blinded && physical) ? exportNumber(*trial.value) : kNotAvailable) << (timed ? exportNumber(trial.exploration_s) : kNotAvailable)
           << (timed ? exportNumber(trial.answer_s) : kNotAvailable) << exportNumber(pausedOf(trial.fidelityJson));
@@ -164,7 +166,8 @@ void addMark(QStringList& cells, const StudyExportData& data, const StudyTrial& 
         return;
     }
     const double percent = mark->radius_m > 0.0 ? 100.0 / mark->radius_m : std::numeric_limits<double>::quiet_NaN();
-    for (const double error : {mark->errorX_m, mark->errorY_m}) // beside per cent they would tell the radius
+    // Beside the per cent they would reveal the radius.
+    for (const double error : {mark->errorX_m, mark->errorY_m})
         cells << (data.blinded ? kNotAvailable : exportNumber(error));
     for (const double error : {mark->errorX_m, mark->errorY_m})
         cells << exportNumber(error * percent);
@@ -188,7 +191,8 @@ void addFidelity(QStringList& cells, const StudyExportData& data, const StudyTri
         cells << (data.blinded ? kNotAvailable : number(at, "rendered"));
         cells << number(at, "contacts");
         for (const char* key : {"peak_force_N", "terminal_force_N"})
-            cells << (data.blinded ? kNotAvailable : number(at, key)); // forces tell hard from soft
+            // Forces reveal which object is hard and which is soft.
+            cells << (data.blinded ? kNotAvailable : number(at, key));
     }
 }
 

@@ -6,12 +6,14 @@
 
 namespace chiron::session {
 
-/// Runs a scripted session from inside: it gets each executed tick's frame, after the devices, and hands commands to the loop with
-/// `inputs.postOwn()`, which takes them in the next tick. So an as-fast run is the same every time. Thread: haptic; as-fast runs only,
-/// where it may allocate and wait.
+/// Controls a scripted session from inside: it receives the frame of each executed tick, after the devices,
+/// and sends commands to the loop with `inputs.postOwn()`, which takes effect in the next tick. A run faster
+/// than real time is therefore reproducible.
+/// Thread: haptic; only in runs faster than real time, in which it may allocate and wait.
 class ITickDirector : public core::IFrameSink {
 public:
-    virtual void connect(haptics::LiveInputs& inputs) noexcept = 0; ///< before the first tick; outlives the run
+    /// Called before the first tick; `inputs` outlives the run.
+    virtual void connect(haptics::LiveInputs& inputs) noexcept = 0;
 };
 
 } // namespace chiron::session

@@ -12,14 +12,15 @@
 
 namespace chiron::session {
 
-/// Stored counts -> the tip in W, by the session's own kinematics and mapping: one way for summaries, scores, export and
-/// playback. Immutable after it is made; any thread.
+/// Converts stored counts to the tip in W by the session's own kinematics and mapping. Summaries, scores,
+/// export and playback all use it. Immutable after construction.
+/// Thread: any.
 class ToolPositions final : public recording::IPositionOf, public IOrientationOf {
 public:
     static core::Result<std::unique_ptr<ToolPositions>> create(const SessionSetup& setup);
     core::Vec3 p_WT_m(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).p_WT; }
     core::Quat q_WT(int tool, const core::ToolFrame& frame) const noexcept override { return pose(tool, frame).q_WT; }
-    /// The device has an axis that turns.
+    /// True if the device has a rotary axis.
     bool turns(int tool) const noexcept override { return m_tools[static_cast<std::size_t>(tool)].turns; }
     /// Pose and jaw in W; velocities are zero.
     core::ToolState pose(int tool, const core::ToolFrame& frame) const noexcept;
@@ -34,7 +35,7 @@ private:
     std::vector<Tool> m_tools;
 };
 
-/// The packet that a frame holds, as the device gave it.
+/// The device packet that a frame holds.
 core::DeviceSample sampleOf(const core::ToolFrame& frame) noexcept;
 
 } // namespace chiron::session

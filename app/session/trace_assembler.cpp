@@ -53,7 +53,8 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
     if (!isRefused(frame.tool[0]))
         m_lastGood = frame.tool[0];
     for (std::size_t i = 0; i < static_cast<std::size_t>(m_tools); ++i) {
-        const bool isNew = !isRefused(frame.tool[i]) && m_clocks[i].advances(frame.tool[i].deviceTime_us); // also between trials
+        // The clocks also advance between trials.
+        const bool isNew = !isRefused(frame.tool[i]) && m_clocks[i].advances(frame.tool[i].deviceTime_us);
         if (isNew && m_inTrial && m_time.started())
             appendTool(frame, i);
         if (m_inTrial && frame.header.paused == 0)
@@ -61,7 +62,7 @@ void TraceAssembler::append(const core::HapticFrame& frame) {
     }
 }
 
-/// A tick that the newest sample had.
+/// Counts a tick during which the newest sample was held.
 void TraceAssembler::hold(std::size_t index) {
     std::vector<std::uint32_t>& held = m_trials.back().tools[index].heldTicks;
     ++(held.empty() ? m_ticksBefore[index] : held.back());
@@ -85,7 +86,8 @@ void TraceAssembler::appendTool(const core::HapticFrame& frame, std::size_t inde
         trace.tissueTorque_Nm.push_back(torqueOf(tool.tissue));
     }
     if (tool.status & core::sample_status::kMeasuredForce) {
-        trace.measured_N.resize(trace.t_s.size(), core::Vec3::Zero()); // packets before the first measured one
+        // Zeros for packets before the first measured one.
+        trace.measured_N.resize(trace.t_s.size(), core::Vec3::Zero());
         trace.measured_N.back() = forceOf(tool.measured);
     } else if (!trace.measured_N.empty()) {
         trace.measured_N.push_back(core::Vec3::Zero());
@@ -102,7 +104,7 @@ void TraceAssembler::end(const core::HapticFrame& frame) {
     trial.timedOut = (frame.header.events & core::event_bits::kTimedOut) != 0;
     trial.failed = (frame.header.events & core::event_bits::kFailed) != 0;
     trial.p_WMark_m = onNanometres(m_positions.p_WT_m(0, m_lastGood));
-    // Contact as models.md §6 has it for every metric: more than 0.02 N of tissue force.
+    // Contact as models.md §6 defines it for every metric: more than 0.02 N of tissue force.
     trial.markInContact = forceOf(frame.tool[0].tissue).norm() > 0.02;
 }
 

@@ -15,7 +15,7 @@
 
 namespace chiron::session {
 
-/// Tells the packets of one tool that bring new time from those that were read before.
+/// Distinguishes packets of one tool that advance its time from packets that were read before.
 class SampleClock {
 public:
     bool advances(std::uint64_t deviceTime_us) noexcept {
@@ -31,29 +31,32 @@ private:
     std::uint64_t m_last_us = 0;
 };
 
-/// Stored frames -> what metrics see. Frames are given in order, chunk by chunk, so a long session is never held as
-/// frames; a trial runs from its kTrialStarted frame to its kMarked, kCompleted, kTimedOut or kFailed frame, both included. A trial that has
-/// no end (stopped, interrupted) stays, unmarked, as does one that ended with its trace (trace_mark.h). A packet read twice (device time not later than the last kept one
-/// of that tool, over the whole recording) gives one sample; one that the supervisor refused gives none, and a mark that came with
-/// it is where the last good one left the tool. Orientation and torque are kept of tools that can turn; the scene's quantities as
-/// they were at the samples of tool 0, which stands for the tick. Live scoring, review and verify all come through here.
+/// Converts stored frames to the traces that metrics use. Frames are added in order, chunk by chunk, so a
+/// long session is never held as frames. A trial runs from its kTrialStarted frame to its kMarked,
+/// kCompleted, kTimedOut or kFailed frame, both included. A trial without an end (stopped, interrupted) is
+/// kept as unmarked, as is one that ended with its trace (trace_mark.h). A packet that was read twice (device
+/// time not later than the last kept one of that tool, over the whole recording) gives one sample. A packet
+/// that the supervisor refused gives none, and a mark that arrived with it is placed where the last good
+/// packet left the tool. Orientation and torque are kept for tools that can turn; the scene's quantities are
+/// kept at the samples of tool 0, which represents the tick. Live scoring, review and verify all use this
+/// class.
 class TraceAssembler {
 public:
-    /// `orientations` may be null: then no tool turns. `quantities`: those that the recording has.
+    /// `orientations` may be null: then no tool turns. `quantities`: those of the recording.
     TraceAssembler(const recording::IPositionOf& positions, int tools, const IOrientationOf* orientations = nullptr,
                    RecordedQuantities quantities = {})
         : m_positions(positions), m_orientations(orientations), m_tools(tools), m_quantities(std::move(quantities)) {}
 
     void add(std::span<const core::HapticFrame> frames);
     std::vector<scoring::TrialTrace> takeTrials() { return std::move(m_trials); }
-    /// Whether the last trial has no end: it was cut off by a stop, or by the program's own end.
+    /// True if the last trial has no end because it was cut off by a stop or by the end of the program.
     bool lastIsCutOff() const { return m_inTrial; }
 
 private:
     void begin(const core::HapticFrame& frame);
     void append(const core::HapticFrame& frame);
     void appendTool(const core::HapticFrame& frame, std::size_t tool);
-    void hold(std::size_t tool); ///< one more running tick for the newest sample
+    void hold(std::size_t tool); ///< counts one more running tick for the newest sample
     void end(const core::HapticFrame& frame);
 
     const recording::IPositionOf& m_positions;
@@ -64,7 +67,7 @@ private:
     DeviceTime m_time;
     std::array<SampleClock, core::kMaxTools> m_clocks{};
     std::array<std::uint32_t, core::kMaxTools> m_ticksBefore{}; ///< running ticks of the trial before its first sample
-    core::ToolFrame m_lastGood{}; ///< of tool 0: where a mark is taken
+    core::ToolFrame m_lastGood{}; ///< of tool 0: the position of a mark
     std::vector<scoring::TrialTrace> m_trials;
 };
 

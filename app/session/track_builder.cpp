@@ -20,7 +20,7 @@ constexpr double kContact_N = 0.02;
 
 double normOf(const core::Array6& wrench) { return std::hypot(wrench[0], wrench[1], wrench[2]); }
 
-/// Stored token of a step, as PlaybackMark::detail says it; empty for what is no step to be done.
+/// The stored token of a step, as in PlaybackMark::detail; empty if it is not a step to be done.
 std::string_view tokenOf(core::LaparoscopyStep step) {
     switch (step) {
     case core::LaparoscopyStep::grasp: return "grasp";
@@ -37,7 +37,7 @@ std::string_view tokenOf(core::LaparoscopyStep step) {
     return {};
 }
 
-/// Where the steps of a task were recorded, a change says which step began.
+/// If the steps of a task were recorded, each stage change gets the name of the step that began.
 void nameSteps(PlaybackTrack& track) {
     const PlaybackQuantity* step = track.quantity("step");
     if (step == nullptr)
@@ -74,10 +74,11 @@ void TrackBuilder::add(std::span<const core::HapticFrame> frames) {
 }
 
 void TrackBuilder::add(const core::HapticFrame& frame) {
-    // A sample never reaches over a trial's ends: what a trial's samples hold is what its metrics see.
+    // A sample never extends across the ends of a trial, so that a trial's samples contain exactly what its
+    // metrics use.
     if ((frame.header.events & core::event_bits::kTrialStarted) && m_inSample > 0)
         closeSample();
-    // A device whose clock stands still or steps back adds no time: playback's time never runs backwards.
+    // A device whose clock stops or steps back adds no time, so that playback time never decreases.
     m_now_s = std::max(m_now_s, m_time.at(frame));
     m_marks.add(frame, m_now_s);
     addTrial(frame);
@@ -111,7 +112,7 @@ void TrackBuilder::addForces(PlaybackTool& tool, const core::ToolFrame& frame) {
     }
 }
 
-/// Whatever made the clock stand still: a pause, a stop, a fault.
+/// Any reason for a stopped clock counts: a pause, a stop, a fault.
 void TrackBuilder::addPause(bool paused) {
     if (paused && !m_paused)
         m_track.paused.push_back({m_now_s, m_now_s});
@@ -120,8 +121,8 @@ void TrackBuilder::addPause(bool paused) {
     m_paused = paused;
 }
 
-/// The open sample becomes one of the track, with the last frame's pose; where no time has passed since the one before, it
-/// stays open.
+/// Adds the open sample to the track with the last frame's pose; if no time has passed since the previous
+/// sample, it stays open.
 void TrackBuilder::closeSample() {
     if (!m_track.moments.empty() && m_now_s <= m_track.moments.back().t_s)
         return;
@@ -136,7 +137,8 @@ void TrackBuilder::closeSample() {
         tool.p_WT = pose.p_WT;
         tool.q_WT = pose.q_WT;
         tool.jaw_rad = pose.jaw_rad;
-        const bool through = core::contactOfStatus(m_last.tool[i].status) & core::contact_bits::kThrough; // no surface holds it
+        // No surface holds the tool.
+        const bool through = core::contactOfStatus(m_last.tool[i].status) & core::contact_bits::kThrough;
         tool.p_WProxy = present && !through ? m_surfaces.surfacePoint(header.trial, pose.p_WT) : pose.p_WT;
         m_track.tools.push_back(tool);
         tool = {};
@@ -169,7 +171,7 @@ void TrackBuilder::addTrial(const core::HapticFrame& frame) {
     }
 }
 
-/// Central differences over 40 ms: what a person would call the speed, without the encoder's steps.
+/// Central differences over 40 ms: the speed that a person would perceive, without the encoder's steps.
 void TrackBuilder::addSpeeds() {
     constexpr std::size_t kHalf = 5;
     const std::size_t n = m_track.moments.size();

@@ -16,11 +16,13 @@ namespace chiron::session {
 
 class SessionView;
 
-/// Adds up the frames of a recording, in order, to the samples, trials and marks of a track. A session without frames gives an empty one.
-/// What only the whole of a trial can tell is marked afterwards (ExerciseKind::addMarks).
+/// Accumulates the frames of a recording, in order, into the samples, trials and marks of a track. A session
+/// without frames gives an empty track. Marks that need the whole trial are added afterwards
+/// (ExerciseKind::addMarks).
 class TrackBuilder {
 public:
-    /// `surfaces`: what could be touched in each trial; it outlives the builder, as does the view.
+    /// `surfaces`: the geometry that could be touched in each trial. It must outlive the builder, as must the
+    /// view.
     TrackBuilder(SessionView& session, const TrialSurfaces& surfaces);
     void add(std::span<const core::HapticFrame> frames);
     PlaybackTrack take();
@@ -38,7 +40,7 @@ private:
     const TrialSurfaces& m_surfaces;
     MarkExtractor m_marks;
     PlaybackTrack m_track;
-    std::vector<PlaybackTool> m_open; ///< the sample being added up
+    std::vector<PlaybackTool> m_open; ///< the sample that is being accumulated
     core::HapticFrame m_last;
     int m_inSample = 0;
     bool m_inTrial = false;

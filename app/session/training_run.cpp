@@ -19,24 +19,26 @@ namespace chiron::session {
 
 namespace {
 
-/// A quarter of the smallest ring: as-fast runs wait there for the drain, so that no frame is ever dropped.
+/// A quarter of the smallest ring: runs faster than real time wait at this interval for the drain, so that no
+/// frame is ever dropped.
 constexpr std::uint64_t kFlushEvery_ticks = 1024;
 
-/// A person may pause for as long as it takes, and can end the session by hand.
+/// A person may pause for any length of time, and can end the session by hand.
 constexpr std::uint64_t kNoTickLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// As-fast task: the same ticks, with a stop for the writer now and then.
+/// The same task for runs faster than real time, with regular waits for the writer.
 struct ThrottledTask {
     RunTask& task;
     database::WriterThread& writer;
     bool tick(const realtime::HapticTick& now) noexcept {
         if (now.index() % kFlushEvery_ticks == kFlushEvery_ticks - 1)
-            (void)writer.flush(); // an error stays with the source and comes out at the end
+            (void)writer.flush(); // an error stays with the source and is reported at the end
         return task.tick(now);
     }
 };
 
-/// The scene's slow model (null: none) is stepped by a thread of its own, from before the first tick to after the last one.
+/// A separate thread steps the scene's slow model (null: none), from before the first tick until after the
+/// last one.
 LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop, simulation::ISlowModel* slowModel) {
     LoopReport report;
     std::atomic<bool> stop{false};
@@ -55,7 +57,8 @@ LoopReport runRealtime(RunTask& task, haptics::HapticLoop& loop, simulation::ISl
         report.priorityDetail = status.priorityDetail;
     });
     haptic.join();
-    slow.reset(); // after the ticks that ask it, before the devices close and the scene goes
+    // After the ticks that use it, before the devices close and the scene is destroyed.
+    slow.reset();
     setPunctuality(report, loop.statistics());
     return report;
 }
@@ -114,17 +117,17 @@ core::Result<database::SessionId> beginSession(database::Database& database, con
     });
 }
 
-/// A session that came to no tick: it is kept and listed, as faulted, instead of staying open for ever.
+/// Ends a session that had no tick: it is stored as faulted instead of staying open for ever.
 tl::unexpected<core::Error> abandon(database::Database& database, const database::Actor& actor,
                                     database::SessionId session, core::Error why) {
     (void)database.write([&](database::WriteContext& context) {
         return database::SessionRepository(context.connection(), actor)
             .finishSession(session, {.state = database::SessionState::faulted});
-    }); // the first error is the one worth telling
+    }); // the first error is the one to report
     return tl::unexpected(std::move(why));
 }
 
-/// The loop and what it is made of, for the length of one run.
+/// Creates the loop and its parts for the duration of one run.
 core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& request, const SessionSetup& setup,
                                  const ExerciseKind& kind, LiveRecording& recording) {
     std::vector<devices::IDevice*> devices;
@@ -148,7 +151,7 @@ core::Result<LoopReport> runLoop(database::Database& database, TrainingRequest& 
         return tl::unexpected(loop.error());
     if (!request.live)
         inputs.postOwn({core::CommandKind::start});
-    else // a window that never comes up is a frozen one
+    else // so that a window that never opens counts as frozen
         inputs.beat(request.realtime ? core::monotonicNow_ns() : 0);
     if (request.director)
         request.director->connect(inputs);
@@ -168,7 +171,7 @@ haptics::SafetySettings headlessSafety(const catalogue::ExerciseLevel& level) {
         safety.exerciseTorque_Nm = (*kind)->torqueLimit_Nm(level);
         safety.capKnee = (*kind)->capKnee();
     }
-    safety.heartbeatWatched = false; // no window whose freezing could matter
+    safety.heartbeatWatched = false; // there is no window that could freeze
     return safety;
 }
 
@@ -202,7 +205,7 @@ core::Result<TrainingResult> runTrainingOn(database::Database& database, const d
     auto loop = runLoop(database, request, setup, **kind, **recording);
     for (StationTool& tool : request.station.tools)
         tool.device->close();
-    if (!loop) { // no tick was made: nothing is in the ring
+    if (!loop) { // no tick was executed, so the ring is empty
         (void)(*recording)->finish();
         return abandon(database, actor, *session, loop.error());
     }

@@ -20,22 +20,24 @@
 
 namespace chiron::session {
 
-/// One session to be run. The station is used up.
+/// A session to be run. Running it consumes the station.
 struct TrainingRequest {
     catalogue::ExerciseLevel level;
     std::uint64_t seed = 1;
     Station station;
-    bool realtime = false; ///< false: as fast as the machine can, with the same result
+    bool realtime = false; ///< false: faster than real time, with the same result
     bool familiarisation = false;
-    std::int64_t studyRun = 0;                ///< run of a study that it is recorded for; 0: none
-    std::filesystem::path ringFolder;         ///< of the crash ring; recording::defaultRingFolder()
+    std::int64_t studyRun = 0;                ///< run of a study for which it is recorded; 0: none
+    std::filesystem::path ringFolder;         ///< folder of the crash ring; recording::defaultRingFolder()
     core::IFrameSink* witness = nullptr;      ///< also gets every frame, on the haptic thread
-    const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session ends as *stopped*
-    /// Gives the commands of an as-fast run and ends it (no tick limit then). Outlives the run.
+    const std::atomic<bool>* cancel = nullptr; ///< set from outside: the session then ends as *stopped*
+    /// Gives the commands of a run faster than real time and ends it (there is then no tick limit). Must
+    /// outlive the run.
     ITickDirector* director = nullptr;
-    std::function<void(database::SessionId)> onSession; ///< told once the session is listed, before its first tick; may be empty
-    /// A window: its heartbeat is watched, its `start` command begins the first trial, and nothing but the exercise, `end`
-    /// and `cancel` end the session. Outlives the run.
+    /// Called once the session is stored, before its first tick; may be empty.
+    std::function<void(database::SessionId)> onSession;
+    /// The link to a window: its heartbeat is monitored, its `start` command begins the first trial, and only
+    /// the exercise, `end` and `cancel` end the session. Must outlive the run.
     LiveLink* live = nullptr;
 };
 
@@ -46,12 +48,13 @@ struct TrainingResult {
     scoring::ScoreCard scores;
 };
 
-/// Runs one session from first tick to stored score: composes scene, devices, supervisor, loop, ring and drain, owns
-/// their threads and their stop order (zero force, haptic thread, devices, drain, end of session, scores). Blocking; call it on a
-/// worker. Failure before the first tick leaves no session; after it, what was recorded stays for recovery.
+/// Runs one session from the first tick to the stored score: composes scene, devices, supervisor, loop, ring
+/// and drain, and owns their threads and the order in which they stop (zero force, haptic thread, devices,
+/// drain, end of session, scores). A failure before the first tick leaves no session; after a later one, the
+/// recorded data stay for recovery. Blocks; call it on a worker.
 core::Result<TrainingResult> runTraining(database::Database& database, const database::Actor& actor,
                                          TrainingRequest request);
-/// The same with a request that the caller keeps, station and all, while it runs and after it.
+/// The same with a request that the caller keeps, including the station, during the run and after it.
 core::Result<TrainingResult> runTrainingOn(database::Database& database, const database::Actor& actor,
                                            TrainingRequest& request);
 

@@ -8,25 +8,28 @@
 
 namespace chiron::session {
 
-/// A lump below a surface that is palpated. W, m.
+/// A lump below a surface that is palpated.
+/// Unit: m.
+/// Frame: W.
 struct TrialLump {
     core::Vec3 p_WCentre = core::Vec3::Zero();
-    core::Vec3 p_WAbove = core::Vec3::Zero(); ///< the surface point above it: where a mark should be
+    core::Vec3 p_WAbove = core::Vec3::Zero(); ///< the surface point above it: the correct position of a mark
     double radius_m = 0.0;
-    double reach_m = 0.0; ///< a mark so near to the place above it has found it
+    double reach_m = 0.0; ///< a mark within this distance of the point above it has found it
 };
 
-/// The object of one trial, as playback draws it: what was true, from content and seed.
+/// The object of one trial, as playback draws it: the truth from content and seed.
 struct TrialObject {
     core::Vec3 p_WObject = core::Vec3::Zero(); ///< m; sphere_apex: centre of the ball, in the plane
     double radius_m = 0.0;
-    std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, where the level has a decoy
-    double turn_rad = 0.0; ///< of a meshed dome about the vertical
-    std::vector<TrialLump> lumps{}; ///< palpation: what was to be found (before a control moved it)
+    std::optional<core::Vec2> dimpleCentre_m; ///< x, y in W, if the level has a decoy
+    double turn_rad = 0.0; ///< rotation of a meshed dome about the vertical
+    std::vector<TrialLump> lumps{}; ///< palpation: the true lumps (before a research control moved them)
 };
 
-/// What could be touched in each trial of a session, made again from its stored content and seed: the same geometry
-/// that was felt. Immutable; any thread.
+/// The geometry that could be touched in each trial of a session, restored from its stored content and seed:
+/// the same geometry as the felt one. Immutable.
+/// Thread: any.
 class TrialSurfaces {
 public:
     TrialSurfaces() = default;
@@ -34,9 +37,10 @@ public:
     TrialSurfaces& operator=(const TrialSurfaces&) = delete;
     virtual ~TrialSurfaces() = default;
 
-    /// Nothing for a trial that was not planned.
+    /// Empty for a trial that was not planned.
     virtual std::optional<TrialObject> object(int trial) const = 0;
-    /// Where a tool that stays at the surface is drawn, m in W; `p_WT` itself out of contact and without an object.
+    /// The drawn position of a tool that stays at the surface, m in W; equal to `p_WT` out of contact and
+    /// without an object.
     virtual core::Vec3 surfacePoint(int trial, const core::Vec3& p_WT) const = 0;
 };
 

@@ -9,13 +9,15 @@
 
 namespace chiron::session {
 
-/// A participant who has left a study and is not erased yet.
+/// A participant who has withdrawn from a study and whose data are not erased yet.
 struct WithdrawnParticipant {
     database::Participant participant;
     std::string studyTitle;
 };
 
-/// Of every study and its pilots, archived ones too; those who asked for their recordings to be erased come first. Failure: the reader's.
+/// Withdrawn participants of all studies and their pilots, including archived ones; those who requested the
+/// erasure of their recordings come first.
+/// Errors: those of the reader.
 core::Result<std::vector<WithdrawnParticipant>> withdrawnParticipants(database::StudyReader& reader);
 
 } // namespace chiron::session

@@ -64,7 +64,8 @@ const scoring::MetricValue* metricIn(const std::vector<scoring::MetricValue>& me
     return found == metrics.end() ? nullptr : &*found;
 }
 
-/// The end of the trial whose own value is worst by the gate: the largest under a maximum, the smallest over a minimum.
+/// The end of the trial whose own value is worst for the gate: the largest under a maximum, the smallest over
+/// a minimum.
 std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring::ScoreCard& card,
                                       const scoring::Gate& gate) {
     std::optional<WorstMoment> worst;
@@ -81,7 +82,7 @@ std::optional<WorstMoment> worstTrial(const PlaybackTrack& track, const scoring:
     return worst;
 }
 
-/// The mark with the largest value of its kind, of those with this detail.
+/// The mark of this type and detail with the largest value.
 std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkKind kind, double factor,
                                        std::string_view unit, bool onlyCritical = false, const char* detail = "") {
     const PlaybackMark* found = nullptr;
@@ -98,7 +99,7 @@ std::optional<WorstMoment> largestMark(const PlaybackTrack& track, PlaybackMarkK
     return worst;
 }
 
-/// Where it first happened, of what is counted; the session's count is the value.
+/// The first event of the types that the metric counts; the value is the session's count.
 std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector<PlaybackMarkKind>& kinds, const scoring::MetricValue& metric) {
     for (const PlaybackMarkKind kind : kinds)
         for (const PlaybackMark& mark : track.marks)
@@ -113,7 +114,7 @@ std::optional<WorstMoment> firstOf(const PlaybackTrack& track, const std::vector
     return std::nullopt;
 }
 
-/// Where one of the scene's quantities was largest within a trial.
+/// The moment at which one of the scene's quantities was largest within a trial.
 std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::string_view id, std::string_view unit) {
     const PlaybackQuantity* quantity = track.quantity(id);
     std::optional<WorstMoment> worst;
@@ -130,7 +131,7 @@ std::optional<WorstMoment> largestQuantity(const PlaybackTrack& track, std::stri
     return worst;
 }
 
-/// Where what the metric measures was largest in any trial, if the exercise says so.
+/// The largest peak of the metric in any trial, if the exercise provides peaks.
 std::optional<WorstMoment> largestPeak(const PlaybackTrack& track, const std::string& metric) {
     const PlaybackPeak* found = nullptr;
     for (const PlaybackPeak& peak : track.peaks)
@@ -157,8 +158,8 @@ std::optional<WorstMoment> byRule(const PlaybackTrack& track, const MomentRule& 
     return std::nullopt;
 }
 
-/// Where a gate on a metric was missed, if it has a place in time of its own: a force, an event, a largest value. Nothing for what
-/// is spread over a trial.
+/// The moment at which a gate on a metric was missed, if it has one: a force, an event, a largest value.
+/// Empty for metrics that are spread over a trial.
 std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::MetricValue& metric) {
     using enum PlaybackMarkKind;
     const std::string& id = metric.id;
@@ -170,7 +171,8 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
         if (auto broken = largestMark(track, yielded, 1e3, "mN·m", false, kByTorque))
             return broken;
         auto spoiled = firstOf(track, {failed, damaged}, metric);
-        return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true); // too long or too hard against a wall that held
+        // Otherwise a trauma that lasted too long or was too hard, without damage.
+        return spoiled ? spoiled : largestMark(track, trauma, 1.0, "N", true);
     }
     if (const auto kind = exerciseKind(track.exercise))
         for (const MomentRule& rule : (*kind)->momentRules())
@@ -179,7 +181,8 @@ std::optional<WorstMoment> located(const PlaybackTrack& track, const scoring::Me
     return largestPeak(track, id);
 }
 
-/// What a gate on a metric that is spread over a trial is led to: the trial that tore, or that did worst, at its end.
+/// The moment for a failed gate on a metric that is spread over a trial: the trial that tore, or the end of
+/// the worst trial.
 std::optional<WorstMoment> spread(const PlaybackTrack& track, const scoring::ScoreCard& card, const scoring::Gate& gate,
                                   const scoring::MetricValue& metric) {
     if (gate.metric == "procedure_completed")
@@ -197,7 +200,7 @@ std::optional<WorstMoment> worstOf(const PlaybackTrack& track, const scoring::Sc
     for (const scoring::Gate& gate : gates)
         if (const scoring::MetricValue* metric = metricIn(card.metrics, gate.metric); metric && metric->passed == std::optional<bool>(false))
             missed.push_back(&gate);
-    // Broken tissue is worse than anything else that went wrong.
+    // Broken tissue is worse than any other failure.
     std::stable_partition(missed.begin(), missed.end(), [](const scoring::Gate* gate) { return gate->metric == "critical_errors"; });
     const auto ledBy = [](WorstMoment worst, const scoring::Gate& gate) {
         worst.reason = gate.metric;

@@ -14,7 +14,7 @@ simulation::YieldLaw yieldLawOf(const catalogue::ExerciseLevel& level) {
 }
 
 bool gaveWayToTorque(const simulation::YieldLaw& law, double force_N, double torque_Nm) noexcept {
-    return torque_Nm / law.torque_Nm > force_N / law.force_N; // without a limit: 0
+    return torque_Nm / law.torque_Nm > force_N / law.force_N; // 0 if there is no limit
 }
 
 YieldCause yieldCauseOf(const simulation::YieldLaw& law, const std::string& detailJson) {

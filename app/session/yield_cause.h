@@ -8,12 +8,13 @@
 
 namespace chiron::session {
 
-/// When a level's tissue gives way, as its kind says (ExerciseKind::yieldLaw); of a kind that is not known, never.
+/// The law by which a level's tissue gives way, as defined by its exercise (ExerciseKind::yieldLaw); never
+/// for an unknown exercise.
 simulation::YieldLaw yieldLawOf(const catalogue::ExerciseLevel& level);
 
-/// Whether it was the torque that tissue gave way to: what the law answered at that tick, ‖f‖ in N and ‖τ‖ in N·m, is at the limit of one of
-/// them and below that of the other (simulation::TissueYield). A law without a yield torque, as of sessions before there was one, gives way to
-/// force alone. Pure.
+/// True if the tissue gave way to the torque: at that tick, ‖f‖ in N and ‖τ‖ in N·m of the law's response,
+/// one is at its limit and the other below its own (simulation::TissueYield). A law without a yield torque,
+/// as in sessions before it existed, gives way to force alone. Pure function.
 bool gaveWayToTorque(const simulation::YieldLaw& law, double force_N, double torque_Nm) noexcept;
 
 /// The same from a stored event "tissue_yielded".
@@ -21,7 +22,7 @@ struct YieldCause {
     bool byTorque = false;
     double value = 0.0; ///< the force in N, or the torque in mN·m
 };
-/// `detailJson`: as EventExtractor writes it.
+/// `detailJson`: in the format that EventExtractor writes.
 YieldCause yieldCauseOf(const simulation::YieldLaw& law, const std::string& detailJson);
 
 } // namespace chiron::session

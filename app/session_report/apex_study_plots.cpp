@@ -15,7 +15,7 @@ using report::PlotView;
 
 namespace {
 
-constexpr std::size_t kNamed = 8; ///< people in the legend, at most
+constexpr std::size_t kNamed = 8; ///< largest number of people in the legend
 
 QString nameOf(const std::vector<QString>& names, int participant) {
     const auto at = static_cast<std::size_t>(participant);

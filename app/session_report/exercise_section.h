@@ -9,8 +9,8 @@
 
 namespace chiron::session_report {
 
-/// What the exercise of this level alone shows in a report of a session; null where it has nothing to show. A new kind adds a line in
-/// app/exercises/report_catalogue.cpp. Pure.
+/// The section of a session's report that is specific to the level's exercise; null if there is none. A new
+/// exercise adds a line in app/exercises/report_catalogue.cpp. Pure function.
 std::shared_ptr<const report::ReportSection> exerciseSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
 } // namespace chiron::session_report

@@ -9,12 +9,12 @@
 
 namespace chiron::session_report {
 
-/// The translation context of what is said of marks.
+/// The translation context for the words of marks.
 struct MarkTexts {
     Q_DECLARE_TR_FUNCTIONS(PlaybackMarks)
 };
 
-/// What a trial's end, and damage, are called in an exercise. None is anybody's default.
+/// An exercise's words for the end of a trial and for damage. There are no defaults.
 struct EndWords {
     QString marked;
     QString completed;
@@ -23,11 +23,12 @@ struct EndWords {
     QString damaged;
 };
 
-/// Of the exercise with this id; of one that is not known, empty. A new kind adds its line in app/exercises/report_catalogue.cpp. In the
-/// program's language, as the next.
+/// The words of the exercise with this id; empty if the exercise is not known. A new exercise adds its line
+/// in app/exercises/report_catalogue.cpp. This function and the next use the program's language.
 EndWords endWords(std::string_view exercise);
 
-/// What a level's tool is called where its tools are told apart: "Right instrument", "Middle finger". `tools`: how many there are.
+/// The name of a level's tool, for levels with several tools: "Right instrument", "Middle finger". `tools`:
+/// number of tools.
 QString toolName(const catalogue::ExerciseLevel& level, int tool, int tools);
 
 } // namespace chiron::session_report

@@ -34,7 +34,7 @@ QString whetherThereIsOne(const GroupRoll& roll, const QLocale& locale) {
                             : Words::tr("The group value includes %1 of %2 participants.").arg(locale.toString(used), locale.toString(expected));
 }
 
-/// Why they are not in it, and what to do. "%1": their codes.
+/// The reason why participants are not included, and the action to take. "%1": their codes.
 QString reason(Presence presence, bool closed) {
     switch (presence) {
     case Presence::notBegun:
@@ -69,7 +69,7 @@ QString reason(Presence presence, bool closed) {
     return {};
 }
 
-/// Who has a value in one of two conditions alone.
+/// The codes of people who have a value in only one of two conditions.
 std::vector<std::string> onlyIn(const GroupRoll& roll, const GroupRoll& other) {
     std::vector<std::string> codes = roll.codesOf(Presence::used);
     std::erase_if(codes, [&](const std::string& code) { return other.of(code) == Presence::used; });
@@ -85,13 +85,14 @@ QString notCompared(const GroupRoll& first, const GroupRoll& second, const QStri
         if (second.of(code) == Presence::used)
             both.push_back(code);
     if (both.empty())
-        return Words::tr("“%1” and “%2” are not compared: their values cannot be set against each other.").arg(a, b); // of numbers said there is no Weber fraction
+        // For stated numbers (magnitude estimation) there is no Weber fraction.
+        return Words::tr("“%1” and “%2” are not compared: their values cannot be set against each other.").arg(a, b);
     return Words::tr("“%1” and “%2” are not compared yet: only %3 has a value in both, and at least two participants are needed; nor are there two groups, since nobody has a "
                      "value in “%4” alone.")
         .arg(a, b, joined(both), onlyIn(first, second).empty() ? a : b);
 }
 
-/// Of two groups of which one is a single person there is a ratio, and nothing says how sure it is.
+/// If one of two groups is a single person, there is a ratio but no measure of its uncertainty.
 QString withoutInterval(const session::ComparedConditions& compared, const QString& a, const QString& b, const QLocale& locale) {
     const psychophysics::ConditionComparison& weber = compared.weber;
     if (std::isfinite(weber.pValue) || weber.paired)
@@ -100,7 +101,7 @@ QString withoutInterval(const session::ComparedConditions& compared, const QStri
         .arg(a, b, locale.toString(weber.first), locale.toString(weber.second));
 }
 
-/// The same in a few words.
+/// The same reasons in a few words.
 QString whyNot(Presence presence) {
     switch (presence) {
     case Presence::used:
@@ -131,10 +132,11 @@ QString whyNot(Presence presence) {
     return {};
 }
 
-/// Left out of a whole study, which its groups tell.
+/// True if the participant is left out of the whole study; the group sentences already state this.
 bool isOut(Presence presence) { return presence == Presence::withdrawn || presence == Presence::simulated; }
 
-/// Who takes part and is not in the comparison of two conditions, and why. `groups`: it is of different people, and who did both is in neither.
+/// The participants who are missing from the comparison of two conditions, and why. `groups`: the comparison
+/// is between different people, and somebody who did both is in neither group.
 QStringList missing(const GroupRoll& first, const GroupRoll& second, const QString& a, const QString& b, bool groups) {
     QStringList said;
     std::vector<std::string> codes;
@@ -156,7 +158,7 @@ QStringList missing(const GroupRoll& first, const GroupRoll& second, const QStri
     return said;
 }
 
-/// Who is left out of a whole study, each once.
+/// The participants who are left out of the whole study, each once.
 QStringList outOfAll(const std::vector<GroupRoll>& rolls) {
     QStringList said;
     for (const Presence presence : {Presence::simulated, Presence::withdrawn}) {

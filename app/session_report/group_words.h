@@ -13,27 +13,31 @@
 
 namespace chiron::session_report {
 
-/// What a condition's group value rests on: whether there is one and of how many participants; then a sentence for each reason why somebody is not in it, or
-/// why it may still change, with their codes and what to do. The one statement of it, for screens, reports and the command line; no plural forms, since
-/// that has no translations.
+/// Explains a condition's group value: whether there is one and how many participants it includes, followed
+/// by a sentence for each reason why somebody is not included or why the value may still change, with their
+/// codes and the action to take. Screens, reports and the command line all use this text. It avoids plural
+/// forms, because the command line has no translations.
 QStringList groupSentences(const session::GroupRoll& roll, const QLocale& locale);
 
-/// By which rule a run is in its group's value and in comparisons, or is left out (psychophysics::usableInGroup). The same for all, wherever results are.
+/// The rule by which a run is included in its group's value and in comparisons, or left out
+/// (psychophysics::usableInGroup). The same text everywhere results are shown.
 QString groupRule();
 
-/// What is left to say of a group: the warnings that groupSentences() does not tell.
+/// The warnings about a group that groupSentences() does not cover.
 std::vector<psychophysics::Warning> furtherWarnings(const std::vector<psychophysics::Warning>& warnings);
 
-/// Whether a run is in its group's value, for a cell: "yes", or "no: every answer was right".
+/// Whether a run is included in its group's value, for a table cell: "yes", or "no: every answer was right".
 QString presenceWords(session::Presence presence);
 
-/// A value as it stands in a table: with a sign before it where its run has warnings. What is no number stays as it is.
+/// A value for a table, preceded by a sign if its run has warnings. NaN is unchanged.
 QString markedValue(const QString& value, const psychophysics::RunEstimate& estimate);
-/// What the sign means.
+/// Explains the sign.
 QString markMeaning();
 
-/// The comparison of conditions, in words: of each two that are not compared why, or why there is no interval; of each two who is not in it and for what
-/// reason; and who is left out of the whole study. Empty where everybody is in everything. `rolls`: of all conditions; `name`: what a condition is called.
+/// Explains the comparison of conditions: for each pair that is not compared, the reason; for each pair
+/// without an interval, the reason; for each pair, the participants who are not included and why; and the
+/// participants left out of the whole study. Empty if everybody is included everywhere. `rolls`: those of all
+/// conditions; `name`: the name of a condition.
 QStringList comparisonSentences(const std::vector<session::GroupRoll>& rolls, const std::vector<session::ComparedConditions>& compared,
                                 const std::function<QString(std::size_t)>& name, const QLocale& locale);
 

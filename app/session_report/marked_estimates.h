@@ -10,11 +10,11 @@
 
 namespace chiron::session_report {
 
-/// Weber fractions of a condition's runs as a plot shows them: sound ones, those whose run has warnings, and those that are not in the group value each with a
-/// marker and a line of the legend of their own. In per cent.
+/// The Weber fractions of a condition's runs in a plot, in per cent. Sound estimates, those whose run has
+/// warnings, and those not included in the group value each have their own marker and legend entry.
 class MarkedEstimates {
 public:
-    /// `at`: the place on the x axis. What has no Weber fraction is left out.
+    /// `at`: the position on the x axis. An estimate without a Weber fraction is skipped.
     void add(double at, const psychophysics::RunEstimate& estimate, session::Presence presence);
     bool empty() const;
     void draw(report::PlotView& plot) const;
@@ -22,7 +22,8 @@ public:
 private:
     struct Series {
         std::vector<report::PlotPoint> points;
-        std::vector<report::PlotView::Interval> intervals; ///< longer upwards: they are of a logarithm
+        std::vector<report::PlotView::Interval> intervals; ///< longer upwards, because they are symmetric in
+                                                           ///< the logarithm
     };
     std::array<Series, 3> m_series; ///< sound, with warnings, not in the group
 };

@@ -9,23 +9,26 @@
 
 namespace chiron::session_report {
 
-/// A metric's name in the program's language; its id with spaces where it has no name of its own. The one source of titles for
-/// screens, paper and the command line. Thread of the translator (GUI), as all of these.
-/// `trials`: how many the value is of, where that is known (0: it is not); the value of a single one is no mean.
+/// A metric's name in the program's language, or its id with spaces if it has no name. Screens, paper and the
+/// command line all use these titles. `trials`: number of trials behind the value, if known (0: unknown); the
+/// value of a single trial is not called a mean.
+/// Thread: that of the translator (GUI), for all functions of this header.
 QString metricTitle(const QString& id, int trials = 0);
-/// What it measures, in a sentence for people; empty for one that is not known. `trials`: as above.
+/// A sentence that explains what the metric measures; empty if the metric is not known. `trials`: as above.
 QString metricMeaning(const QString& id, int trials = 0);
-/// What the value at one moment is called that a metric led to (session::WorstMoment): at a moment there is a force or an error, and neither
-/// their mean nor their root mean square.
+/// The name of the value at the moment to which a metric led (session::WorstMoment). At a single moment there
+/// is a force or an error, but no mean and no root mean square.
 QString momentTitle(const QString& id);
-/// A stored unit in the program's language: "% of R" has a word in it, "N" has none.
+/// A stored unit in the program's language: "% of R" contains a word to translate, "N" does not.
 QString unitText(const QString& unit);
-/// Why a metric has no value, from the stored reason (scoring::undefinedOf); a reason that is none of ours, of a later version, as it is.
+/// The reason why a metric has no value, from the stored reason (scoring::undefinedOf). An unknown reason
+/// from a later version is returned unchanged.
 QString metricReason(const QString& stored);
-/// Where a benchmark band is from.
+/// The source of a benchmark band.
 QString bandSourceText(const QString& source);
-/// What somebody who only guesses reaches in a metric, in its unit; nothing where guessing has no such value. `card`: the
-/// session's own values, for chance that depends on what was there (size_error_by_chance).
+/// The value of a metric, in its unit, that somebody reaches by guessing alone; empty if guessing has no such
+/// value. `card`: the session's own values, for chance levels that depend on the trials
+/// (size_error_by_chance).
 std::optional<double> chanceOf(const std::string& id, const scoring::ScoreCard& card);
 
 } // namespace chiron::session_report

@@ -8,14 +8,17 @@
 
 namespace chiron::session_report {
 
-// The words of procedures in the program's language, from their rows; for screens and paper alike. Thread of the translator (GUI).
+// The words of psychophysical procedures in the program's language, from the procedures' catalogue rows, for
+// screens and paper. Call these functions on the translator's thread (GUI).
 
-/// A marked text of a row or a kind.
+/// The translation of a marked text of a row or a procedure.
 QString procedureText(std::string_view marked);
-/// By kind ("staircase") or a run's id with version ("staircase@1"); of one that is not known, its id with spaces.
+/// The title of a procedure, by its name ("staircase") or a run's id with version ("staircase@1"); the id
+/// with spaces if it is not known.
 QString procedureTitle(std::string_view id);
-QString procedureMeaning(std::string_view id); ///< when a researcher would choose it; empty for one that is not known
-/// What a word of a parameter's is called ("quantile"); the word itself where it has no title.
+/// When a researcher would choose the procedure; empty if it is not known.
+QString procedureMeaning(std::string_view id);
+/// The title of a parameter's word ("quantile"); the word itself if it has no title.
 QString wordTitle(const psychophysics::Parameter& row, std::string_view word);
 
 } // namespace chiron::session_report

@@ -12,7 +12,8 @@ using report::PlotStyle;
 namespace {
 
 constexpr double kPercent = 100.0;
-constexpr double kPairCriterion = 0.75; ///< right of two, which Weber fraction and JND are of
+constexpr double kPairCriterion = 0.75; ///< proportion correct of two objects that defines Weber fraction and
+                                        ///< JND
 
 double percentOf(double difference) { return kPercent * (std::pow(10.0, difference) - 1.0); }
 
@@ -23,7 +24,7 @@ std::vector<double> percentOf(const std::vector<double>& differences) {
     return percents;
 }
 
-/// Right of two that differ by D, without lapses: Φ(D / (σ √2)).
+/// Proportion correct for two objects that differ by D, without lapses: Φ(D / (σ √2)).
 std::vector<double> rightOfTwo(const std::vector<double>& differences, double sigma_log10) {
     std::vector<double> proportions;
     for (const double difference : differences)
@@ -49,7 +50,8 @@ void drawAnswers(report::PlotView& plot, const psychophysics::RunEstimate& estim
 
 void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& estimate, bool ranks) {
     plot.setXAxis({Words::tr("Difference from the reference (%)"), {}, {}});
-    plot.setYAxis({Words::tr("Proportion correct"), -0.02, 1.06}); // markers at 0 and 1 are seen whole
+    // The range is wider than 0 to 1 so that markers at 0 and 1 are completely visible.
+    plot.setYAxis({Words::tr("Proportion correct"), -0.02, 1.06});
     const std::vector<double> x = percentOf(estimate.curveDifference);
     if (!x.empty() && estimate.curveLow.size() == x.size() && estimate.curveHigh.size() == x.size()) {
         plot.addLine(Words::tr("95 % band"), x, estimate.curveLow, PlotStyle::dashDotD);

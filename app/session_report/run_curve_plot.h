@@ -6,9 +6,11 @@
 
 namespace chiron::session_report {
 
-/// Proportion right over the difference of one run, on screen and on paper: what was answered, each dot with the number of trials it stands for, and
-/// the fitted curve with its 95 % band. Where three are ranked (`ranks`) those are of orders wholly right; the criterion belongs to two objects
-/// compared, so the observer's curve of that stands beside it and crosses the criterion at the just noticeable difference.
+/// Draws the proportion correct over the difference for one run, on screen and on paper: the answers, each
+/// dot with its number of trials, and the fitted curve with its 95 % band. If three objects are ranked
+/// (`ranks`), dots and curve count orders that are entirely correct. The criterion, however, refers to the
+/// comparison of two objects, so the observer's curve for that task is drawn as well; it crosses the
+/// criterion at the just noticeable difference.
 void drawRunCurve(report::PlotView& plot, const psychophysics::RunEstimate& estimate, bool ranks);
 
 } // namespace chiron::session_report

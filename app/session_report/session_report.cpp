@@ -23,7 +23,7 @@ using namespace report;
 
 namespace {
 
-/// Whether a session in this state is judged: one that came to no end has values, but no verdict.
+/// True if a session in this state is judged; one that did not reach its end has values but no verdict.
 bool isJudged(const database::SessionRecord& record) {
     return record.summary.state == database::SessionState::completed || record.stateBeforeVoid == database::SessionState::completed;
 }
@@ -49,7 +49,8 @@ std::vector<MetricRow> rowsOf(const scoring::ScoreCard& card, const catalogue::E
             row.limit = session::limitBehind(level, gate);
             row.headline = judged;
         }
-        if (felt) // a band is of one device class: these people felt the force
+        // A band applies to one device class: these people felt the force.
+        if (felt)
             addPublishedBand(row, metric.version);
         rows.push_back(std::move(row));
     }
@@ -99,7 +100,7 @@ void addFacts(ReportData& data, const database::SessionRecord& record, const ses
     data.integrity.taskSha256 = QString::fromStdString(catalogue::taskSha256(record.setup.contentJson));
 }
 
-/// BLAKE2b-256 over the chunks' digests of force, hex: what the footer of every page names the recording by.
+/// BLAKE2b-256 over the chunks' force digests, hex. It identifies the recording in the footer of every page.
 core::Result<QString> recordingDigestOf(session::SessionView& session) {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     for (std::size_t i = 0; i < session.reader().chunkCount(); ++i) {
@@ -126,7 +127,8 @@ report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace) {
 
 /// P2, "Preliminary Validation": 14.2 % mean, SD 11.3, five subjects with ten hemispheres each.
 void addPublishedBand(MetricRow& row, int version) {
-    if (row.id != QLatin1String("apex_error_mean") || version != 1) // later versions count misses otherwise, on levels that show the sphere
+    // Later versions count misses differently, on levels that show the sphere.
+    if (row.id != QLatin1String("apex_error_mean") || version != 1)
         return;
     row.bandLow = 14.2 - 11.3;
     row.bandHigh = 14.2 + 11.3;
@@ -148,7 +150,8 @@ core::Result<ReportData> reportHeadOf(const database::SessionRecord& record, con
     auto card = repository.scores(record.summary.id);
     if (card) {
         const bool judged = isJudged(record);
-        if (judged || data.trialsDone > 0) { // of trials that were all broken off nothing is said
+        // If all trials were broken off, no metrics are shown.
+        if (judged || data.trialsDone > 0) {
             data.metrics = rowsOf(*card, setup.level, record.setup.felt, judged, data.trialsDone);
             const auto seal = repository.scoreSeal(record.summary.id);
             if (!seal)
@@ -175,7 +178,8 @@ core::Result<ReportData> reportDataOf(session::SessionView& session, database::C
     if (auto section = exerciseSectionOf(trace, session.setup().level))
         data.sections.push_back(std::move(section));
     data.force = feltFactsOf(trace);
-    const session::PlaybackTrack& track = **session.track(); // curves and critical errors are playback's own
+    // Curves and critical errors are the same as in playback.
+    const session::PlaybackTrack& track = **session.track();
     data.series = seriesOf(track, session.setup().level, QLocale(QString::fromUtf8(core::languageOf(language).locale.data())));
     data.duration_s = track.duration_s;
     auto digest = recordingDigestOf(session);

@@ -7,24 +7,28 @@
 
 namespace chiron::session_report {
 
-/// Everything the printed report and the debrief show of one stored session: facts, stored scores, trials, samples.
-/// `language` picks the content's texts. Reads through the session's connection, on its thread. Failure: the reader's.
+/// All data that the printed report and the debrief show of one stored session: facts, stored scores, trials,
+/// samples. `language` selects the content's texts. Reads through the session's connection, on its thread.
+/// Errors: those of the reader.
 core::Result<report::ReportData> reportDataOf(session::SessionView& session, database::Connection& connection,
                                       const database::Actor& actor, const std::string& language);
 
-/// The same without what has to be read from the recording (samples, answers, duration): for a debrief that must not wait, and
-/// for a session whose recording was erased. Failure: the scores'.
+/// The same without data from the recording (samples, answers, duration), for a debrief that must not wait
+/// and for a session whose recording was erased.
+/// Errors: those of reading the scores.
 core::Result<report::ReportData> reportHeadOf(const database::SessionRecord& record, const session::SessionSetup& setup,
                                               database::Connection& connection, const database::Actor& actor,
                                               const std::string& language);
 
-/// Adds the published benchmark of a metric where there is one; of sessions whose force was felt. Pure.
+/// Adds the published benchmark of a metric if there is one; only for sessions whose force was felt. Pure
+/// function.
 void addPublishedBand(report::MetricRow& row, int version);
 
-/// Trials that came to an end: marked, done, timed out or failed; not those that the session's end broke off. Pure.
+/// The number of trials that came to an end: marked, done, timed out or failed, but not cut off by the end of
+/// the session. Pure function.
 int trialsDoneOf(const std::vector<database::TrialRecord>& trials);
 
-/// What the tissue answered, and what of it was felt. Pure.
+/// The tissue's force and the part of it that was felt. Pure function.
 report::ForceFacts feltFactsOf(const scoring::SessionTrace& trace);
 
 } // namespace chiron::session_report

@@ -9,20 +9,21 @@
 
 namespace chiron::session_report {
 
-/// Conditions compared, as a table: on screens and in the printed report.
-/// `thresholds`: with the column of separate thresholds (session::testsThresholds); without it where it would be empty.
+/// The table of compared conditions, for screens and the printed report. `thresholds`: with the column of
+/// separate thresholds (session::testsThresholds), which is omitted if it would be empty.
 std::vector<QString> comparisonHeadings(bool thresholds);
-/// `first`, `second`: what the two conditions are called. As many cells as headings.
+/// `first`, `second`: the names of the two conditions. Returns as many cells as there are headings.
 std::vector<QString> comparisonRow(const session::ComparedConditions& compared, const QString& first, const QString& second, bool thresholds, const QLocale& locale);
-/// What the columns mean.
+/// Explains the columns.
 QString comparisonNote(bool thresholds);
-/// While a study is blinded.
+/// The text shown while a study is blinded.
 QString comparisonSealed();
 
-/// How much an estimate rests on what was assumed beforehand (RunEstimate::priorInfluence); empty where that is not known.
+/// The degree to which an estimate depends on prior assumptions (RunEstimate::priorInfluence), in words;
+/// empty if it is not known.
 QString influenceWords(double influence, const QLocale& locale);
 
-/// What the column of these figures means.
+/// Explains the column of these figures.
 QString influenceMeaning();
 
 } // namespace chiron::session_report

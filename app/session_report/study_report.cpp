@@ -32,7 +32,8 @@ core::Result<StudyReportData> dataOf(database::StudyReader& reader, database::St
     return StudyReportData{std::move(*analysis), std::move(*participants), std::move(*answers), language};
 }
 
-/// By itself: lupdate loses the words' context in a function that returns a type of another namespace.
+/// A separate function, because lupdate loses the context of the text in a function whose return type belongs
+/// to another namespace.
 QString heading() {
     return Words::tr("Study report");
 }

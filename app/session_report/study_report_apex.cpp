@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came of a condition in which an apex was looked for: bias and sd an axis, errors, P2's figure 4.
+// The results of a condition in which participants looked for an apex: bias and standard deviation per axis,
+// errors, P2's figure 4.
 #include "session_report/apex_study_plots.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
@@ -24,7 +25,8 @@ QString ofRadius(double percent, const QLocale& locale) { return words::percent(
 
 } // namespace
 
-/// A length with its share of the radius; the share alone while blind, as both would tell the radius.
+/// A length with its percentage of the radius; only the percentage while blind, because both together would
+/// reveal the radius.
 QString StudyReportBlocks::errorText(double mm, double percent) const {
     const QString share = Words::tr("%1 of R").arg(ofRadius(percent, m_theme.locale));
     return m_data.blind() || !std::isfinite(mm) ? share : Words::tr("%1 mm, %2").arg(words::number(mm, m_theme.locale), share);

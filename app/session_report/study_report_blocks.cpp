@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head of a study's report: what was designed and who takes part.
+// The head of a study's report: the design and the participants.
 #include "session_report/study_report_blocks.h"
 
 #include "session_report/study_report_text.h"

@@ -9,24 +9,28 @@
 
 namespace chiron::session_report {
 
-/// What a study's report is made of.
+/// The data of a study's report.
 struct StudyReportData {
     session::StudyAnalysis analysis;
     std::vector<database::Participant> participants;
     std::vector<database::QuestionnaireAnswer> answers;
-    std::string language = "en"; ///< of the design's texts
+    std::string language = "en"; ///< language of the design's texts
 
-    /// Whether conditions go by sealed codes: then neither their design nor the order in which it lists them is told.
+    /// True if conditions are identified by sealed codes: then neither their design nor its order may be
+    /// shown.
     bool blind() const { return analysis.blind(); }
-    /// Title, or sealed code, of a condition by its place in the analysis.
+    /// Title, or sealed code, of a condition by its index in the analysis.
     QString conditionName(std::size_t condition) const;
-    /// What differs in a condition, for its unit; of no use while blind, where nothing is told in units.
+    /// The attribute that differs in a condition, which determines the unit; not valid while blind, since
+    /// nothing is then shown in units.
     psychophysics::Attribute attribute(std::size_t condition) const;
-    /// Places in the analysis in the order they are told: the design's; while blind by sealed code.
+    /// Indices into the analysis in the order of the report: that of the design; ordered by sealed codes
+    /// while blind.
     std::vector<std::size_t> conditionsInOrder() const;
 };
 
-/// Makes the blocks of a study's report, in reading order. GUI thread.
+/// Makes the blocks of a study's report, in reading order.
+/// Thread: GUI.
 class StudyReportBlocks : public report::BlockMaker {
 public:
     StudyReportBlocks(const StudyReportData& data, const report::PlotTheme& theme, double width);
@@ -44,10 +48,11 @@ private:
     void addCurves(std::size_t condition);
     void addApex(std::size_t condition);
     QString errorText(double mm, double percent) const;
-    void addRankings(const session::AnalysedCondition& condition); ///< where three are ranked; study_report_rankings.cpp
-    void addComparisons(); ///< of conditions, two by two
+    /// If three objects are ranked; see study_report_rankings.cpp.
+    void addRankings(const session::AnalysedCondition& condition);
+    void addComparisons(); ///< of every pair of conditions
     void addFidelity();
-    void addQuality(); ///< in place of it while runs are sealed
+    void addQuality(); ///< replaces addFidelity() while runs are sealed
     void addQuestionnaires();
     QString answersTo(const std::vector<database::QuestionnaireAnswer>& answers, const psychophysics::QuestionnaireItem& item) const;
     void addMuted(const QString& text);

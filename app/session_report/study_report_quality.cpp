@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the numbers can be trusted, and what participants said.
+// The quality of the data, and the participants' questionnaires.
 #include "session/study/questionnaire_replies.h"
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
@@ -23,12 +23,12 @@ double quantileOf(const std::vector<double>& sorted, double q) {
     return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// What one condition's runs have together.
+/// Totals over the runs of one condition.
 struct Tally {
     int scored = 0;
     int spoiled = 0;
     int practice = 0;
-    int chosen = 0; ///< choices of procedures, run again from the log
+    int chosen = 0; ///< choices of procedures, repeated from the log
     int same = 0;
     std::map<std::string, int> why;
 };
@@ -48,7 +48,7 @@ Tally tallyOf(const session::AnalysedCondition& condition) {
     return tally;
 }
 
-/// A condition's title by what an answer calls it: while blind that is its sealed code.
+/// A condition's title by its label in the answers; while blind, the label is the sealed code.
 QString titleOf(const StudyReportData& data, const std::string& label) {
     for (const psychophysics::Condition& each : data.analysis.design.conditions)
         if (!data.blind() && each.id == label)
@@ -70,7 +70,8 @@ void StudyReportBlocks::addFidelity() {
         for (const auto& [token, count] : tally.why)
             why << QStringLiteral("%1: %2").arg(words::spoiled(token), locale.toString(count));
         rows.push_back({m_data.conditionName(at), locale.toString(tally.scored), locale.toString(tally.spoiled), locale.toString(tally.practice),
-                        m_data.blind() ? QStringLiteral("–") : why.join(QStringLiteral(" · ")), // "stiffness_error" would tell
+                        // A reason such as "stiffness_error" would reveal the condition.
+                        m_data.blind() ? QStringLiteral("–") : why.join(QStringLiteral(" · ")),
                         tally.chosen > 0 ? Words::tr("%1 of %2").arg(locale.toString(tally.same), locale.toString(tally.chosen)) : QStringLiteral("–")});
     }
     addTable({Words::tr("Condition"), Words::tr("Scored"), Words::tr("Repeated"), Words::tr("Practice"), Words::tr("Why repeated"),
@@ -84,7 +85,7 @@ void StudyReportBlocks::addFidelity() {
     addMuted(Words::tr("Choices reproduced: when run again from its log, the procedure chose the same presentations."));
 }
 
-/// By participant, over all conditions together.
+/// The quality by participant, over all conditions together.
 void StudyReportBlocks::addQuality() {
     const QLocale& locale = m_theme.locale;
     const QString dash = QStringLiteral("–");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rankings of three objects say, of a condition's persons and of its group.
+// The results of ranking three objects, for the persons of a condition and for its group.
 #include "session_report/study_report_blocks.h"
 #include "session_report/study_report_text.h"
 #include "session_report/study_report_words.h"
@@ -17,7 +17,7 @@ using report::PlotView;
 
 namespace {
 
-constexpr double k95 = 1.959963984540054; // of the normal distribution
+constexpr double k95 = 1.959963984540054; // 97.5 % quantile of the normal distribution
 constexpr double kRankingPlotHeight = 190.0;
 
 QString fixed(double value, const QLocale& locale) { return std::isfinite(value) ? locale.toString(value, 'f', 2) : QStringLiteral("–"); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What came out of each condition: group, persons, curves.
+// The results of each condition: group, persons, curves.
 #include "session_report/group_words.h"
 #include "session_report/marked_estimates.h"
 #include "session_report/run_curve_plot.h"
@@ -53,7 +53,7 @@ void StudyReportBlocks::addCondition(std::size_t at) {
     addWeberPlot(condition);
     addRuns(at);
     addRankings(condition);
-    if (!m_data.blind()) // their differences would tell conditions apart
+    if (!m_data.blind()) // their differences would reveal the conditions
         addCurves(at);
 }
 
@@ -77,7 +77,7 @@ void StudyReportBlocks::addGroup(std::size_t at) {
         addPairs(pairs, 3);
     for (const QString& said : groupSentences(m_data.analysis.conditions[at].roll, locale))
         addMuted(said);
-    if (m_data.analysis.conditions.size() < 2) // else the comparison has said it
+    if (m_data.analysis.conditions.size() < 2) // otherwise the comparison states it
         addMuted(groupRule());
     for (const psychophysics::Warning& warning : furtherWarnings(group.warnings))
         addMuted(QStringLiteral("! ") + warningWords(warning));
@@ -116,7 +116,8 @@ void StudyReportBlocks::addRuns(std::size_t at) {
             remarks << QStringLiteral("! ") + warningWords(warning);
         rows.push_back({QString::fromStdString(run.participant.code), markedValue(words::percent(estimate.weber, locale), estimate),
                         words::intervalPercent(estimate.weber95.low, estimate.weber95.high, locale),
-                        m_data.blind() ? QStringLiteral("–") : words::value(estimate.jnd, attribute, locale), // the mark at the fraction is the row's
+                        // The mark on the Weber fraction applies to the whole row.
+                        m_data.blind() ? QStringLiteral("–") : words::value(estimate.jnd, attribute, locale),
                         std::isfinite(estimate.priorInfluence) ? words::percent(estimate.priorInfluence, locale) : QStringLiteral("–"),
                         run.spoiled > 0 ? Words::tr("%1 (%2 repeated)").arg(locale.toString(run.scored), locale.toString(run.spoiled)) : locale.toString(run.scored),
                         words::runState(run.run.state), remarks.join(QLatin1Char(' '))});
@@ -151,7 +152,7 @@ void StudyReportBlocks::addComparisons() {
         addMuted(comparisonNote(thresholds));
     }
     if (std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); }))
-        return; // of marks no Weber fractions are compared
+        return; // Weber fractions cannot be compared for marks
     std::vector<session::GroupRoll> rolls;
     for (const session::AnalysedCondition& condition : analysis.conditions)
         rolls.push_back(condition.roll);

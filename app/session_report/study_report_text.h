@@ -5,7 +5,7 @@
 
 namespace chiron::session_report {
 
-/// The one translation context of a study's printed report.
+/// The single translation context of a study's printed report.
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(StudyReport)
 };

@@ -21,7 +21,7 @@ struct Unit {
     const char* text;
 };
 
-/// What numbers of an attribute are shown in: shown = SI · factor.
+/// The unit in which values of an attribute are shown: shown = SI · factor.
 Unit shownUnit(Attribute attribute) {
     switch (attribute) {
     case Attribute::stiffness:

@@ -11,7 +11,7 @@
 
 namespace chiron::session_report {
 
-/// Stored tokens and SI numbers of a study in the words and units of its printed report.
+/// Converts stored tokens and SI numbers of a study to the words and units of its printed report.
 namespace study_report_words {
 
 QString attribute(psychophysics::Attribute attribute);
@@ -21,16 +21,16 @@ QString order(psychophysics::OrderDesign order);
 QString state(database::StudyState state);
 QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
-QString spoiled(const std::string& token); ///< why a trial was repeated
+QString spoiled(const std::string& token); ///< reason why a trial was repeated
 
-/// A number in three significant digits; a dash where it is none.
+/// A number with three significant digits; a dash if it is not finite.
 QString number(double value, const QLocale& locale);
-QString plainNumber(double value, const QLocale& locale); ///< as the scale has it: 4, 4.5
+QString plainNumber(double value, const QLocale& locale); ///< with the digits of the scale: 4, 4.5
 QString percent(double ratio, const QLocale& locale);
-QString intervalPercent(double low, double high, const QLocale& locale); ///< a dash where one end is missing
+QString intervalPercent(double low, double high, const QLocale& locale); ///< a dash if one end is missing
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
 QString day(const std::string& utc, const QLocale& locale);
-/// In this language, else in English, else in any.
+/// The text in this language, else in English, else in any language.
 QString text(const psychophysics::StudyText& text, const std::string& language);
 
 } // namespace study_report_words

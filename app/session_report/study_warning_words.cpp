@@ -11,7 +11,7 @@ using psychophysics::EstimateMethod;
 using psychophysics::Warning;
 using psychophysics::WarningKind;
 
-/// Of what was answered in one run. Empty for another kind.
+/// Words for warnings about the answers of one run. Empty for other warnings.
 QString ofAnswers(const Warning& warning) {
     const int n = warning.count;
     using enum WarningKind;
@@ -51,7 +51,7 @@ QString ofAnswers(const Warning& warning) {
     }
 }
 
-/// Of the value of one run. Empty for another kind.
+/// Words for warnings about the value of one run. Empty for other warnings.
 QString ofEstimate(const Warning& warning) {
     using enum WarningKind;
     switch (warning.kind) {
@@ -79,7 +79,7 @@ QString ofEstimate(const Warning& warning) {
     }
 }
 
-/// Of settings, and of numbers said. Empty for another kind.
+/// Words for warnings about settings and about stated numbers. Empty for other warnings.
 QString ofNumbers(const Warning& warning) {
     const int n = warning.count;
     using enum WarningKind;
@@ -107,7 +107,7 @@ QString ofNumbers(const Warning& warning) {
     }
 }
 
-/// Of a group. Empty for another kind.
+/// Words for warnings about a group. Empty for other warnings.
 QString ofGroup(const Warning& warning) {
     const int n = warning.count;
     using enum WarningKind;
@@ -139,7 +139,7 @@ QString ofGroup(const Warning& warning) {
     }
 }
 
-/// Of an apex or a plan. Empty for another kind.
+/// Words for warnings about an apex or a plan. Empty for other warnings.
 QString ofApexOrPlan(const Warning& warning) {
     const int n = warning.count;
     using enum WarningKind;

@@ -8,10 +8,11 @@
 
 namespace chiron::session_report {
 
-/// What to know before using a number, in words for clinicians and in the language of the program: on screens and in the printed report.
+/// A warning to read before using a number, in words for clinicians and in the program's language, for
+/// screens and the printed report.
 QString warningWords(const psychophysics::Warning& warning);
 
-/// How a value was got, in the same words; empty for none.
+/// The method by which a value was obtained, in the same style; empty if there is none.
 QString methodWords(psychophysics::EstimateMethod method);
 
 } // namespace chiron::session_report

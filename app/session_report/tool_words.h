@@ -5,8 +5,8 @@
 
 namespace chiron::session_report {
 
-/// "Right instrument" (tool 0), "Left instrument" (tool 1), "Instrument 3"; of one alone: "Instrument". Pure, as all of these, in the
-/// program's language: the one source for screens and paper.
+/// "Right instrument" (tool 0), "Left instrument" (tool 1), "Instrument 3"; if there is only one:
+/// "Instrument". In the program's language; screens and paper use the same words. Pure function.
 QString instrumentName(int tool, int tools);
 
 } // namespace chiron::session_report

@@ -56,7 +56,8 @@ report::SampleSeries seriesOf(const PlaybackTrack& track, const catalogue::Exerc
     for (const session::PlaybackSpan& span : track.paused)
         series.paused.push_back({span.begin_s, span.end_s});
     for (const session::PlaybackTrial& trial : track.trials)
-        if (track.trials.size() > 1 || hasSeveralTrials(level)) // of one procedure there is nothing to number
+        // With a single procedure there is nothing to number.
+        if (track.trials.size() > 1 || hasSeveralTrials(level))
             series.events.push_back({trial.start_s, QString::number(trial.index + 1)});
     for (const session::PlaybackMark& mark : track.marks)
         if (mark.critical)

@@ -9,8 +9,8 @@
 
 namespace chiron::session_report {
 
-/// Every tool of a playback track as plots draw them, on screen and on paper: named by the level, pauses hatched, the trials' numbers as
-/// events, the track's critical errors in words. Pure.
+/// All tools of a playback track as series for plots, on screen and on paper: named by the level, with
+/// hatched pauses, the trials' numbers as events, and the track's critical errors in words. Pure function.
 report::SampleSeries seriesOf(const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level, const QLocale& locale);
 
 } // namespace chiron::session_report

@@ -12,19 +12,19 @@
 
 namespace chiron::session_report {
 
-// What a report tells of one trial of a trace. Pure.
+// The values of a trace's trial for a report. Pure functions.
 
 report::TrialOutcome outcomeOf(const scoring::TrialTrace& trial);
-/// Empty where it is not known.
+/// Empty if the value is not known.
 std::optional<double> truthIn(const scoring::TrialTrace& trial, const char* id);
-/// A value per sample of the first tool; null where it was not recorded so.
+/// One value per sample of the first tool; null if it was not recorded in this form.
 const std::vector<double>* quantityIn(const scoring::TrialTrace& trial, const char* id);
 
-/// Each trial's own values of some metrics, in the version that the level scores them by.
+/// Each trial's own values of some metrics, in the version by which the level scores them.
 class TrialScores {
 public:
     TrialScores(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level, std::initializer_list<const char*> ids);
-    /// Empty where the trial has no such value.
+    /// Empty if the trial has no such value.
     std::optional<double> of(std::size_t trial, const char* id) const;
 
 private:

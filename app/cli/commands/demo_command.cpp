@@ -48,7 +48,7 @@ QString resultsTable(const std::vector<session::DemoResult>& results, const std:
     return QString::fromStdString(exercise) + QLatin1Char('\n') + table.toText() + QLatin1Char('\n') + QString::fromStdString(shown.legend) + QLatin1Char('\n');
 }
 
-/// One table an exercise, in the order in which they were done.
+/// One table per exercise, in the order in which the exercises were done.
 QString resultsTables(const std::vector<session::DemoResult>& results) {
     QString text;
     for (const std::string& exercise : exercisesOf(results)) {
@@ -74,7 +74,8 @@ QJsonArray resultsJson(const std::vector<session::DemoResult>& results) {
     return array;
 }
 
-/// Where a demonstration goes: --database and --folder, each beside the other where only one is given.
+/// Where a demonstration is stored: --database and --folder. If only one is given, the other is placed beside
+/// it.
 struct DemoPlace {
     QString database;
     QString folder;
@@ -148,7 +149,7 @@ core::Result<CommandOutput> demo(const Arguments& arguments) {
     auto drawn = drawDemo(*site->database, *made, place->folder);
     if (!drawn)
         return tl::unexpected(drawn.error());
-    site->database.reset(); // verify looks at the file as the next program will find it
+    site->database.reset(); // verify must read the file as the next program will find it
     tell(QStringLiteral("verifying"));
     const database::VerifyReport verified = session::verifyEverything(place->database.toStdString(), databaseOptions());
     return output(*place, *made, *drawn, verified);

@@ -43,7 +43,7 @@ core::Result<CommandOutput> list(const Arguments&) {
     return CommandOutput{QJsonDocument(drivers), table.toText(), 0};
 }
 
-/// What a lab's device would be asked for: only the simulated one is here, and it has no transport.
+/// Refuses every driver except the simulated one, which is the only one that the check supports.
 core::Result<void> refuseOtherDrivers(const QString& driver) {
     const std::string_view simulated = devices::usualDriver(devices::MovedBy::scriptedOperator).id;
     if (driver.isEmpty() || driver.toStdString() == simulated)
@@ -92,13 +92,14 @@ core::Result<CommandOutput> checkFingertip(const Arguments& arguments, std::opti
 
 constexpr double kDelayTolerance_s = 0.0002; ///< a fifth of a tick
 
-/// A device's delay, and the serial number that it tells (DeviceDescriptor::serialNumber).
+/// A device's delay, and the serial number that it reports (DeviceDescriptor::serialNumber).
 struct MeasuredDelay {
     haptics::DelayEstimate estimate;
     std::string serialNumber;
 };
 
-/// The gimbal's delay as it is measured on any device: shaken through loop and supervisor, a hand at rest on it.
+/// Measures the gimbal's delay in the same way as on any device: with an excitation force through loop and
+/// supervisor, while a hand rests on it.
 core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& plant) {
     session::SimulatedHand atRest;
     atRest.strategy = std::make_unique<mechanisms::ScriptedMotion>(devices::kHeldFrom_D);
@@ -114,17 +115,20 @@ core::Result<MeasuredDelay> delayOf(const mechanisms::GimbalPlantParameters& pla
 }
 
 constexpr double kCompensation = 0.8; ///< haptics::FrictionCompensation::kMost
-constexpr double kMoving_m_per_s = 0.045; ///< from here on the compensation has to take most of the dry friction away ...
-constexpr double kTaken = 0.6;            ///< ... so much of what is felt as it breaks away
+/// At and above this speed, the compensation must reduce the friction felt by at least the fraction kTaken
+/// ...
+constexpr double kMoving_m_per_s = 0.045;
+/// ... of the friction felt at breakaway.
+constexpr double kTaken = 0.6;
 
-/// What is felt of the friction at rest and in motion, before and after its compensation; `holds` is false where it helps too little, pushes
-/// by itself or makes energy.
+/// The friction felt at rest and in motion, before and after its compensation. `holds` becomes false if the
+/// compensation reduces the friction too little, pushes the hand by itself or generates energy.
 QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QString& text) {
     TextTable table({QStringLiteral("direction"), QStringLiteral(">speed (mm/s)"), QStringLiteral(">felt before (N)"), QStringLiteral(">after (N)")});
     QJsonArray rows;
     double breaking_N = 0.0;
     for (const session::FrictionFeltRow& row : felt.rows) {
-        if (row.speed_m_per_s <= 0.001) // the slowest of each direction
+        if (row.speed_m_per_s <= 0.001) // the lowest speed of each direction
             breaking_N = row.before_N;
         holds = holds && row.after_N > 0.0 && (row.speed_m_per_s < kMoving_m_per_s || row.after_N < row.before_N - kTaken * breaking_N);
         rows.append(QJsonObject{{"direction", QString::fromStdString(row.direction)},
@@ -148,8 +152,9 @@ QJsonObject frictionFeltJson(const session::FrictionFelt& felt, bool& holds, QSt
             {"work_after_J", felt.workAfter_J}};
 }
 
-/// P2's gimbal: friction of its motor axes by Tholey's method, beside what the plant was given; holds within a twentieth. And its delay, beside
-/// the age of its samples and the lag of its motors.
+/// Checks P2's gimbal: the friction of its motor axes, identified by Tholey's method, must agree within a
+/// twentieth with the friction given to the plant, and the measured delay with the age of its samples plus
+/// the lag of its motors.
 core::Result<CommandOutput> checkGimbal(double damping, int sampleDelay_ticks) {
     mechanisms::GimbalPlantParameters parameters;
     parameters.sampleDelay_ticks = sampleDelay_ticks;
@@ -205,7 +210,8 @@ core::Result<CommandOutput> check(const Arguments& arguments) {
         return tl::unexpected(refused.error());
     const QString fingertip = QStringLiteral("fingertip_arm");
     const auto mechanism = arguments.choice(QStringLiteral("mechanism"), {fingertip, QStringLiteral("gimbal_hprd")}, fingertip);
-    const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0); // models.md: default B of a wall
+    // models.md: the default B of a wall.
+    const auto damping = arguments.number(QStringLiteral("damping"), 0.01, 100.0, 2.0);
     if (!mechanism)
         return tl::unexpected(mechanism.error());
     if (!damping)

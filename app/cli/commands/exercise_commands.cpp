@@ -58,7 +58,7 @@ QJsonArray gatesOf(const catalogue::ExerciseLevel& level) {
     return array;
 }
 
-/// What its kind of exercise says of a level; nothing for content whose kind this program does not have.
+/// What the ExerciseKind states about a level; empty for content whose kind this program does not have.
 struct KindFacts {
     int tools = 1;
     bool energy = false;
@@ -81,7 +81,7 @@ QJsonArray quantitiesOf(const KindFacts& facts) {
     return array;
 }
 
-/// How the level mounts the bases of its devices; empty where it says nothing.
+/// How the level mounts the bases of its devices; empty if the level does not specify it.
 QJsonArray mountingOf(const catalogue::ExerciseLevel& level) {
     QJsonArray array;
     for (const core::BaseMounting& base : level.mounting)
@@ -156,7 +156,7 @@ core::Result<QString> chosenLanguage(const Arguments& arguments) {
     return arguments.choice(QStringLiteral("language"), languageIds(), languageIds().first());
 }
 
-/// Texts of the content that a language lacks, and how many more there are.
+/// Lists the texts of the content that a language lacks, and the number of those beyond the list.
 QString missingText(const std::vector<catalogue::MissingText>& missing) {
     constexpr std::size_t kMost = 20;
     QString lines;
@@ -186,7 +186,7 @@ core::Result<CommandOutput> list(const Arguments& arguments) {
     return CommandOutput{QJsonDocument(json), table.toText() + missingText(content->missingTexts()), 0};
 }
 
-/// Instruments, and what is recorded beside them; one line, and an empty one after it.
+/// Lists the instruments and what else is recorded; one line followed by an empty one.
 QString recordedText(const KindFacts& facts) {
     QStringList recorded;
     for (const core::QuantityDescription& quantity : facts.quantities)

@@ -13,7 +13,7 @@ namespace chiron::cli {
 
 namespace {
 
-// A database that exists, for instance one that `train` made, gets its administrator if it has none yet.
+// An existing database, for instance one that `train` created, gets an administrator if it has none yet.
 core::Result<std::unique_ptr<database::Database>> createOrOpen(const QString& path) {
     if (QFileInfo::exists(path))
         return database::Database::openForWriting(path.toStdString(), databaseOptions());
@@ -28,7 +28,7 @@ core::Result<CommandOutput> init(const Arguments& arguments) {
     const auto secrets = readSecrets(arguments, {QStringLiteral("CHIRON_PASSWORD")});
     if (!secrets)
         return tl::unexpected(secrets.error());
-    // Before a file is made: a refused password leaves nothing behind.
+    // These checks come before the file is created, so that a refused password leaves nothing behind.
     if (auto fits = database::checkName(name); !fits)
         return tl::unexpected(fits.error());
     if (auto fits = database::checkPassword(name, (*secrets)[0]); !fits)

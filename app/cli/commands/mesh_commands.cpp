@@ -31,7 +31,8 @@ core::Result<double> metresPerUnit(const Arguments& arguments) {
     return *unit == QLatin1String("m") ? 1.0 : *unit == QLatin1String("cm") ? 0.01 : 0.001;
 }
 
-/// The file's mesh. Failure: badInput with the file, the place in it, what was found and what was expected.
+/// Reads the mesh of the file.
+/// Errors: badInput with the file, the place in it, what was found and what was expected.
 core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     const auto unit_m = metresPerUnit(arguments);
     if (!unit_m)
@@ -42,7 +43,8 @@ core::Result<MeshImport> readMeshFile(const Arguments& arguments) {
     if (!file)
         return tl::unexpected(file.error());
     const std::string_view bytes(file->constData(), static_cast<std::size_t>(file->size()));
-    // A damaged file is judged as what its name or its beginning says that it is; only text can be OBJ.
+    // If the format of a damaged file cannot be guessed, its name or its beginning decides; a file with
+    // binary data is not OBJ.
     const bool stl = bytes.substr(0, 5) == "solid" || path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive) ||
                      bytes.substr(0, 4096).find('\0') != std::string_view::npos;
     const auto format = simulation::guessMeshFormat(bytes).value_or(stl ? MeshFormat::stl : MeshFormat::obj);
@@ -83,7 +85,8 @@ core::Result<CommandOutput> check(const Arguments& arguments) {
     return CommandOutput{QJsonDocument(reportJson(arguments.operand(0), import->report)), text(import->report.text()), 0};
 }
 
-/// As schema/mesh.json has an id: lower-case letters, digits and _, a letter first, at most 40.
+/// The id must match schema/mesh.json: lower-case letters, digits and _, beginning with a letter, at most 40
+/// characters.
 core::Result<QString> meshId(const Arguments& arguments) {
     constexpr qsizetype kLongest = 40;
     const QString id = arguments.value(QStringLiteral("id"));

@@ -40,7 +40,7 @@ core::Result<std::vector<scoring::MetricRequest>> requests(const Arguments& argu
     return wanted;
 }
 
-/// Without an exercise the file decides: one that says where the answer should have been has one answer per trial.
+/// Without an exercise the file decides: if it states the correct answer (target), each trial has one answer.
 core::Result<scoring::MarkMeaning> markOf(const std::string& exercise, const scoring::TraceColumns& columns) {
     const auto meaning = [](bool ends) { return ends ? scoring::MarkMeaning::endsTheTrial : scoring::MarkMeaning::oneOfSeveral; };
     if (exercise.empty())

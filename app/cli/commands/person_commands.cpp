@@ -14,7 +14,7 @@ namespace chiron::cli {
 
 namespace {
 
-// One's own account is found without the right to look others up.
+// A person may find their own account without the right to look up others.
 core::Result<database::PersonId> personOf(Site& site, const std::string& name) {
     if (name == site.actor.name())
         return site.actor.personId();
@@ -24,7 +24,8 @@ core::Result<database::PersonId> personOf(Site& site, const std::string& name) {
     return person->id;
 }
 
-// Somebody whose erasure stopped half-way has no name any more: "erased-12" is asked for again by number.
+// A person whose erasure was interrupted no longer has a name, so "erased-12" identifies them by number to
+// erase them again.
 core::Result<database::PersonId> personToErase(Site& site, const QString& name) {
     const QString prefix = QStringLiteral("erased-");
     bool number = false;

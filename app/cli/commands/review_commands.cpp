@@ -13,7 +13,7 @@ namespace chiron::cli {
 
 namespace {
 
-/// A session opened for looking back: database, connection and session in the order of their lives.
+/// A session opened for review: database, connection and session in the order of their lifetimes.
 struct Opened {
     Site site;
     std::unique_ptr<database::Connection> connection;
@@ -36,8 +36,8 @@ core::Result<Opened> openStored(const Arguments& arguments) {
     return Opened{std::move(*site), std::move(*connection), std::move(*session)};
 }
 
-/// What the tissue answered and what of it was felt (commanded); a score that rests on more than 1 % of samples outside the range for
-/// which the law was checked says so (data.md, Range of a law).
+/// The force of the tissue and the force felt (commanded). States if more than 1 % of the samples behind a
+/// score lie outside the range for which the law was checked (data.md, Range of a law).
 QJsonObject forceJson(const scoring::ForceFacts& force, bool felt) {
     return {{"tissue_max_N", force.tissue_N},
             {"felt_max_N", felt ? QJsonValue(force.commanded_N) : QJsonValue()},
@@ -82,7 +82,7 @@ core::Result<CommandOutput> score(const Arguments& arguments) {
     json.insert("stored", stored);
     json.insert("same", same);
     const QString verdict = same ? QStringLiteral("\nsame as stored\n") : QStringLiteral("\nDIFFERS from what is stored\n");
-    // Another version of a metric may well differ: that is an answer, not a failure.
+    // Another version of a metric may give other values: that is a result, not a failure.
     return CommandOutput{QJsonDocument(json), scoreText(*view) + forceText(force, felt) + verdict, same || *version > 0 ? 0 : 1};
 }
 

@@ -16,7 +16,7 @@ namespace chiron::cli {
 
 namespace {
 
-/// A database that may be read, on this thread's connection.
+/// A database opened for reading, with this thread's connection.
 struct Reading {
     Site site;
     std::unique_ptr<database::Connection> connection;

@@ -18,14 +18,14 @@ namespace chiron::cli {
 
 namespace {
 
-std::atomic<bool> g_cancel{false}; // the one thing a signal handler may touch
+std::atomic<bool> g_cancel{false}; // the only object that the signal handler may touch
 
 void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
 
 core::Result<database::Actor> actorFor(const Arguments& arguments, database::Database& database,
                                        const std::vector<std::string>& secrets) {
     if (!arguments.has(QStringLiteral("as")))
-        return database::Actor::simulated(); // may create and read simulated sessions, nothing else
+        return database::Actor::simulated(); // may create and read simulated sessions only
     return database::AccountService(database).login(arguments.value(QStringLiteral("as")).toStdString(), secrets[0]);
 }
 

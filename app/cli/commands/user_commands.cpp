@@ -28,7 +28,7 @@ core::Result<database::RoleSet> roles(const Arguments& arguments) {
     return *set;
 }
 
-// What a change to somebody's account prints: the account as it is now.
+// The output of a change to an account: the account's current state.
 core::Result<CommandOutput> accountNow(Site& site, database::AccountService& accounts,
                                        const std::string& name, const QString& initialPassword = {}) {
     const auto person = accounts.personByName(site.actor, name);
@@ -125,7 +125,7 @@ core::Result<CommandOutput> passwd(const Arguments& arguments) {
     database::AccountService accounts(*site->database);
     const std::string name =
         arguments.operand(0).isEmpty() ? site->actor.name() : arguments.operand(0).toStdString();
-    if (name == site->actor.name()) { // one's own: with the old password
+    if (name == site->actor.name()) { // their own account: the old password is required
         if (site->secrets[1].empty())
             return wrongUse(QStringLiteral(
                 "new password: none given; expected it in CHIRON_NEW_PASSWORD or, with --password-stdin, "
@@ -156,7 +156,7 @@ core::Result<database::RosterExisting> existingPeople(const Arguments& arguments
     return *word == QLatin1String("update") ? database::RosterExisting::update : database::RosterExisting::skip;
 }
 
-// Who was recognised by an earlier login name, and where it is not certain who is meant.
+// Names people who were recognised by an earlier login name, and people whose identity is uncertain.
 QString whoIsMeantText(const database::RosterStep& step) {
     using Doubt = database::RosterStep::Doubt;
     const QString name = quoted(QString::fromStdString(step.name));
@@ -202,7 +202,7 @@ QJsonObject toldJson(const database::RosterStep& step) {
     return json;
 }
 
-// Passwords that were made are told here, this once.
+// Generated passwords are shown here, and only this once.
 CommandOutput importOutput(const database::RosterOutcome& done) {
     QJsonArray ids;
     QJsonArray passwords;
@@ -253,7 +253,8 @@ core::Result<CommandOutput> importCsv(const Arguments& arguments) {
     if (!site)
         return tl::unexpected(site.error());
     const auto done = database::AccountService(*site->database).importCsv(site->actor, bytes->toStdString(), *existing);
-    if (!done) // the data layer knows lines and columns, we know the file
+    // The database layer knows lines and columns; the file name is known here.
+    if (!done)
         return core::fail(done.error().code, arguments.operand(0).toStdString() + ": " + done.error().message);
     return importOutput(*done);
 }

@@ -41,7 +41,8 @@ QStringList dimensionsOf(const ProcedureSpec& spec) {
 
 bool ordersThree(const ProcedureSpec& spec) { return kindFor(spec).ordersThree(spec); }
 
-/// Takes one line. Failure: badInput, wrongUse (undo of nothing); the procedure is as before.
+/// Applies one line to the procedure. The procedure is unchanged after a failure.
+/// Errors: badInput; wrongUse (undo without an answer to undo).
 core::Result<void> take(Procedure& procedure, const AdaptiveLine& line) {
     if (line.kind == AdaptiveLine::Kind::undo)
         return procedure.undo();
@@ -56,14 +57,17 @@ tl::unexpected<core::Error> atLine(int number, const core::Error& error) {
     return badInput(QStringLiteral("stdin line %1: %2").arg(number).arg(QString::fromStdString(error.message)));
 }
 
-/// Each line is taken and answered before the next is read. Once the procedure is done, answers change nothing and are marked as ignored.
+/// Processes and answers each line before it reads the next one. Once the procedure is done, further answers
+/// change nothing and are marked as ignored.
 core::Result<void> answerLines(Procedure& procedure, bool orders, const QStringList& names) {
     const auto dimensions = static_cast<std::size_t>(names.isEmpty() ? 1 : names.size());
     std::string text;
     for (int number = 1; std::getline(std::cin, text); ++number) {
-        if (const auto at = text.find('\r'); at != std::string::npos && at + 1 < text.size()) // answers that end in it alone would be one
+        // Answers that end in a carriage return alone would be read as one line.
+        if (const auto at = text.find('\r'); at != std::string::npos && at + 1 < text.size())
             return atLine(number, {core::ErrorCode::badInput, "a carriage return within the line: expected lines that end in a line feed, or in both"});
-        if (std::cin.eof() && !text.ends_with('\r')) // an answer that was cut off may read as another
+        // An answer that was cut off may read as a different answer.
+        if (std::cin.eof() && !text.ends_with('\r'))
             return atLine(number, {core::ErrorCode::badInput, "the last line has no line feed: expected one after every answer, or the answer was cut off"});
         const QString words = QString::fromStdString(text);
         if (words.trimmed().isEmpty())
@@ -94,7 +98,8 @@ core::Result<CommandOutput> runAdaptive(const Arguments& arguments) {
     const auto seed = arguments.seed(QStringLiteral("seed"), 1);
     if (!seed)
         return tl::unexpected(seed.error());
-    constexpr qint64 kLargest = (16 << 20) + 1; // a byte more than is read: who reads it says where
+    // One byte more than readProcedure() accepts, so that its message can say where the limit was exceeded.
+    constexpr qint64 kLargest = (16 << 20) + 1;
     const QString path = arguments.value(QStringLiteral("procedure"));
     const auto bytes = readInputFile(path, kLargest);
     if (!bytes)

@@ -91,7 +91,8 @@ core::Result<AdaptiveLine> parseAdaptiveLine(const QString& line, int outcomes, 
     if (word.contains(u'=') && outcomes != kRankings)
         return badInput(QStringLiteral("%1: ties are not allowed by this procedure; expected %2").arg(quoted(word), expected(outcomes, orders)));
     const bool isIndex = word.size() <= 3 && std::all_of(word.begin(), word.end(), [](QChar c) { return c >= u'0' && c <= u'9'; });
-    read.outcome = isIndex ? word.toInt() : orders ? outcomeOfOrder(word) : -1; // an order says nothing where no order was asked for
+    // An order has no meaning if the procedure does not ask for orders.
+    read.outcome = isIndex ? word.toInt() : orders ? outcomeOfOrder(word) : -1;
     if (read.outcome < 0 || read.outcome >= outcomes)
         return badInput(QStringLiteral("%1: expected %2").arg(quoted(word), expected(outcomes, orders)));
     if (!words.isEmpty()) {

@@ -17,7 +17,7 @@ namespace {
 
 using namespace psychophysics;
 
-constexpr std::size_t kMostCompared = 50; ///< one model has the parameters of all of them
+constexpr std::size_t kMostCompared = 50; ///< because one of the models has the parameters of all groups
 
 core::Result<SharedParameters> readParameters(const Arguments& arguments, const QString& option, const QString& fallback) {
     const auto list = arguments.has(option) ? arguments.list(option) : core::Result<QStringList>(fallback.split(u',', Qt::SkipEmptyParts));
@@ -42,7 +42,7 @@ QJsonArray namesOf(const SharedParameters& shared) {
     return names;
 }
 
-/// Fixed parameters are nobody's own: comparing them compares nothing.
+/// Refuses to test a fixed parameter, because it is the same in all groups.
 core::Result<void> check(const FitOptions& options, const SharedParameters& tested) {
     const auto fixed = [](const Asymptote& of) { return of.rule == Asymptote::Rule::fixed; };
     if (tested.lapse && fixed(options.lapse))
@@ -69,7 +69,7 @@ QJsonObject testJson(const ModelComparison& of) {
     return json;
 }
 
-/// Of every two groups, with Holm's correction over all of these tests.
+/// Compares every two groups, with Holm's correction over all of these tests.
 QJsonArray pairsJson(const AnswerTable& answers, const FitOptions& options, const SharedParameters& shared, const SharedParameters& tested) {
     struct Pair {
         std::size_t first, second;
@@ -140,7 +140,7 @@ QString comparisonText(const QJsonObject& json) {
     return words;
 }
 
-/// What the models say of conditions by number, by the groups' names.
+/// The models' warnings name conditions by number; here they get the names of the groups.
 QJsonArray warningsOf(const ModelComparison& of, const AnswerTable& answers) {
     QJsonArray warnings;
     for (const std::string& warning : of.larger.warnings) {

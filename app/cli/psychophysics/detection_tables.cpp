@@ -20,7 +20,8 @@ const QStringList kTasks{"yes-no", "2afc", "mafc", "same-different", "triangle",
 constexpr char kChance[] = "chance: no better than guessing";
 const QStringList kCounts{"hits", "misses", "false_alarms", "correct_rejections"};
 
-/// A line to be turned into d': four counts, or right answers of all (or a proportion alone).
+/// A line to be converted to d': four counts, or the number of correct answers and of all answers (or the
+/// proportion alone).
 struct Row {
     std::optional<std::array<long long, 4>> counts;
     long long right = 0, of = 0;
@@ -120,7 +121,8 @@ QJsonObject estimateJson(const DPrimeEstimate& e) {
 QJsonObject yesNoJson(const std::array<long long, 4>& c, bool corrected) {
     const core::DetectionCounts counts{static_cast<int>(c[0]), static_cast<int>(c[0] + c[1]), static_cast<int>(c[2]), static_cast<int>(c[2] + c[3])};
     const core::RateCorrection correction = corrected ? core::RateCorrection::logLinear : core::RateCorrection::none;
-    const bool any = counts.ofSignal > 0 && counts.ofNoise > 0; // a correction must not make a number out of nothing
+    // A correction must not produce a number from no data.
+    const bool any = counts.ofSignal > 0 && counts.ofNoise > 0;
     const auto rate = [&](int yes, int of) { return any ? core::rateOf(yes, of, correction) : std::numeric_limits<double>::quiet_NaN(); };
     const double hit = rate(counts.hits, counts.ofSignal), alarm = rate(counts.falseAlarms, counts.ofNoise);
     QJsonArray warnings;

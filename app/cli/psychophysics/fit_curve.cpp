@@ -15,7 +15,8 @@ namespace {
 
 using namespace psychophysics;
 
-constexpr int kDrawsOfDerived = 2000; ///< of the posterior, for the interval of a threshold at another proportion
+/// Draws from the posterior, for the interval of a threshold at another proportion.
+constexpr int kDrawsOfDerived = 2000;
 
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
 
@@ -68,12 +69,12 @@ QJsonObject parameters(const CurveParameters& at, StimulusScale scale) {
     return {{"threshold", fromScale(at.threshold, scale)}, {"width", at.width}, {"lapse", at.lapse}, {"guess", at.guess}, {"eta", at.eta}};
 }
 
-/// Standard errors; of the posterior its standard deviations. All on the fitted axis.
+/// Standard errors, or the posterior's standard deviations for a Bayesian fit. All are on the fitted axis.
 QJsonObject parameterErrors(const FitResult& fit) {
     return {{"threshold", fit.error.threshold}, {"width", fit.error.width}, {"lapse", fit.error.lapse}, {"guess", fit.error.guess}, {"eta", fit.error.eta}};
 }
 
-/// The posterior's spread over the prior's; null where a parameter is fixed.
+/// The ratio of the posterior's spread to the prior's; null if a parameter is fixed.
 QJsonObject influenceJson(const CurveParameters& of) {
     return {{"threshold", of.threshold}, {"width", of.width}, {"lapse", of.lapse}, {"guess", of.guess}, {"eta", of.eta}};
 }
@@ -114,7 +115,8 @@ void warn(QJsonObject& json, const QString& warning) {
     json.insert("warnings", warnings);
 }
 
-/// What was asked for beside the parameters: the threshold at another proportion, and PSE, JND and Weber fraction at a reference.
+/// Adds the derived values that were requested: the threshold at another proportion, and PSE, JND and Weber
+/// fraction at a reference.
 core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, QJsonObject& json) {
     const bool unscaled = arguments.has(QStringLiteral("unscaled"));
     if (arguments.has(QStringLiteral("threshold-at"))) {
@@ -141,7 +143,7 @@ core::Result<void> addDerived(const Arguments& arguments, const FitResult& fit, 
     return {};
 }
 
-/// What was asked for beside the parameters, a line or a table each.
+/// The requested derived values, one line or table each.
 QString derivedText(const QJsonObject& json) {
     const auto shown = [](const QJsonValue& value) { return shortNumber(value.toDouble(std::nan(""))); };
     QString words;
@@ -192,7 +194,7 @@ QString fitText(const QJsonObject& json) {
     return words;
 }
 
-/// One group's fit: what --json prints of it.
+/// The JSON of the fit of one group.
 core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, const AnswersOf& answers, const FitOptions& options) {
     FitResult fit = likelihood ? fitMaximumLikelihood(answers.data, options) : fitBayesian(answers.data, options);
     for (std::string& warning : fit.warnings)
@@ -206,7 +208,7 @@ core::Result<QJsonObject> fitOf(const Arguments& arguments, bool likelihood, con
     return json;
 }
 
-/// A row a group, then what each is warned of.
+/// A table with one row per group, followed by the warnings of each group.
 QString groupsText(const QStringList& by, const QJsonArray& groups) {
     QStringList headings = by;
     headings << ">threshold" << ">low" << ">high" << ">width" << ">low" << ">high" << ">lapse" << ">p" << ">warnings";

@@ -16,8 +16,10 @@ namespace {
 
 using namespace psychophysics;
 
-constexpr double kMostTrials = 1e9;         ///< of a level, and of all levels of a group: beyond, a posterior is narrower than any grid
-constexpr std::size_t kMostGroups = 1000;   ///< more: the column is none of groups
+/// Limit of one level, and of all levels of a group together; beyond it, a posterior is narrower than any
+/// grid.
+constexpr double kMostTrials = 1e9;
+constexpr std::size_t kMostGroups = 1000;   ///< if there are more, the column does not define groups
 
 QStringList sigmoidNames() {
     QStringList names;
@@ -26,7 +28,8 @@ QStringList sigmoidNames() {
     return names;
 }
 
-/// "DATA.csv: lines 3, 7": a few of them, since a column of another kind makes all of them so.
+/// "DATA.csv: lines 3, 7". Only a few lines are named, since a wrongly chosen column makes every row
+/// unusable.
 QString placesOf(const CsvTable& table, const std::vector<std::size_t>& rows) {
     constexpr std::size_t kMostNamed = 5;
     QStringList lines;
@@ -37,11 +40,11 @@ QString placesOf(const CsvTable& table, const std::vector<std::size_t>& rows) {
                                                            rows.size() > kMostNamed ? QStringLiteral(" ...") : QString());
 }
 
-/// Where in the table the answers are.
+/// The columns of the table that hold the answers.
 struct AnswerColumns {
     int intensity = -1;
-    int correct = -1;          ///< of single trials; −1: counts
-    int right = -1, total = -1; ///< of counts
+    int correct = -1;          ///< column of single trials; −1: the table holds counts
+    int right = -1, total = -1; ///< columns of counts
     QList<int> by;
 
     bool trials() const { return correct >= 0; }
@@ -87,7 +90,7 @@ core::Result<AnswerColumns> columnsOf(const CsvTable& table, const Arguments& ar
     return columns;
 }
 
-/// What a row says, and what is wrong with it: nothing, or the column and what was expected there.
+/// The values of a row and its fault, if any: the column and what was expected there.
 struct ReadRow {
     double x = 0.0, right = 0.0, of = 0.0;
     int wrongColumn = -1;
@@ -122,7 +125,7 @@ core::Result<ReadRow> readRow(const CsvTable& table, std::size_t row, const Answ
     return read;
 }
 
-/// Puts rows into their groups.
+/// Sorts rows into their groups.
 class Grouping {
 public:
     Grouping(const CsvTable& table, const AnswerColumns& columns, bool strict, bool dropBad) : m_table(table), m_columns(columns), m_strict(strict), m_dropBad(dropBad) {}
@@ -161,7 +164,7 @@ private:
         m_trials.push_back(0.0);
         return m_groups.size() - 1;
     }
-    /// A row that cannot be read is told of in the group whose name it has.
+    /// Records an unreadable row in the group whose name it has.
     core::Result<void> leaveOut(std::size_t row, QStringList values) {
         if (values.isEmpty())
             for (const int column : m_columns.by)
@@ -172,7 +175,8 @@ private:
         if (!group)
             return tl::unexpected(group.error());
         constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-        PsychometricData& data = m_groups[*group].data; // a row that fits count and name as not usable
+        // A row that the fit counts and reports as not usable.
+        PsychometricData& data = m_groups[*group].data;
         data.x.push_back(kNone);
         data.k.push_back(kNone);
         data.n.push_back(kNone);
@@ -185,7 +189,8 @@ private:
             return tl::unexpected(group.error());
         double& trials = m_trials[*group];
         trials += read.of > 0.0 ? read.of : 0.0;
-        if (trials > kMostTrials) // of all levels together, or the grid takes all memory
+        // Of all levels together; a larger number would let the grid use up all memory.
+        if (trials > kMostTrials)
             return m_table.fault(row, m_columns.total, QStringLiteral("at most 1e9 of all rows together"));
         PsychometricData& data = m_groups[*group].data;
         data.x.push_back(read.x);
@@ -205,7 +210,7 @@ private:
     std::vector<double> m_trials;
 };
 
-/// A proportion, "free", or (where `equal` may be) "equal".
+/// A proportion, "free", or (if `equal` allows it) "equal".
 core::Result<Asymptote> asymptote(const Arguments& arguments, const QString& option, bool equal, Asymptote fallback) {
     if (!arguments.has(option))
         return fallback;

@@ -11,30 +11,33 @@
 
 namespace chiron::cli {
 
-/// Answers of one group: of one participant, one condition, or all there are.
+/// The answers of one group: of one participant, of one condition, or of the whole table.
 struct AnswersOf {
-    QStringList group; ///< values of the columns of --by; empty without
+    QStringList group; ///< values of the --by columns; empty without --by
     psychophysics::PsychometricData data;
-    QString leftOut; ///< where the rows are that cannot be used; empty: all can
+    QString leftOut; ///< lines of the unusable rows; empty if all rows are usable
 };
 
 struct AnswerTable {
     QStringList by; ///< columns of --by
-    std::vector<AnswersOf> groups; ///< in the order in which the file has them first; one without --by
+    std::vector<AnswersOf> groups; ///< in the order of first appearance; a single one without --by
 };
 
-/// Rows of counts (intensity,n_correct,n_total) or of single trials (intensity,correct with 1 or 0); --intensity, --correct: other names of these
-/// columns; --by COLUMN[,COLUMN]: apart by the values there. A row that cannot be (more right than there were, no intensity, no answer) of trials or
-/// of groups is bad input, unless --drop-bad leaves it out; of plain counts it is left out and named in AnswersOf::leftOut.
+/// Reads rows of counts (intensity,n_correct,n_total) or of single trials (intensity,correct with 1 or 0).
+/// --intensity and --correct give other names for these columns; --by COLUMN[,COLUMN] splits the rows into
+/// groups by the values of these columns. An impossible row (more correct answers than trials, no intensity,
+/// no answer) is bad input if the table holds single trials or groups, unless --drop-bad leaves it out. In a
+/// table of plain counts it is left out and listed in AnswersOf::leftOut.
 core::Result<AnswerTable> readAnswers(const Arguments& arguments);
 
-/// --function, --scale, --guess and --lapse. Failure: wrongUse.
+/// Reads --function, --scale, --guess and --lapse.
+/// Errors: wrongUse.
 core::Result<psychophysics::FitOptions> readCurve(const Arguments& arguments);
 
-/// {column: value} of a group.
+/// A group as {column: value}.
 QJsonObject groupJson(const QStringList& by, const QStringList& group);
 
-/// Options of every command that reads answers and fits curves, for its row in the command table.
+/// The options of every command that reads answers and fits curves, for the command table.
 std::vector<OptionSpec> answerOptions();
 std::vector<OptionSpec> curveOptions();
 

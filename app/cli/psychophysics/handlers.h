@@ -6,11 +6,11 @@
 
 namespace chiron::cli {
 
-// What the psychophysics commands do; each a handler of a row in commands/psychophysics_commands.cpp.
+// Handlers of the psychophysics commands, one per row of commands/psychophysics_commands.cpp.
 core::Result<CommandOutput> fitCurve(const Arguments& arguments);
-/// Do groups differ in a parameter: likelihood ratio and AIC of two models.
+/// Tests whether groups differ in a parameter, by the likelihood ratio and the AIC of two models.
 core::Result<CommandOutput> compareModels(const Arguments& arguments);
-/// Prints JSON Lines while it runs: the one command that writes to stdout itself.
+/// Prints JSON Lines while it runs. It is the only command that writes to stdout itself.
 core::Result<CommandOutput> runAdaptive(const Arguments& arguments);
 core::Result<CommandOutput> detectionTables(const Arguments& arguments);
 core::Result<CommandOutput> rankings(const Arguments& arguments);

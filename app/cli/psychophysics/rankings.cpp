@@ -45,13 +45,14 @@ QJsonObject worthJson(WorthEstimate worth, const QStringList& items, bool expone
     return {{"fitted", worth.fitted}, {"items", objects}, {"log_likelihood", worth.logLikelihood}, {"iterations", worth.iterations}, {"warnings", words(worth.warnings)}};
 }
 
-/// Judges' ranks: a row a judge, a column an object; columns called subject, judge, participant or trial are left out.
+/// Judges' ranks, one row per judge and one column per object. Columns named subject, judge, participant or
+/// trial are skipped.
 struct Judges {
     QStringList items;
     std::vector<std::vector<double>> ranks;
-    std::vector<std::vector<int>> bestFirst; ///< of rows without ties and missing ranks
-    int leftOut = 0;  ///< of bestFirst
-    int notRanks = 0; ///< rows with a value that is no rank from 1 to the number of objects
+    std::vector<std::vector<int>> bestFirst; ///< only rows without ties and missing ranks
+    int leftOut = 0;  ///< rows that are not in bestFirst
+    int notRanks = 0; ///< rows with a value that is not a rank from 1 to the number of objects
 };
 
 core::Result<Judges> readJudges(const CsvTable& table) {
@@ -92,7 +93,7 @@ core::Result<Judges> readJudges(const CsvTable& table) {
     return judges;
 }
 
-/// Columns in the order that --order expects, for Page's L.
+/// Columns in the order that --order states, for Page's L.
 core::Result<std::vector<std::vector<double>>> inOrder(const Judges& judges, const QStringList& order) {
     std::vector<qsizetype> columns;
     for (const QString& item : order) {
@@ -112,7 +113,8 @@ core::Result<std::vector<std::vector<double>>> inOrder(const Judges& judges, con
     return rows;
 }
 
-/// Kendall's tau of each judge with the expected order, and their mean; of many judges the mean alone.
+/// Kendall's tau of each judge with the expected order, and their mean; only the mean if there are many
+/// judges.
 QJsonObject tauJson(const std::vector<std::vector<double>>& rows) {
     constexpr std::size_t kMostShown = 1000;
     QJsonArray each;

@@ -21,7 +21,7 @@ QJsonValue value(double number) { return std::isfinite(number) ? QJsonValue(numb
 QJsonArray ends(const psychophysics::Interval& interval, double factor = 1.0) { return {value(interval.low * factor), value(interval.high * factor)}; }
 
 QJsonObject axisJson(const ApexAxis& axis, bool blinded) {
-    const double percentPerMm = axis.biasPercent / axis.bias_mm; // the interval is kept in mm
+    const double percentPerMm = axis.biasPercent / axis.bias_mm; // the interval is stored in mm
     QJsonObject json{{"bias_percent", value(axis.biasPercent)}, {"sd_percent", value(axis.sdPercent)}};
     json.insert("bias_ci_percent", ends(axis.bias95_mm, std::isfinite(percentPerMm) ? percentPerMm : std::nan("")));
     if (blinded)

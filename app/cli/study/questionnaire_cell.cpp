@@ -19,12 +19,12 @@ QString inLanguage(const psychophysics::StudyText& words, const std::string& lan
     return found == words.end() ? QString() : QString::fromStdString(found->second);
 }
 
-/// "5 (Completely)", or "5" where the end has no words.
+/// "5 (Completely)", or "5" if this end of the scale has no words.
 QString end(double value, const QString& words) {
     return words.isEmpty() ? QString::number(value) : QStringLiteral("%1 (%2)").arg(QString::number(value), words);
 }
 
-/// Which choice these words are, in any language; -1: none.
+/// The index of the choice with these words in any language; -1 if there is none.
 int choiceNamed(const QuestionnaireItem& item, const QString& words) {
     for (std::size_t i = 0; i < item.choices.size(); ++i)
         for (const auto& [language, choice] : item.choices[i])
@@ -33,7 +33,7 @@ int choiceNamed(const QuestionnaireItem& item, const QString& words) {
     return -1;
 }
 
-/// Where a choice reads "2" nobody could tell whether a 2 is meant as words or counts from 0.
+/// If a choice reads "2", a 2 could be meant as its words or as an index from 0.
 bool choicesAreNumbers(const QuestionnaireItem& item) {
     for (const auto& choice : item.choices)
         for (const auto& [language, words] : choice) {

@@ -5,11 +5,12 @@
 
 namespace chiron::cli {
 
-/// Gives an answer what a cell says: a number, a choice by its words in any language or its index from 0, free text. Empty: not answered.
+/// Sets an answer from the text of a cell: a number, a choice (by its words in any language or by its index
+/// from 0), or free text. An empty cell means not answered.
 void takeWords(SheetAnswer& answer, const QString& words, SheetFaults& faults);
-/// The same of a JSON number: a choice counts from 0.
+/// Does the same for a JSON number; choices count from 0.
 void takeNumber(SheetAnswer& answer, double value, SheetFaults& faults);
-/// Notes that what is there is no answer to this question.
+/// Records that the value found is not a valid answer to this question.
 void refuse(SheetAnswer& answer, const QString& found, SheetFaults& faults);
 
 } // namespace chiron::cli

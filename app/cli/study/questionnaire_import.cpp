@@ -19,18 +19,18 @@ namespace chiron::cli {
 namespace {
 
 using database::QuestionnaireAnswer;
-/// Participant, questionnaire, item, condition (empty: asked once).
+/// Participant, questionnaire, item, condition (empty if the question is asked once).
 using Asked = std::tuple<database::ParticipantNumber, std::string, std::string, std::string>;
 /// The completed run of a participant at a condition.
 using DoneRuns = std::map<std::pair<database::ParticipantNumber, std::string>, database::StudyRunNumber>;
 
-/// A code as it is compared: case and "-" do not matter.
+/// The normalised form in which codes are compared: case and "-" do not matter.
 QString plainCode(const QString& code) { return code.toUpper().remove(u'-'); }
 
-/// What a sheet's rows come to against what is stored.
+/// Compares the rows of a sheet with the stored answers.
 class Matching {
 public:
-    /// `language`: of the forms; empty: not told.
+    /// `language`: the language of the forms; empty if not stated.
     Matching(const std::vector<database::Participant>& participants, const std::vector<QuestionnaireAnswer>& stored, DoneRuns runs, std::string language, bool incomplete,
              SheetFaults& faults)
         : m_incomplete(incomplete), m_faults(faults), m_runs(std::move(runs)), m_language(std::move(language)) {
@@ -68,7 +68,8 @@ private:
     QuestionnaireAnswer answerOf(const database::Participant& who, const SheetAnswer& answer, database::StudyRunNumber run) const {
         QuestionnaireAnswer given{who.id, answer.asked.questionnaire->id, answer.asked.item->id, answer.number, answer.text.toStdString(), {}};
         given.run = run;
-        if (!m_language.empty()) // as the template has it: in English where the question is not written in that language
+        // As in the template: English if the question is not written in that language.
+        if (!m_language.empty())
             given.language = answer.asked.item->text.count(m_language) > 0 ? m_language : "en";
         return given;
     }
@@ -118,7 +119,7 @@ private:
     std::string m_language;
     std::map<QString, const database::Participant*> m_participants;
     std::map<Asked, const QuestionnaireAnswer*> m_stored;
-    std::map<Asked, QString> m_seen; ///< where
+    std::map<Asked, QString> m_seen; ///< the place in the sheet where each one was first found
     std::vector<QuestionnaireAnswer> m_new;
     std::set<database::ParticipantNumber> m_people;
     int m_unchanged = 0;
@@ -137,7 +138,7 @@ core::Result<DoneRuns> doneRuns(database::StudyReader reader, const std::vector<
     return done;
 }
 
-/// Every question of the study.
+/// All questions of the study.
 core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, const psychophysics::StudyDesign& design) {
     const auto conditions = study.reader().conditionCodes(study.number());
     if (!conditions)
@@ -151,7 +152,8 @@ core::Result<std::vector<AskedQuestion>> allQuestions(const StudySite& study, co
     return askedQuestions(all, labels);
 }
 
-/// Of --language; empty where it is not given. Failure: wrongUse where no question is written in it.
+/// The value of --language; empty if it is not given.
+/// Errors: wrongUse if no question is written in this language.
 core::Result<std::string> languageOf(const Arguments& arguments, const std::vector<AskedQuestion>& asked) {
     const std::string language = arguments.value(QStringLiteral("language")).toStdString();
     if (language.empty() || std::any_of(asked.begin(), asked.end(), [&](const AskedQuestion& each) { return each.item->text.count(language) > 0; }))
@@ -189,7 +191,8 @@ core::Result<CommandOutput> importQuestionnaire(const Arguments& arguments) {
         matching.take(row);
     if (!faults.none())
         return tl::unexpected(faults.error());
-    auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> { // one transaction: all of them or none
+    // In one transaction, so that either all answers are stored or none.
+    auto done = study->site.database->write([&](database::WriteContext& context) -> core::Result<void> {
         return database::StudyRepository(context.connection(), study->site.actor).storeQuestionnaireAnswers(matching.fresh());
     });
     if (!done)

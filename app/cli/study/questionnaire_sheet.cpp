@@ -23,7 +23,7 @@ const AskedQuestion* questionOf(const Questions& asked, const QString& name) {
     return found == asked.end() ? nullptr : &*found;
 }
 
-/// The questions of the questionnaire that a name begins with, or else all.
+/// The questions of the questionnaire with which the name begins, or all questions if there are none.
 QString knownQuestions(const Questions& asked, const QString& name) {
     QStringList all, alike;
     const auto questionnaire = [](const QString& of) { return of.section(u'.', 0, 0).section(u'@', 0, 0); };
@@ -35,7 +35,7 @@ QString knownQuestions(const Questions& asked, const QString& name) {
     return all.isEmpty() ? QStringLiteral("none, since the study has no questionnaires") : QStringLiteral("one of ") + (alike.isEmpty() ? all : alike).join(QStringLiteral(", "));
 }
 
-/// Spreadsheets like to save in the encoding of their country, which would turn names and umlauts into something else.
+/// Spreadsheets often save in a regional encoding, which would corrupt names and umlauts.
 core::Result<QString> utf8Text(const QByteArray& bytes, const QString& name) {
     if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
         return badInput(QStringLiteral("%1:1: UTF-16: expected UTF-8 (save it as \"CSV UTF-8\")").arg(name));
@@ -50,7 +50,8 @@ core::Result<QString> utf8Text(const QByteArray& bytes, const QString& name) {
     return QString::fromUtf8(bytes);
 }
 
-/// Of every questionnaire (of every condition) that has a column, each question that must be answered has one.
+/// If a questionnaire (of a condition) has any column, every question of it that must be answered needs a
+/// column.
 void findMissingColumns(const CsvTable& table, const Questions& asked, SheetFaults& faults) {
     QStringList begun, groups;
     for (const AskedQuestion& each : asked) {

@@ -77,7 +77,7 @@ QJsonObject summaryJson(const Questionnaire& questionnaire, const QuestionnaireS
     return {{"id", text(questionnaire.id)}, {"replies", s.replies}, {"likert", likert}, {"constructs", constructs}, {"numbers", numbers}, {"texts", texts}, {"warnings", strings(s.warnings)}};
 }
 
-/// `of`: what stands before a question's id.
+/// `of`: the prefix of the question's id.
 void addRows(TextTable& table, const QString& of, const QuestionnaireSummary& s) {
     const auto range = [](double low, double high) { return std::isfinite(low) ? QStringLiteral("%1-%2").arg(shortNumber(low), shortNumber(high)) : QStringLiteral("-"); };
     for (const auto& each : s.likert)

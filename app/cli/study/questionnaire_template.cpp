@@ -19,13 +19,13 @@ namespace {
 using psychophysics::Questionnaire;
 using psychophysics::QuestionnaireItem;
 
-/// What a template is of.
+/// The contents of a template.
 struct Blank {
     QString study;
     QString sha256;
     std::string language;
     std::vector<AskedQuestion> asked;
-    QStringList codes; ///< of those who take part and have not answered all of them yet
+    QStringList codes; ///< participants who have not answered all of the questions yet
 };
 
 QString inLanguage(const psychophysics::StudyText& words, const std::string& language) {
@@ -53,7 +53,8 @@ QByteArray csvOf(const Blank& blank) {
     csv += heading.join(u',') + u'\n';
     for (const QString& code : blank.codes)
         csv += code + QString(heading.size() - 1, u',') + u'\n';
-    return "\xef\xbb\xbf" + csv.toUtf8(); // spreadsheets take it for UTF-8 only with the mark
+    // Spreadsheets recognise UTF-8 only with a byte-order mark.
+    return "\xef\xbb\xbf" + csv.toUtf8();
 }
 
 QByteArray jsonOf(const Blank& blank) {
@@ -72,11 +73,12 @@ QByteArray jsonOf(const Blank& blank) {
     return QJsonDocument(QJsonObject{{"study", blank.study}, {"design_sha256", blank.sha256}, {"questions", questions}, {"participants", participants}}).toJson();
 }
 
-/// By code: neither who was enrolled first nor anybody's order of conditions shows.
+/// Sorted by code, so that neither the order of enrolment nor anybody's order of conditions can be seen.
 QStringList openCodes(const Blank& blank, const std::vector<database::Participant>& participants, const std::vector<database::QuestionnaireAnswer>& answers) {
     QStringList codes;
     for (const database::Participant& each : participants) {
-        const auto hasAnswered = [&](const AskedQuestion& asked) { // anything of the questionnaire: what was left out then is not asked again
+        // Any answer of the questionnaire counts: a question that was left out then is not asked again.
+        const auto hasAnswered = [&](const AskedQuestion& asked) {
             return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
                 return answer.participant == each.id && answer.questionnaire == asked.questionnaire->id && session::labelOf(answer) == asked.label;
             });

@@ -10,7 +10,7 @@
 
 namespace chiron::cli {
 
-/// A database with a study in it that the actor may read.
+/// An open database with a study that the actor may read.
 struct StudySite {
     Site site;
     std::unique_ptr<database::Connection> connection;
@@ -20,20 +20,21 @@ struct StudySite {
     database::StudyNumber number() const { return record.summary.id; }
 };
 
-/// The study that the first operand names, by number or key. Reading: as anybody (simulated studies); writing: as a person. Failure: wrongUse,
-/// notAllowed, notFound, storage.
+/// Opens the study that the first operand names by number or key. Reading works without --as (simulated
+/// studies); writing needs a person.
+/// Errors: wrongUse, notAllowed, notFound, storage.
 core::Result<StudySite> openStudy(const Arguments& arguments, Opening opening);
 core::Result<database::StudyRecord> findStudy(database::StudyReader reader, const QString& name);
 
 QString stateWord(database::StudyState state);
 /// id, key, title, state, sha256, blinded, participants, completed, trials.
 QJsonObject studyJson(const database::StudySummary& summary);
-/// cli.md: weber, jnd, sigma_log10, ci_low, ci_high, criterion, unit; exponent, exponent_ci of a magnitude estimation; while blinded nothing in physical
-/// units.
+/// The keys that cli.md specifies: weber, jnd, sigma_log10, ci_low, ci_high, criterion, unit; exponent and
+/// exponent_ci for a magnitude estimation. While the study is blinded, no value is in physical units.
 QJsonObject estimateJson(const psychophysics::RunEstimate& estimate, bool blinded);
-/// "token: words" each, in English; by tokens alone where words could tell what is blinded.
+/// Each warning as "token: words" in English; the tokens alone if the words could reveal blinded information.
 QJsonArray warningsJson(const std::vector<psychophysics::Warning>& warnings, bool tokensAlone);
-/// "felt" or "shown"; null where nothing was rendered.
+/// "felt" or "shown"; null if nothing was rendered.
 QJsonValue forceClassJson(const std::optional<bool>& felt);
 QString warningTokens(const std::vector<psychophysics::Warning>& warnings); ///< separated by commas
 QJsonObject participantJson(const database::Participant& participant);

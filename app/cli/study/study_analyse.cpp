@@ -28,7 +28,7 @@ QJsonObject replayedJson(const session::ReplayedChoices& r) {
             {"identical", r.same + r.ties == r.trials && r.sameProcedures}};
 }
 
-/// Without physical units and methods while blinded.
+/// Omits physical units and methods while the study is blinded.
 QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
     QJsonObject json{{"weber", number(g.weber)}, {"ci_low", number(g.weber95.low)}, {"ci_high", number(g.weber95.high)}, {"bootstrap", interval(g.bootstrap95)},
                      {"prediction", interval(g.prediction95)}, {"sigma_log10", number(g.sigma_log10)}, {"sd_between_log10", number(g.sdBetweenLog10)},
@@ -46,9 +46,10 @@ QJsonObject groupJson(const GroupEstimate& g, bool blinded) {
     return json;
 }
 
-/// How well trials went, by participant: also while the study is blinded.
+/// The quality of the trials per participant; available also while the study is blinded.
 QJsonArray qualityJson(const session::StudyAnalysis& analysis) {
-    std::map<QString, QJsonObject> rows; // by code: neither the order of enrolment shows
+    // Keyed by code, so that the order of enrolment cannot be seen.
+    std::map<QString, QJsonObject> rows;
     for (const auto& [participant, code] : analysis.codes)
         for (const database::ParticipantQuality& q : analysis.quality) {
             if (q.participant != participant)
@@ -68,7 +69,7 @@ QJsonArray qualityJson(const session::StudyAnalysis& analysis) {
     return list;
 }
 
-/// A condition's id, or its sealed code.
+/// The id of a condition, or its sealed code.
 QString labelOf(const session::AnalysedCondition& condition) {
     return text(condition.condition);
 }
@@ -76,8 +77,8 @@ QString labelOf(const session::AnalysedCondition& condition) {
 struct Told {
     QJsonArray runs, conditions;
     TextTable table{{"participant", "condition", ">trials", ">Weber", ">low", ">high", ">prior's part", ">same choices", "in the group", "warnings"}};
-    TextTable marks = apexTable(false); ///< of conditions in which an apex was looked for
-    QString statements; ///< of each condition what its group value rests on
+    TextTable marks = apexTable(false); ///< for conditions in which the participants look for an apex
+    QString statements; ///< for each condition, the runs on which its group value is based
     bool compared = false, marked = false;
 };
 
@@ -134,7 +135,7 @@ QJsonObject comparisonJson(const session::ComparedConditions& each, const QStrin
 
 QString pWords(double p) { return !std::isfinite(p) ? QString() : p < 0.001 ? QStringLiteral("< 0.001") : QString::number(p, 'f', 3); }
 
-/// Ratios of Weber fractions, the second condition's over the first's.
+/// The ratios of Weber fractions, the second condition's divided by the first's.
 QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& array) {
     const bool thresholds = session::testsThresholds(analysis.comparisons);
     QStringList headings{"condition A", "condition B", ">B/A", ">low", ">high", ">p", ">p (Holm)", "people"};
@@ -155,7 +156,8 @@ QString tellComparisons(const session::StudyAnalysis& analysis, QJsonArray& arra
     return analysis.comparisons.empty() ? QString() : QStringLiteral("\n") + table.toText();
 }
 
-/// Of conditions in which Weber fractions are compared: why two are not, and who is in no comparison.
+/// For conditions whose Weber fractions are compared: why some pairs are not compared, and which participants
+/// are in no comparison.
 QStringList missingComparisons(const session::StudyAnalysis& analysis) {
     const bool marks = std::any_of(analysis.conditions.begin(), analysis.conditions.end(), [](const auto& each) { return each.apex.has_value(); });
     if (analysis.blind() || marks)
@@ -198,7 +200,8 @@ core::Result<CommandOutput> analyseStudies(const Arguments& arguments) {
         if (!blinded && condition.runs.empty())
             tellStatement(told, condition);
     std::erase_if(conditions, [](const auto& each) { return each.runs.empty(); });
-    if (blinded) // neither the design's order nor that of enrolment shows
+    // Neither the order of the design nor that of enrolment may show.
+    if (blinded)
         std::sort(conditions.begin(), conditions.end(), [](const auto& a, const auto& b) { return labelOf(a) < labelOf(b); });
     for (const session::AnalysedCondition& condition : conditions) {
         tellStatement(told, condition);

@@ -19,7 +19,7 @@ namespace {
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
-/// Runs one change on the writer's connection, then tells of the study as it now is.
+/// Applies one change on the writer's connection, then prints the study's current state.
 template <class Change> core::Result<CommandOutput> changed(StudySite& study, Change&& apply) {
     const auto number = study.number();
     auto done = study.site.database->write([&](database::WriteContext& context) -> core::Result<void> {
@@ -64,7 +64,7 @@ template <class Change> core::Result<CommandOutput> changeParticipant(const Argu
     return CommandOutput{QJsonDocument(json), QStringLiteral("%1: %2\n").arg(json["code"].toString(), json["state"].toString()), 0};
 }
 
-/// SHA-256 of the consent text in the language asked for.
+/// SHA-256 of the consent text in the requested language.
 core::Result<std::string> consentSha256(const Arguments& arguments, const StudySite& study) {
     const auto design = catalogue::readStudy(QByteArray::fromStdString(study.record.designJson), study.record.summary.key);
     if (!design)
@@ -152,7 +152,7 @@ core::Result<CommandOutput> unblindStudy(const Arguments& arguments) {
 
 core::Result<CommandOutput> enrolParticipant(const Arguments& arguments) {
     const std::string given = qgetenv("CHIRON_IDENTITY").toStdString();
-    qunsetenv("CHIRON_IDENTITY"); // no child or crash report inherits it
+    qunsetenv("CHIRON_IDENTITY"); // so that no child process or crash report inherits it
     auto study = openStudy(arguments, Opening::forWriting);
     if (!study)
         return tl::unexpected(study.error());
@@ -207,7 +207,7 @@ core::Result<CommandOutput> eraseParticipant(const Arguments& arguments) {
 }
 
 core::Result<CommandOutput> studyKey(const Arguments& arguments) {
-    auto study = openStudy(arguments, Opening::forWriting); // the look is audited
+    auto study = openStudy(arguments, Opening::forWriting); // because the look-up is audited
     if (!study)
         return tl::unexpected(study.error());
     const auto number = study->number();

@@ -9,7 +9,8 @@
 namespace chiron::cli {
 
 bool isStudyFile(const QString& name) {
-    return (name.contains(u'/') || name.contains(u'.')) && QFileInfo(name).isFile(); // a study's own key has neither
+    // The key of a study contains neither of them.
+    return (name.contains(u'/') || name.contains(u'.')) && QFileInfo(name).isFile();
 }
 
 core::Result<psychophysics::StudyDesign> readStudyFile(const QString& path) {

@@ -8,10 +8,12 @@
 
 namespace chiron::cli {
 
-/// Whether what the user calls a study is a file: it has the look of a path ("./a.json", "a.json") and is there.
+/// True if the user's name of a study refers to a file: it looks like a path ("./a.json", "a.json") and the
+/// file exists.
 bool isStudyFile(const QString& name);
 
-/// A study's design from a JSON file of at most 1 MiB. Failure: badInput naming the place in the file.
+/// Reads a study's design from a JSON file of at most 1 MiB.
+/// Errors: badInput naming the place in the file.
 core::Result<psychophysics::StudyDesign> readStudyFile(const QString& path);
 
 } // namespace chiron::cli

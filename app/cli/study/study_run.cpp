@@ -24,7 +24,7 @@ namespace {
 
 using namespace psychophysics;
 
-std::atomic<bool> g_cancel{false}; // the one thing a signal handler may touch
+std::atomic<bool> g_cancel{false}; // the only object that the signal handler may touch
 
 void onSignal(int) { g_cancel.store(true, std::memory_order_relaxed); }
 
@@ -32,7 +32,7 @@ QString text(const std::string& words) { return QString::fromStdString(words); }
 
 QJsonValue number(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
 
-/// While blinded neither values nor anything else by which conditions could be told apart.
+/// While the study is blinded, omits values and everything else by which conditions could be told apart.
 QJsonObject trialJson(const database::StudyTrial& t, const Condition& condition, const session::StudyExportData& data) {
     QJsonObject json{{"ordinal", t.ordinal}, {"practice", t.practice}, {"spoiled", text(t.spoiled)}, {"exploration_s", t.exploration_s}, {"answer_s", t.answer_s},
                      {"paused_s", number(session::pausedOf(t.fidelityJson))}, {"device", text(t.device)}, {"force_class", forceClassJson(t.felt)}};
@@ -77,7 +77,7 @@ QJsonArray runsJson(const session::StudyExportData& data, const std::string& cod
     return all;
 }
 
-/// Where each mark of an apex lies; nothing in other studies.
+/// A table with the position of each mark of an apex; empty in other studies.
 QString marksText(const QJsonArray& runs) {
     TextTable table({"condition", ">trial", ">x (%R)", ">y (%R)", ">distance (mm)", "not counted"});
     bool any = false;
@@ -93,7 +93,8 @@ QString marksText(const QJsonArray& runs) {
     return any ? table.toText() : QString();
 }
 
-/// What the device could render, at the delay that was measured on it; nothing for a quick run, which has no device.
+/// The limits of what the device could render, at the delay measured on it; null for a quick run, which has
+/// no device.
 QJsonValue deviceJson(const std::optional<session::RenderingLimits>& limits) {
     if (!limits)
         return QJsonValue::Null;
@@ -113,7 +114,8 @@ core::Result<CommandOutput> told(database::Database& database, const database::A
     const QJsonArray runs = runsJson(*data, participant.code);
     QJsonObject json{{"study", text(study.summary.key)}, {"sha256", text(study.summary.sha256)}, {"participant", text(participant.code)}, {"observer", text(participant.observer)}, {"blinded", data->blinded},
                      {"device", deviceJson(report.limits)}, {"runs", runs}};
-    if (!runs.isEmpty()) { // the contract's keys: of the first condition
+    // The keys that cli.md specifies describe the first condition.
+    if (!runs.isEmpty()) {
         json.insert("trials", runs.first()["trials"]);
         json.insert("estimate", runs.first()["estimate"]);
     }
@@ -169,7 +171,8 @@ core::Result<CommandOutput> runStudy(const Arguments& arguments) {
     }
     const QString file = databasePath(arguments);
     const QString name = arguments.operand(0);
-    if (!QFileInfo::exists(file)) { // one is made only for a run that can be done
+    // A database is created only for a run that can be done.
+    if (!QFileInfo::exists(file)) {
         if (!secrets.empty())
             return core::fail(core::ErrorCode::notFound, QStringLiteral("--database %1: no such file; expected a database with the account of --as").arg(quoted(file)).toStdString());
         const auto wanted = findStudyToRun(nullptr, database::Actor::simulated(), name);
@@ -214,7 +217,8 @@ core::Result<CommandOutput> rerunStudy(const Arguments& arguments) {
     TextTable table({"participant", "condition", ">trials", ">same", ">ties", "first difference"});
     for (const session::ExportedParticipant& each : data->participants) {
         for (const session::ExportedRun& run : each.runs) {
-            if (run.run.procedures.empty()) // sealed with the limit of the device
+            // The condition was sealed with the device's limit, so there is nothing to repeat.
+            if (run.run.procedures.empty())
                 continue;
             database::StudyRun byStandIn = run.run;
             byStandIn.condition = run.condition->id;

@@ -24,7 +24,8 @@ core::Result<StudyToRun> ofContent(const QString& name) {
     return core::fail(core::ErrorCode::notFound, QStringLiteral("STUDY %1: no such study; expected one of the database or of the content, or a JSON file").arg(quoted(name)).toStdString());
 }
 
-/// A design of a file: new, or the very one that is in the database under its key.
+/// The design from a file. It is either new or identical with the design that the database holds under its
+/// key.
 core::Result<StudyToRun> ofFile(database::Database* database, const database::Actor& actor, const QString& path) {
     auto design = readStudyFile(path);
     if (!design)
@@ -52,7 +53,7 @@ core::Result<database::StudyNumber> frozen(database::StudyRepository& repository
     return made;
 }
 
-/// The participant of that code, a new one where there is none.
+/// The participant with this code; enrols a new one if there is none.
 core::Result<database::Participant> enrolled(database::WriteContext& context, const database::Actor& actor, database::StudyNumber study,
                                              const session::StudyRunRequest& request) {
     const std::string& code = request.participantCode;
@@ -85,7 +86,8 @@ core::Result<StudyToRun> findStudyToRun(database::Database* database, const data
 
 core::Result<void> mayBeRun(const StudyToRun& study, const session::StudyRunRequest& request) {
     const bool blind = study.design.blindExperimenter && !(study.stored && study.stored->summary.unblinded);
-    if (blind && !request.condition.empty()) { // the sealed code beside the condition's name would tell which is which
+    // The sealed code beside the condition's name would reveal which code belongs to which condition.
+    if (blind && !request.condition.empty()) {
         const std::string key = study.stored ? study.stored->summary.key : study.design.id;
         return core::fail(core::ErrorCode::wrongUse, "--condition: study \"" + key + "\" is blinded; expected none, or the study to be unblinded first");
     }

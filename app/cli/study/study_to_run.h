@@ -10,20 +10,24 @@
 
 namespace chiron::cli {
 
-/// The study that a run is asked of: of the database, or else of the content, to be frozen there once nothing is refused.
+/// The study of a requested run: one of the database, or else one of the content, which is frozen in the
+/// database once all checks have passed.
 struct StudyToRun {
     psychophysics::StudyDesign design;
-    std::optional<database::StudyRecord> stored; ///< none: of the content
+    std::optional<database::StudyRecord> stored; ///< empty: the study comes from the content
 };
 
-/// `database`: null where there is none yet. Failure: notFound, notAllowed, storage.
+/// Finds the study. `database` is null if there is none yet.
+/// Errors: notFound, notAllowed, storage.
 core::Result<StudyToRun> findStudyToRun(database::Database* database, const database::Actor& actor, const QString& name);
 
-/// Starts the window on this database, at this person's next trial of a study: who sits there logs in first. Failure: wrongUse without a
-/// display; notFound, storage where the program does not start.
+/// Starts the desktop program on this database, at this participant's next trial of a study; the user logs in
+/// first.
+/// Errors: wrongUse without a display; notFound, storage if the program does not start.
 core::Result<CommandOutput> openSitting(const QString& database, const QString& study, const QString& person);
 
-/// Whether the run would be done, as far as can be told without writing. Failure: wrongUse, notFound, badInput.
+/// Checks whether the run can be done, as far as this can be determined without writing.
+/// Errors: wrongUse, notFound, badInput.
 core::Result<void> mayBeRun(const StudyToRun& study, const session::StudyRunRequest& request);
 
 struct ReadyToRun {
@@ -31,7 +35,8 @@ struct ReadyToRun {
     database::Participant participant;
 };
 
-/// The study stored and frozen, the participant enrolled: both or neither. Failure: the repository's; wrongUse for a person.
+/// Stores and freezes the study and enrols the participant, in one transaction.
+/// Errors: those of the repository; wrongUse if the participant is a person.
 core::Result<ReadyToRun> makeReady(database::Database& database, const database::Actor& actor, const StudyToRun& study, const session::StudyRunRequest& request);
 
 } // namespace chiron::cli

@@ -31,13 +31,14 @@ QString english(const StudyText& words) {
     return found == words.end() ? QString() : QString::fromStdString(found->second);
 }
 
-/// Of a file, of the database, or else of the content that comes with the program.
+/// Reads the design from a file, from the database, or else from the content that comes with the program.
 core::Result<StudyDesign> designOf(const Arguments& arguments) {
     if (isStudyFile(arguments.operand(0)))
         return readStudyFile(arguments.operand(0));
     if (QFileInfo::exists(databasePath(arguments))) {
         auto study = openStudy(arguments, Opening::forReading);
-        if (study && study->record.masked) // its conditions are sealed, and with them what would be planned
+        // Its conditions are sealed, and with them the values to plan with.
+        if (study && study->record.masked)
             return core::fail(core::ErrorCode::notAllowed, QStringLiteral("study %1 is blinded: its author and administrators plan it, everybody once it is unblinded")
                                                                .arg(quoted(QString::fromStdString(study->record.summary.key))).toStdString());
         if (study)
@@ -70,14 +71,14 @@ core::Result<QJsonArray> codesOf(database::StudyReader reader, database::StudyNu
 
 QJsonValue numberOrNull(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(QJsonValue::Null); }
 
-/// Why no difference is the best to present; empty where one is.
+/// The reason why there is no best difference to present; empty if there is one.
 QString withoutSpacing(Task task) {
     if (task == Task::adjustment)
         return QStringLiteral("adjustment: the participant sets the level, no difference is presented");
     return task == Task::magnitude ? QStringLiteral("magnitude estimation: single values are presented, no difference") : QString();
 }
 
-/// What the plan of a comparison assumes.
+/// The assumptions of the power calculation of a comparison.
 struct PowerInputs {
     PowerQuestion question;
     double wanted = 0.8;
@@ -119,7 +120,8 @@ core::Result<std::optional<PowerInputs>> readPower(const Arguments& arguments, c
     return inputs;
 }
 
-/// Of two conditions like this one. Errors: one standard error, from that of the runs' sd.
+/// The power of a comparison of two conditions like this one. The `_error` values are one standard error,
+/// propagated from that of the runs' standard deviation.
 QJsonObject powerJson(const PowerInputs& inputs, const ConditionPlan& plan) {
     PowerQuestion question = inputs.question;
     QJsonObject json{{"participants", question.participants}, {"alpha", question.alpha}, {"paired", question.paired}, {"wanted_power", inputs.wanted},
@@ -160,7 +162,7 @@ QString powerText(const QString& condition, const QJsonObject& json) {
     return words;
 }
 
-/// Without simulated runs how many trials a run has, and how long it takes, is not known.
+/// Without simulated runs, the number of trials of a run and its duration are not known.
 QJsonObject planJson(const Condition& condition, const ConditionPlan& plan) {
     const QString why = withoutSpacing(condition.task);
     const bool simulated = plan.runs > 0;
@@ -245,7 +247,7 @@ core::Result<CommandOutput> exportStudy(const Arguments& arguments) {
     QJsonArray folders;
     QString words;
     const auto folderOf = [&](const QString& format) { return formats->size() == 1 ? out : out + u'/' + format; };
-    for (const QString& format : *formats) // all of them before any is written
+    for (const QString& format : *formats) // check all of them before any is written
         if (auto free = session::NewFolder::isFree(folderOf(format).toStdString()); !free)
             return tl::unexpected(free.error());
     for (const QString& format : *formats) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `study run STUDY --person CODE`: the window, at that person's trial.
+// `study run STUDY --person CODE`: opens the desktop program at that person's trial.
 #include "cli/messages.h"
 #include "cli/study/study_to_run.h"
 
@@ -21,7 +21,7 @@ bool hasDisplay() {
     return false;
 }
 
-/// Beside this program as it is installed or built, else where programs are looked for.
+/// Looks beside this program, as it is installed or built, and then in the search path for programs.
 QString windowProgram() {
     const QString here = QCoreApplication::applicationDirPath();
     for (const QString& place : {here + QStringLiteral("/chiron"), here + QStringLiteral("/../desktop/chiron")})

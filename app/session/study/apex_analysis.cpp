@@ -28,7 +28,7 @@ void warnOfMarks(psychophysics::ApexSummary& summary, const std::vector<const An
         summary.warnings.push_back({WarningKind::untouchedMarks, untouched});
 }
 
-/// The rows of those whom the group is of: what GroupEstimate's members are, without their estimates.
+/// The rows of the runs that the group contains: the members of GroupEstimate, without their estimates.
 std::vector<std::size_t> membersOf(const AnalysedCondition& condition) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < condition.runs.size(); ++i)
@@ -67,7 +67,8 @@ void poolApex(AnalysedCondition& condition, double radius_m, std::uint64_t seed)
     }
     condition.apex = psychophysics::summariseApex(trials, radius_m, seed);
     warnOfMarks(*condition.apex, runs);
-    psychophysics::GroupEstimate& group = condition.group; // says nothing of its own here: nothing was compared
+    // It has no value of its own here, because nothing was compared.
+    psychophysics::GroupEstimate& group = condition.group;
     std::vector<psychophysics::Warning> who;
     for (const psychophysics::Warning& warning : group.warnings)
         for (const WarningKind kind : {WarningKind::withdrawn, WarningKind::simulatedLeftOut, WarningKind::simulatedOnly, WarningKind::shownLeftOut, WarningKind::shownInGroup})

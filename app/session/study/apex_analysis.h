@@ -11,12 +11,13 @@ namespace chiron::session {
 /// The scored marks among stored trials, as errors of participant number `participant`.
 std::vector<psychophysics::ApexTrial> apexTrials(const std::vector<database::StudyTrial>& trials, int participant);
 
-/// What one run's marks say; `radius_m`: the condition's reference. Warnings about how many people there are are left out, and those of
-/// marks that nobody felt (`planned`) or set without touching (`out_of_contact`) are added.
+/// The summary of one run's marks; `radius_m` is the condition's reference. Omits warnings about the number
+/// of people, and adds those about marks that nobody felt (`planned`) or that were set without contact
+/// (`out_of_contact`).
 psychophysics::ApexSummary apexOfRun(const AnalysedRun& run, double radius_m, std::uint64_t seed);
 
-/// Fills `apex` of a condition from the runs that its group is of, and gives the group what it shares with every study: how many people,
-/// and the warnings of who was left out.
+/// Computes `apex` of a condition from the runs that its group contains, and sets the values that a group has
+/// in every study: the number of people, and the warnings about people who were left out.
 void poolApex(AnalysedCondition& condition, double radius_m, std::uint64_t seed);
 
 } // namespace chiron::session

@@ -9,29 +9,29 @@
 
 namespace chiron::session {
 
-/// A sitting that is allowed: whose, at what, and what was stored of it before.
+/// A permitted request to do a run: the participant, the condition, and the stored part of the run.
 struct ConductedSitting {
     OpenedStudy study;
-    std::string label;          ///< what the condition goes by
-    database::ConductedRun run; ///< with the condition itself
+    std::string label;          ///< the condition's label
+    database::ConductedRun run; ///< includes the condition itself
 
-    /// Null where the design has none of this id.
+    /// Null if the design has no condition with this id.
     const psychophysics::Condition* condition() const;
 };
-/// The label that is asked for (empty: the next one), still to be done. Failure: openStudy's, conduct's, wrongUse (completed; no device),
-/// notFound.
+/// Resolves the requested condition (empty: the next one), which must not be completed.
+/// Errors: those of openStudy and conduct; wrongUse (completed; no device); notFound.
 core::Result<ConductedSitting> conductSitting(database::Database& database, const database::Actor& actor, const LiveStudyRequest& request);
 
-/// A run with its procedures where it was left, or at its beginning.
+/// A run with its procedures, at the beginning or where it was left.
 struct BegunRun {
     database::StudyRunNumber number = 0;
     std::uint64_t seed = 0;
     StudyProgress progress;
 };
-/// `limit`: the largest difference that the device renders. Failure: wrongUse (begun on a device that renders more), badInput (it renders
-/// none), storage.
+/// Begins or resumes a run. `limit`: the largest difference that the device renders.
+/// Errors: wrongUse (begun on a device that renders more), badInput (it renders none), storage.
 SittingResult<BegunRun> beginOrGoOn(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting, double limit);
-/// The error without the condition's name where experimenters are blind; typed as it was.
+/// The error without the condition's name if experimenters are blind; its type is preserved.
 SittingError sealed(const ConductedSitting& sitting, SittingError error);
 
 } // namespace chiron::session

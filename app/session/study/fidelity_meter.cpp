@@ -12,18 +12,19 @@ using simulation::ComparedAttribute;
 
 namespace {
 
-constexpr double kLate_ns = 0.5e6;          ///< a tick that comes so much after its time is late
+constexpr double kLate_ns = 0.5e6;          ///< a tick that is later than this counts as late
 constexpr double kSliding_m_per_s = 0.010;
-constexpr double kDragging_m_per_s = 0.020; ///< slower, a hand's tremor turns the way
-constexpr double kTrail = 1.5, kTrail_m = 0.0005; ///< so many times as long as the bristle, and so much longer, is its trail
+constexpr double kDragging_m_per_s = 0.020; ///< at lower speeds, a hand's tremor would change the direction
+/// The trail is this factor times as long as the bristle, and longer by this length.
+constexpr double kTrail = 1.5, kTrail_m = 0.0005;
 constexpr double kTaut_m = 0.0005;
-constexpr double kAir_m = 0.002;            ///< an object lifted by more lies on nothing
+constexpr double kAir_m = 0.002;            ///< an object lifted higher than this lies on nothing
 constexpr double kShortest_s = 0.005, kLongest_s = 5.0;
-constexpr double kUsableError = 0.05;       ///< a fit with a larger relative standard error says nothing
+constexpr double kUsableError = 0.05;       ///< a fit with a larger relative standard error is not used
 
 double norm(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// Attributes whose fit is exact enough to be a limit.
+/// True for attributes whose fit is exact enough to serve as a limit.
 bool limited(ComparedAttribute attribute) {
     return attribute != ComparedAttribute::roughness && attribute != ComparedAttribute::deformation;
 }
@@ -72,7 +73,7 @@ void FidelityMeter::add(const FidelitySample& sample) {
     const auto at = static_cast<std::size_t>(sample.place);
     const bool present = at >= 1 && at <= m_places.size() && (sample.full || m_shown) && sample.paused == 0;
     for (std::size_t i = 0; i < m_places.size(); ++i)
-        if (m_places[i].touching && !(present && i + 1 == at)) { // left: its contact is over
+        if (m_places[i].touching && !(present && i + 1 == at)) { // the contact has ended
             m_places[i].touching = false;
             m_places[i].sumTerminal_N += m_places[i].contactPeak_N;
         }
@@ -88,9 +89,10 @@ void FidelityMeter::Place::forget() {
     bank = {};
 }
 
-/// A contact begins: with another value than before, where the level was adjusted meanwhile.
+/// Called at the beginning of a contact: discards the fit if the level was adjusted to another value in the
+/// meantime.
 void FidelityMeter::noticeChange(std::size_t place, const FidelitySample& sample) {
-    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both from 1
+    const auto candidate = static_cast<std::size_t>(sample.candidate);     // both count from 1
     const auto arrangement = static_cast<std::size_t>(sample.arrangement);
     if (place >= m_asked.size() || candidate < 1 || candidate > m_parameters.values.size() || arrangement < 1 ||
         arrangement > m_parameters.arrangements.size())
@@ -135,7 +137,9 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
     const auto& v = sample.velocity_m_per_s;
     const double speed = std::hypot(v[0], v[1]);
     const double along = speed > 0.0 ? -(f[0] * v[0] + f[1] * v[1]) / speed : 0.0;
-    const bool says = !sample.saturated && !m_shown; // at its limit the force is the device's, and no longer the object's: `saturated` counts those
+    // At its limit the force is determined by the device and no longer by the object; `saturated` counts
+    // those ticks.
+    const bool says = !sample.saturated && !m_shown;
     switch (m_parameters.attribute) {
     case ComparedAttribute::stiffness:
         if (says && sample.displacement_m > kTaut_m)
@@ -152,7 +156,8 @@ void FidelityMeter::fit(Place& place, const FidelitySample& sample, const std::a
     case ComparedAttribute::friction:
         place.trail.drag(v[0] * core::kTickSeconds, v[1] * core::kTickSeconds, trailLength_m(sample.place, f[2]));
         if (says && place.trail.taut() && speed > kDragging_m_per_s)
-            place.line.add({f[2], 0.0, 0.0}, place.trail.against(f[0], f[1])); // pressed evenly, a speed of its own would take part of μ
+            // Without a term for the speed: under constant pressure it would take over part of μ.
+            place.line.add({f[2], 0.0, 0.0}, place.trail.against(f[0], f[1]));
         break;
     case ComparedAttribute::viscosity:
         if (says && speed > kSliding_m_per_s && sample.depth_m > 0.0005)
@@ -180,7 +185,7 @@ PlaceFidelity FidelityMeter::summary(std::size_t index) const {
         out.meanSpeed_m_per_s = place.sumSpeed / static_cast<double>(place.ticks);
     if (place.contacts > 0)
         out.terminalForce_N = (place.sumTerminal_N + (place.touching ? place.contactPeak_N : 0.0)) / place.contacts;
-    if (m_shown && place.ticks == 0) // nothing answered
+    if (m_shown && place.ticks == 0) // nothing responded
         out.peakForce_N = out.terminalForce_N = TrialFidelity::kNone;
     if (m_parameters.attribute == ComparedAttribute::deformation) {
         double least = std::numeric_limits<double>::infinity();
@@ -226,7 +231,8 @@ TrialFidelity FidelityMeter::finish() const {
         PlaceFidelity place = summary(i);
         out.contacts += place.contacts;
         if (place.asked > 0.0 && place.standardError < kUsableError * std::abs(place.rendered))
-            out.stiffnessError = std::fmax(out.stiffnessError, std::abs(place.rendered / place.asked - 1.0)); // of NaN and a number the number
+            // fmax() returns the number if the other argument is NaN.
+            out.stiffnessError = std::fmax(out.stiffnessError, std::abs(place.rendered / place.asked - 1.0));
         out.places.push_back(place);
     }
     out.outside = outsideOf(out);

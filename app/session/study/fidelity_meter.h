@@ -13,35 +13,39 @@
 
 namespace chiron::session {
 
-/// Measures one trial from its ticks, one pass, as they are streamed or stored. Force is the device's measured one where it
-/// measures, else the commanded one, and on a device that renders none the tissue's; f_z and z up; v̂ the direction of sliding:
+/// Measures one trial in one pass over its ticks, streamed or stored. The force is the device's measured one
+/// if it measures force, else the commanded one, and the tissue's on a device that renders none; f_z and z
+/// point up; v̂ is the direction of sliding:
 ///   stiffness    |f| = k x + c + b v_z over the stretch x                     → k
 ///   mass         −f_z in the air                                            → w/g
 ///   deformation  f_z = k d + k₁(d − q_τ) + c over 33 τ, least residual             → τ
 ///   roughness    rms of f_z = k d + c + b v_z while sliding, over the fixed k     → rms height
 ///   friction     −f_t·v̂ = μ f_z while sliding                                 → μ
 ///   viscosity    −f_t·v = b v² + c |v|                                        → b
-/// Ticks with the force at its limit are in none of them: their share is a measure of its own.
-/// Of stiffness, mass, viscosity and friction `stiffnessError` is a limit: those of a short stroke over a random surface,
-/// and of a time constant, scatter by more than any sensible limit. Not for the haptic thread. Source: psychophysics.md §3.2; the
-/// regressions are our choice.
+/// Ticks with the force at its limit are excluded from all fits: their share is a measure of its own.
+/// `stiffnessError` is a limit for stiffness, mass, viscosity and friction; the estimates for a short stroke
+/// over a random surface and for a time constant scatter more than any sensible limit. Source:
+/// psychophysics.md §3.2; the regressions are our choice.
+/// Thread: any except haptic.
 class FidelityMeter {
 public:
-    /// `shown`: the device renders no force. What was rendered, how far it was off and saturation are then not measured.
+    /// `shown`: the device renders no force. The rendered value, its error and saturation are then not
+    /// measured.
     FidelityMeter(const simulation::ComparisonParameters& parameters, const psychophysics::FidelityLimits& limits, bool mustTouchAll, bool shown = false);
 
-    /// A trial begins; `asked`: the value at each place, SI. Where a level is adjusted, a place's value is that of the presentation under
-    /// which its last contact began (an object changes only while nobody touches it), and its fit is of contacts with that value alone.
+    /// Begins a trial; `asked`: the value at each place, SI. If a level is adjusted, the value of a place is
+    /// that of the presentation during which its last contact began (an object changes only while nobody
+    /// touches it), and the fit uses only contacts with that value.
     void begin(const std::vector<double>& asked);
-    /// Ticks of the running phase count, others are passed over; those of a pause count as paused alone.
+    /// Adds a tick. Only ticks of the running phase count; those of a pause count only as paused.
     void add(const FidelitySample& sample);
-    /// What it was; `outside` by the limits.
+    /// The result of the trial; `outside` names the limit that was exceeded.
     TrialFidelity finish() const;
 
 private:
     static constexpr std::size_t kTimes = 33;
     struct Place {
-        void forget(); ///< what was fitted
+        void forget(); ///< discards the fitted data
         core::LeastSquares<3> line;
         std::array<core::LeastSquares<3>, kTimes> bank;
         std::array<double, kTimes> dent{};
@@ -58,7 +62,7 @@ private:
     PlaceFidelity summary(std::size_t index) const;
     std::string outsideOf(const TrialFidelity& fidelity) const;
 
-    simulation::ComparisonParameters m_parameters; ///< its table left out, unless a level is adjusted
+    simulation::ComparisonParameters m_parameters; ///< without its table, unless a level is adjusted
     psychophysics::FidelityLimits m_limits;
     bool m_mustTouchAll;
     bool m_shown;

@@ -9,7 +9,10 @@
 
 namespace chiron::session {
 
-/// What one stored tick says about a trial of a study: tool 0, W, SI. Small enough to be handed to a window's thread.
+/// The data of one stored tick about a trial of a study, for tool 0. Small enough to be passed to a window's
+/// thread.
+/// Unit: SI.
+/// Frame: W.
 struct FidelitySample {
     std::uint64_t tick = 0;
     std::int64_t now_ns = 0;
@@ -17,12 +20,12 @@ struct FidelitySample {
     std::uint32_t guards = 0; ///< core::guard_bits
     std::uint16_t trial = 0;
     core::TrialPhase phase = core::TrialPhase::idle;
-    std::uint8_t place = 0;   ///< from 1; 0: none is touched
+    std::uint8_t place = 0;   ///< from 1; 0: none is in contact
     std::uint8_t touched = 0; ///< places touched in this trial, one bit each
     std::uint8_t paused = 0;
-    bool full = false;        ///< force is armed in full
+    bool full = false;        ///< force is fully armed
     bool measures = false;    ///< `measured_N` is valid
-    bool saturated = false;   ///< by the device's own word, or the supervisor's cap
+    bool saturated = false;   ///< according to the device itself, or at the supervisor's cap
     std::uint16_t candidate = 0;   ///< from 1
     std::uint16_t arrangement = 0; ///< from 1
     std::uint16_t answer = 0;      ///< from 1
@@ -31,11 +34,12 @@ struct FidelitySample {
     std::array<double, 3> velocity_m_per_s{};
     std::array<double, 3> commanded_N{};
     std::array<double, 3> measured_N{};
-    std::array<double, 3> tissue_N{}; ///< what the scene answered, whether or not it was rendered
+    std::array<double, 3> tissue_N{}; ///< response of the scene, rendered or not
 };
 static_assert(std::is_trivially_copyable_v<FidelitySample>);
 
-/// Of a frame of a comparison session. Pure; haptic thread too.
+/// The sample of a frame of a comparison session. Pure function.
+/// Thread: any, including haptic.
 FidelitySample fidelitySampleOf(const core::HapticFrame& frame) noexcept;
 
 } // namespace chiron::session

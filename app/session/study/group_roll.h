@@ -13,49 +13,50 @@ namespace chiron::session {
 
 struct AnalysedRun;
 
-/// Whether somebody is in a condition's group value, or why not.
+/// Whether a participant is included in a condition's group value, or the reason why not.
 enum class Presence : std::uint8_t {
     used,
-    sealed,     ///< the study is blinded, and nothing is said of the run
+    sealed,     ///< the study is blinded, so the run's results are withheld
     notBegun,
-    noAnswers,  ///< begun, and no answer counts yet
-    unfinished, ///< no value, and the run was broken off: its few answers say nothing of the participant yet
-    allRight,   ///< no value: the threshold is below what was presented
-    guessing,   ///< no value: the answers, as guesses would, leave open how large the threshold is
-    unbounded,  ///< no value for another reason: the prior made it
-    noValue,    ///< the answers give none
-    shown,      ///< left out: objects were shown, not felt
-    simulated,  ///< left out: the group is of people
+    noAnswers,  ///< begun, but no answer counts yet
+    unfinished, ///< no value: the run was broken off, and its few answers are not conclusive
+    allRight,   ///< no value: the threshold is below the presented differences
+    guessing,   ///< no value: the answers are like guesses, so the threshold could be arbitrarily large
+    unbounded,  ///< no value for another reason: it would come from the prior
+    noValue,    ///< the answers give no value
+    shown,      ///< left out: force was shown, not felt
+    simulated,  ///< left out: the group consists of people
     withdrawn,  ///< left out
 };
 
-/// What it is called in data: "used", "not_begun". Stable.
+/// The stable name in data: "used", "not_begun".
 std::string_view presenceToken(Presence presence);
 
-/// Of a run whose estimate belongs to the group: whether the group's value uses it, or why not. Never notBegun, nor left out. `completed`: the run
-/// came to its end.
+/// For a run whose estimate belongs to the group: whether the group's value uses it, or why not. Never
+/// returns notBegun or one of the left-out values. `completed`: the run reached its end.
 Presence presenceOf(const psychophysics::RunEstimate& estimate, bool completed);
 
 struct RolledPerson {
     std::string code;
-    Presence presence = Presence::notBegun; ///< of several runs that which says most
+    Presence presence = Presence::notBegun; ///< of several runs, the most informative value
     bool open = false; ///< a run is not finished
 };
 
-/// Everybody who could be in a condition's group value.
+/// Everybody who could be included in a condition's group value.
 struct GroupRoll {
     std::vector<RolledPerson> people; ///< in the order enrolled
-    bool closed = false;              ///< no run can be begun any more
-    int planned = 0;                  ///< participants; 0: not said
+    bool closed = false;              ///< no further run can begin
+    int planned = 0;                  ///< number of participants; 0: not stated
     int enrolled = 0;                 ///< people who did not withdraw
 
     int used() const;
-    int expected() const; ///< who take part: without those who are left out because they withdrew or were simulated
+    int expected() const; ///< participants without those left out as withdrawn or simulated
     std::vector<std::string> codesOf(Presence presence) const;
-    Presence of(const std::string& code) const; ///< notBegun for whoever is not on it
+    Presence of(const std::string& code) const; ///< notBegun for a code that is not in the roll
 };
 
-/// `runs`: of one condition, with their presence. Simulated participants are on it only with a run of the condition.
+/// `runs`: those of one condition, with their presence. A simulated participant is included only with a run
+/// of the condition.
 GroupRoll groupRoll(const std::vector<database::Participant>& participants, const std::vector<AnalysedRun>& runs, bool closed, int planned = 0);
 
 } // namespace chiron::session

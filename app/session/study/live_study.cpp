@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a window asks of a sitting. How it begins: live_study_start.cpp; what it does from tick to tick: live_study_state.cpp.
+// The window's interface to a run of comparisons. live_study_start.cpp has its start, live_study_state.cpp
+// the processing of ticks.
 #include "session/study/live_study.h"
 
 #include "core/presentation_word.h"
@@ -71,7 +72,7 @@ void LiveStudy::adjust(int steps) {
     const int most = static_cast<int>(s.condition->stimulus.differences.size()) - 1;
     const int wanted = std::clamp(s.adjusted + steps, 0, most);
     if (std::abs(s.condition->stimulus.differences[static_cast<std::size_t>(wanted)]) > s.table.limit)
-        return; // the device renders no more
+        return; // the device cannot render more
     s.adjusted = wanted;
     s.training->post(CommandKind::present, core::encode({wanted, s.shown.arrangement}));
 }
@@ -98,7 +99,7 @@ void LiveStudy::endTrying() {
     m_state->readySaid = true;
     m_state->waitsForReady = false;
     if (m_state->trying())
-        m_state->tried_s = m_state->tryFor_s; // the objects go with the next look
+        m_state->tried_s = m_state->tryFor_s; // the objects are removed at the next poll
 }
 
 void LiveStudy::beginCounting() { m_state->waitsToCount = false; }
@@ -135,7 +136,7 @@ void LiveStudy::breakTaken() {
 void LiveStudy::experimenterSays(bool goOn) {
     m_state->progress.experimenterSays(goOn);
     if (!goOn)
-        stop(); // the run stays open: another sitting may go on with it
+        stop(); // the run stays open and can be resumed later
 }
 
 void LiveStudy::stop() {
@@ -143,13 +144,13 @@ void LiveStudy::stop() {
     s.storePending();
     s.stopping = true;
     s.stopSince = State::Clock::now();
-    s.control.letGo(); // else the scene hears no answer
+    s.control.letGo(); // otherwise the scene would not receive the answer
     s.control.tell(*s.training);
     if (s.presented && s.last.phase == TrialPhase::running && !s.posted) {
         s.spoiled = "stopped";
         s.posted = s.training->post(CommandKind::answer, simulation::kAnswerSpoiled);
     } else if (s.presented) {
-        s.presented = false; // never begun: nothing is stored of it
+        s.presented = false; // the trial did not begin: nothing of it is stored
         s.finish();
     }
 }

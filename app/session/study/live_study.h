@@ -7,10 +7,11 @@ namespace chiron::session {
 
 struct ConductedSitting;
 
-/// Comparisons: one session of "comparison" a sitting, LiveTraining underneath, StudyProgress above it.
+/// A run of comparisons in one session of "comparison". Combines a LiveTraining with a StudyProgress.
 class LiveStudy final : public LiveSitting {
 public:
-    /// Failure: as LiveSitting::start.
+    /// Begins or resumes the run.
+    /// Errors: those of LiveSitting::start.
     static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,
                                                           LiveStudyRequest request);
     static SittingResult<std::unique_ptr<LiveStudy>> start(database::Database& database, const database::Actor& actor,

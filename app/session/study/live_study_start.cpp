@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How comparisons are begun: what the device renders of them, the run and its session.
+// The start of a run of comparisons: the differences that the device renders, the run and its session.
 #include "session/study/live_study_state.h"
 
 #include "core/random.h"
@@ -28,7 +28,7 @@ SittingResult<std::unique_ptr<LiveStudy::State>> LiveStudy::State::conducted(dat
     const OpenedStudy& study = sitting.study;
     const psychophysics::Condition& condition = *sitting.condition();
     if (auto possible = studyLevel(study.design, condition); !possible)
-        return tl::unexpected(possible.error()); // before a run is begun
+        return tl::unexpected(possible.error()); // before a run begins
     const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);

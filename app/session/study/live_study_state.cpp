@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sitting from tick to tick: what the loop did, what comes next, what the window is told.
+// A run of comparisons from tick to tick: the state of the loop, the next presentation, and the view for the
+// window.
 #include "session/study/live_study_state.h"
 
 #include "core/presentation_word.h"
@@ -18,12 +19,13 @@ namespace {
 constexpr double kFeedback_s = 1.2;
 constexpr double kStopPatience_s = 2.0;
 
-/// Of the reasons for which a trial does not count those that a participant can mend; the others are the device's or the experimenter's.
+/// The reason why a trial does not count, if the participant can avoid it; the other reasons concern the
+/// device or the experimenter.
 std::string ofTheHand(const std::string& reason) { return reason == "peak_force" || reason == "speed" ? reason : std::string(); }
 } // namespace
 
 void LiveStudy::State::wantPause(bool wanted) {
-    if (!stopping) // what ends, ends
+    if (!stopping) // once the run is stopping, no pause may delay it
         control.wantPause(wanted);
     control.tell(*training);
 }
@@ -123,7 +125,8 @@ void LiveStudy::State::note(const database::StudyTrial& trial, const TrialFideli
     const int correct = psychophysics::correctAnswer(condition->task, trial.arrangement);
     view.again = trial.spoiled == "untouched";
     view.repeated = trial.practice || trial.spoiled == "stopped" ? std::string() : trial.spoiled;
-    view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled); // practice was told with its feedback, and does not come again
+    // Practice trials were explained by their feedback, and are not repeated.
+    view.hand = trial.practice ? std::string() : ofTheHand(trial.spoiled);
     if (study.design.trial.feedback && !trial.practice && correct >= 0 && trial.answer >= 0 && trial.spoiled.empty()) {
         view.right = trial.answer == correct;
         feedbackSince = Clock::now();
@@ -138,13 +141,14 @@ bool LiveStudy::State::allTouched() const {
     return !study.design.trial.mustTouchAll || (last.touched & every) == every;
 }
 
-/// The time to explore is over. No pause counts towards it.
+/// True once the time to explore is over. Pauses do not count.
 bool LiveStudy::State::timeIsUp() const {
     const double limit_s = study.design.trial.exploreLimit_s;
     return limit_s > 0.0 && clock.exploration_s() >= limit_s;
 }
 
-/// The objects are gone, and not every one was touched: no answer will be possible, so the trial ends here and comes again.
+/// The objects are gone before every one was touched: no answer is possible, so the trial ends here and is
+/// repeated.
 void LiveStudy::State::spoilUntouched() {
     if (!presented || posted || stopping || last.phase != TrialPhase::running || last.paused != 0 || control.paused() || !timeIsUp() || allTouched())
         return;
@@ -152,11 +156,12 @@ void LiveStudy::State::spoilUntouched() {
     posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
 }
 
-/// Between two trials: what comes next.
+/// Decides what comes next between two trials.
 void LiveStudy::State::goOn() {
     spoilUntouched();
     if (stopping && !cut && secondsSince(stopSince) > kStopPatience_s)
-        finishing = cut = training->post(CommandKind::end); // still paused or arming: the session ends as it stands
+        // Still paused or arming: the session ends in its current state.
+        finishing = cut = training->post(CommandKind::end);
     if (presented || finishing || control.paused() || last.paused != 0)
         return;
     if (showsFeedback())
@@ -170,7 +175,7 @@ void LiveStudy::State::goOn() {
         present();
 }
 
-/// Not for who stops: what ends, ends.
+/// Feedback of practice is not shown any longer once the run is stopping.
 bool LiveStudy::State::showsFeedback() const {
     if (pending)
         return !enough && !stopping && secondsSince(feedbackSince) < kPracticeFeedback_s;
@@ -181,14 +186,16 @@ double LiveStudy::State::triedSoFar_s() const {
     return tried_s + (tryPresented && last.phase == TrialPhase::running ? clock.exploration_s() : 0.0);
 }
 
-/// The candidate that differs least: who tries the controls should learn nothing of what will be asked.
+/// The candidate with the smallest difference: somebody who tries the controls should learn nothing about the
+/// later questions.
 int LiveStudy::State::mostAlike() const {
     const auto& differences = condition->stimulus.differences;
     const auto least = std::min_element(differences.begin(), differences.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     return static_cast<int>(least - differences.begin());
 }
 
-/// The free minute: objects lie there until it is over, of no trial. Where the design takes them away after a while they come again.
+/// Runs the free minute: objects stay in place until it is over, without a trial. If the design removes them
+/// after a time, they are presented again.
 void LiveStudy::State::goOnTrying() {
     const bool over = stopping || triedSoFar_s() >= tryFor_s;
     if (tryPresented) {
@@ -196,7 +203,8 @@ void LiveStudy::State::goOnTrying() {
             posted = training->post(CommandKind::answer, simulation::kAnswerSpoiled);
     } else if (over) {
         tryFor_s = 0.0;
-        waitsForReady = !readySaid && !stopping; // no clock of a trial starts under a hand that still tries
+        // No trial's clock starts while the hand is still trying the controls.
+        waitsForReady = !readySaid && !stopping;
     } else if (last.phase == TrialPhase::idle || last.phase == TrialPhase::between) {
         posted = false;
         tryPresented = training->post(CommandKind::present, core::encode({mostAlike(), 0}));
@@ -219,7 +227,7 @@ void LiveStudy::State::finish() {
     finishing = training->post(CommandKind::answer, simulation::kAnswerFinish);
 }
 
-/// The session is stored: the run is ended, or stays open for another sitting.
+/// The session is stored: the run is finished, or stays open to be resumed.
 void LiveStudy::State::conclude() {
     storePending();
     done = true;
@@ -273,7 +281,7 @@ LiveStudyView::State LiveStudy::State::where(bool running) const {
     if (control.paused())
         return View::paused;
     if (last.paused != 0)
-        return View::arming; // it goes on: force comes back first
+        return View::arming; // resuming: force is armed first
     if (view.right || pending)
         return View::feedback;
     if (trying() && training->sessionId() != 0)

@@ -16,7 +16,8 @@
 
 namespace chiron::session {
 
-/// What a sitting is at, between two looks of the window. GUI thread.
+/// The state of a run between two polls by the window.
+/// Thread: GUI.
 struct LiveStudy::State {
     using Clock = std::chrono::steady_clock;
 
@@ -38,19 +39,20 @@ struct LiveStudy::State {
     std::string sealedCode;
     database::Blinding blinding;
     SampleTap tap;
-    std::unique_ptr<LiveTraining> training; ///< after the tap: it uses it
+    std::unique_ptr<LiveTraining> training; ///< declared after the tap because it uses it
 
     LiveStudyView view;
     LiveStudyNumbers numbers;
     StudyPresentation shown;
-    int adjusted = 0; ///< candidate that is set now
+    int adjusted = 0; ///< candidate that is currently set
     bool presented = false, posted = false, stopping = false, finishing = false, done = false;
-    bool cut = false;         ///< it was asked politely to end, and then not
+    bool cut = false;         ///< the session was cancelled because it did not end on request
     SittingControl control;
-    std::optional<StudyAnswer> pending; ///< of practice: stored once its feedback is over, as it can be taken back until then
-    bool enough = false;                ///< of that feedback
-    double tryFor_s = 0.0;              ///< the free minute that is left to be given; 0: none
-    double tried_s = 0.0;               ///< of it, in presentations that have ended
+    /// A practice answer; stored only after its feedback, because it can be taken back until then.
+    std::optional<StudyAnswer> pending;
+    bool enough = false;                ///< the feedback was ended early
+    double tryFor_s = 0.0;              ///< duration of the free minute still to be given; 0: none
+    double tried_s = 0.0;               ///< elapsed part of it, in presentations that have ended
     bool tryPresented = false;
     bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
     bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
@@ -58,14 +60,14 @@ struct LiveStudy::State {
     std::optional<double> value;
     std::string spoiled;
     FidelitySample last;
-    std::uint32_t grazed = 0; ///< places in contact in this trial, one bit each
+    std::uint32_t grazed = 0; ///< places in contact in this trial, one bit per place
     TrialClock clock;
     Clock::time_point feedbackSince, breakSince, stopSince;
     core::Result<LiveStudyResult> result = core::fail(core::ErrorCode::wrongUse, "the sitting has not ended yet");
 
     static double secondsSince(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-    /// A sitting of this run, under way.
+    /// Creates the state of a run that has begun.
     static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
                                                           LiveStudyRequest request);
     void describeRun(const database::ConductedRun& conducted, const LimitedTable& limited, const RenderingLimits& limits);
@@ -94,7 +96,7 @@ struct LiveStudy::State {
     LiveStudyView::State where(bool running) const;
     bool allTouched() const;
     bool blind() const { return study.blind(); }
-    /// Whether forces and felt values would tell a blind experimenter which condition this is.
+    /// True if forces and felt values would reveal the condition to a blind experimenter.
     bool forcesTell() const { return blinding.on && !blinding.oneStimulus; }
 };
 

@@ -64,7 +64,8 @@ ParticipantView participantView(const psychophysics::StudyDesign& design) {
     for (const psychophysics::Condition& condition : design.conditions)
         view.parts.push_back(partView(condition, rules));
     view.explore_s = rules.exploreLimit_s;
-    view.answer_s = rules.exploreLimit_s > 0.0 ? rules.answerLimit_s : 0.0; // the clock for answering starts when the one for exploring is over
+    // The clock for answering starts when the one for exploring is over.
+    view.answer_s = rules.exploreLimit_s > 0.0 ? rules.answerLimit_s : 0.0;
     view.breakEvery = rules.breakEvery;
     view.breakAtLeast_s = rules.breakAtLeast_s;
     view.feedback = rules.feedback;

@@ -8,8 +8,9 @@
 
 namespace chiron::session {
 
-/// How many people will still do runs of a study: those who take part and have not completed it, and while it takes participants those who are
-/// planned and not enrolled yet. Whoever conducts their runs is no longer blind once it is unblinded. Simulated participants do not count.
+/// The number of people who will still do runs of a study: participants who have not completed it and, while
+/// it is open for enrolment, planned participants who are not enrolled yet. After unblinding, whoever
+/// conducts their runs is no longer blind. Simulated participants do not count.
 int peopleToCome(const psychophysics::StudyDesign& design, const database::StudySummary& study, const std::vector<database::Participant>& participants);
 
 } // namespace chiron::session

@@ -18,7 +18,7 @@ const std::map<std::string, std::string>& pilotWords() {
     return words;
 }
 
-/// "tubes_pilot_2": the first that is free.
+/// "tubes_pilot_2": the first key that is free.
 core::Result<std::string> freeKey(database::StudyReader& reader, const std::string& study) {
     const auto pilots = reader.listPilots(study);
     if (!pilots)
@@ -76,7 +76,7 @@ psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, 
 
 core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
                                   const std::string& who, const std::string& language) {
-    // Whatever is wrong with the draft is said of the draft, not of its copy.
+    // Errors of the draft are reported for the draft, not for its copy.
     if (auto read = catalogue::readStudy(catalogue::studyJson(draft), draft.id); !read)
         return tl::unexpected(read.error());
     return database.write([&](database::WriteContext& writing) { return begin(writing.connection(), actor, draft, who, language); });

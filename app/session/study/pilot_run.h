@@ -10,19 +10,21 @@
 
 namespace chiron::session {
 
-/// A draft that a person is about to try: a frozen copy of it, marked, with one participant.
+/// A draft that a person is about to try: a frozen copy of it, marked as a pilot, with one participant.
 struct PilotRun {
     database::StudyNumber study = 0;
     std::string participantCode;
 };
 
-/// The design of a pilot: the draft as it is, under a key and a title of its own, marked (`pilotOf`), and not blind for the experimenter,
-/// who is the one to learn from it.
+/// The design of a pilot: an unchanged copy of the draft, except that it has its own key and title, is marked
+/// (`pilotOf`), and is not blind for the experimenter, who wants to learn from it.
 psychophysics::StudyDesign pilotDesign(const psychophysics::StudyDesign& draft, const std::string& key);
 
-/// Makes all that a sitting of the draft takes, in one transaction: the copy, frozen, and a participant who has agreed to the consent text
-/// in `language` (English where there is none). No list of studies, no run, analysis or export of the study itself ever holds a pilot.
-/// `who`: free text, kept in the key table alone. Failure: the repository's (badInput where the draft does not read).
+/// Creates everything that a pilot run of the draft needs, in one transaction: the frozen copy, and a
+/// participant who has agreed to the consent text in `language` (English if there is none). Pilots never
+/// appear in lists of studies, nor in runs, analyses or exports of the study itself. `who`: free text, stored
+/// only in the key table.
+/// Errors: those of the repository (badInput if the draft cannot be read).
 core::Result<PilotRun> beginPilot(database::Database& database, const database::Actor& actor, const psychophysics::StudyDesign& draft,
                                   const std::string& who, const std::string& language);
 

@@ -33,7 +33,8 @@ int trialsAtMost(const psychophysics::Condition& condition) {
             return 0;
         sum += most;
     }
-    // Procedures count what shows their difference; every block of arrangements holds others beside it.
+    // Procedures count only trials that show their difference, but every block of arrangements also contains
+    // others.
     const auto& all = psychophysics::arrangements(condition.task);
     int showing = 0;
     for (int i = 0; i < static_cast<int>(all.size()); ++i)

@@ -7,21 +7,23 @@
 
 namespace chiron::session {
 
-/// Which presentation an arrangement is for.
+/// The presentation for which an arrangement is needed.
 struct PresentationPlace {
     int procedure = 0;
-    int trial = 0;   ///< scored ones of that procedure before it, told or not
+    int trial = 0;   ///< scored trials of that procedure before it, whether or not the procedure used them
     int ordinal = 0; ///< presentations of the run before it
-    int repeat = 0;  ///< how often it was spoiled
+    int repeat = 0;  ///< number of times it was spoiled
     bool practice = false;
 };
 
-/// The arrangement of a presentation: every block of as many scored trials as the task has arrangements holds each of them once, in
-/// an order of its own by the seed (Williams-balanced over position for rank-3, since all six orders occur). A repeated trial and
-/// practice are drawn by themselves. A pure function of its arguments, so that a resumed run goes on as it would have.
+/// The arrangement of a presentation. Every block of as many scored trials as the task has arrangements
+/// contains each of them once, in a seeded order of its own (Williams-balanced over position for rank-3,
+/// since all six orders occur). Repeated trials and practice trials are drawn independently. A pure function
+/// of its arguments, so that a resumed run continues as it would have.
 int balancedArrangement(psychophysics::Task task, std::uint64_t seed, const PresentationPlace& place);
 
-/// Scored trials that a condition takes at most (to within a block of arrangements); 0 where no procedure says.
+/// The largest number of scored trials of a condition (to within a block of arrangements); 0 if a procedure
+/// has no maximum.
 int trialsAtMost(const psychophysics::Condition& condition);
 
 } // namespace chiron::session

@@ -11,7 +11,8 @@ namespace chiron::session {
 
 namespace {
 
-/// What is compared between people in one condition; less is better. Not a number where a run gives none, or was shown and not felt.
+/// The value that is compared between people in one condition; smaller is better. NaN if a run has none, or
+/// was shown and not felt.
 double errorOf(const AnalysedRun& run) {
     if (!run.felt.value_or(true))
         return std::nan("");

@@ -9,25 +9,30 @@
 
 namespace chiron::session {
 
-/// How well each participant did, over the conditions: the mean of how far below the others' Weber fraction (log10; of an apex: mean
-/// error) theirs is, in standard deviations of its condition; more is better. Who has no such run is not in it.
+/// The performance of each participant over the conditions: the mean, in standard deviations of the
+/// condition, of how far their Weber fraction (log10; for an apex: mean error) is below that of the others;
+/// larger is better. Contains only participants with such a run.
 std::map<database::ParticipantNumber, double> performanceOf(const StudyAnalysis& analysis);
 
-/// What an answer is about: the condition's id, or its sealed code while blinded; empty where the questionnaire is asked once.
+/// The condition that an answer is about: its id, or its sealed code while blinded; empty if the
+/// questionnaire is asked once.
 std::string labelOf(const database::QuestionnaireAnswer& answer);
 
-/// Answers to one questionnaire that belong together: at most one to a question of each participant.
+/// Answers to one questionnaire that belong together: at most one per question and participant.
 struct AnsweredPart {
-    std::string label; ///< of the condition that they are about; empty where the questionnaire is asked once
+    std::string label; ///< label of the condition that they are about; empty if the questionnaire is asked
+                       ///< once
     std::vector<database::QuestionnaireAnswer> answers;
 };
-/// One part with all of them where the questionnaire is asked once, also where nobody has answered; where it is asked after each condition one for
-/// each that somebody has answered about, in the design's order, sealed codes behind it by code. What is withheld is in none.
+/// Splits the answers into parts. A questionnaire that is asked once has one part with all answers, even if
+/// nobody has answered. One that is asked after each condition has a part for each condition with an answer,
+/// in the design's order, followed by sealed codes in their order. Withheld answers are omitted.
 std::vector<AnsweredPart> answeredParts(const psychophysics::StudyDesign& design, const psychophysics::Questionnaire& questionnaire,
                                         const std::vector<database::QuestionnaireAnswer>& answers);
 
-/// What each participant answered to one questionnaire (of a part, where it is asked after each condition), by participant, beside how well they did (where `performance` says so). Erased
-/// answers are none.
+/// The answers of each participant to one questionnaire (of one part, if it is asked after each condition),
+/// ordered by participant, with the participant's performance (if `performance` contains it). Erased answers
+/// are omitted.
 std::vector<psychophysics::QuestionnaireReply> questionnaireReplies(const psychophysics::Questionnaire& questionnaire,
                                                                     const std::vector<database::QuestionnaireAnswer>& answers,
                                                                     const std::map<database::ParticipantNumber, double>& performance);

@@ -19,7 +19,7 @@ namespace chiron::session {
 
 namespace {
 
-/// A loop with a director as its only listener, from first tick to last.
+/// Runs a loop from its first tick to its last, with a director as its only listener.
 core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel& level, std::uint64_t seed, ITickDirector& director) {
     const auto& parameters = level.parameters.as<simulation::ComparisonParameters>();
     if (auto opened = station.tools.front().device->open(); !opened)
@@ -47,7 +47,8 @@ core::Result<void> runDirected(Station& station, const catalogue::ExerciseLevel&
     return {};
 }
 
-/// Presents one candidate in all arrangements in turn and keeps the mind's estimates.
+/// Presents one candidate in all arrangements in turn and collects the estimates of the participant's
+/// decision model.
 class NoiseDirector final : public ITickDirector {
 public:
     NoiseDirector(operators::IParticipantMind& mind, const simulation::ComparisonParameters& p, int candidate, int trials)

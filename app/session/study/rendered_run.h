@@ -12,15 +12,16 @@
 
 namespace chiron::session {
 
-/// One condition by one simulated participant, through scene, loop, supervisor and simulated device, but with nothing stored: for
-/// tables of many seeds, and for planning with the rendering's own noise.
+/// A run of one condition by one simulated participant through scene, loop, supervisor and simulated device,
+/// without storing anything. Used for tables over many seeds, and for planning with the noise of the
+/// rendering.
 struct RenderedRunRequest {
     psychophysics::StudyDesign design;
     std::string condition;
     psychophysics::ObserverSpec observer;
     std::uint64_t seed = 1;
     simulation::ComparisonControl control = simulation::ComparisonControl::none;
-    int trialsAtMost = 0; ///< 0: as the procedure says
+    int trialsAtMost = 0; ///< 0: as specified by the procedure
 };
 
 struct RenderedRun {
@@ -32,22 +33,23 @@ struct RenderedRun {
     std::string procedures; ///< StudyProgress::procedureIds()
 };
 
-/// Failure: badInput.
+/// Runs the request.
+/// Errors: badInput.
 core::Result<RenderedRun> runRendered(const RenderedRunRequest& request);
 
-/// Scored trials as analysis needs them.
+/// The scored trials in the form that the analysis needs.
 std::vector<psychophysics::ScoredTrial> scoredTrials(const psychophysics::Condition& condition,
                                                      const std::vector<database::StudyTrial>& trials);
 
-/// The renderer's and the hand's own share of noise: a noiseless participant explores `trials` presentations (all arrangements in
-/// turn) of one candidate. log10 of estimate over true value, by multiple 0, 1, 2.
+/// The noise contributed by rendering and hand: a noiseless participant explores `trials` presentations (all
+/// arrangements in turn) of one candidate. Values are log10 of estimate over true value, by multiple 0, 1, 2.
 struct RenderingNoise {
     double mean[3]{};   ///< log10
     double sd[3]{};     ///< log10
     double pooledSd = 0.0; ///< within multiples: σ_render
     int explored = 0;   ///< places that gave an estimate
     int missed = 0;
-    double seconds = 0.0; ///< simulated, per trial
+    double seconds = 0.0; ///< simulated time per trial
 };
 core::Result<RenderingNoise> renderingNoise(const psychophysics::StudyDesign& design, const std::string& condition, int candidate,
                                             int trials, std::uint64_t seed);

@@ -9,7 +9,7 @@ namespace chiron::session {
 
 namespace {
 
-/// By its sealed code too: it may have been begun before the study was unblinded.
+/// Also compares by the sealed code, because the run may have begun before the study was unblinded.
 bool begunWith(const OpenedStudy& study, const database::StudyRun& run, const StudyRunRequest& request) {
     return (!run.condition.empty() && run.seed == seedOf(study, run.condition, request)) ||
            (!run.sealedCode.empty() && run.seed == seedOf(study, run.sealedCode, request));

@@ -6,11 +6,13 @@
 
 namespace chiron::session {
 
-/// What a simulated participant's run of this condition is begun with.
+/// The seed with which a simulated participant's run of this condition begins.
 std::uint64_t seedOf(const OpenedStudy& study, const std::string& label, const StudyRunRequest& request);
-/// A seed that is asked for and would change nothing is refused (wrongUse): the run's choices are those of the one it was begun with.
+/// Refuses a requested seed that differs from the seed with which the run began, because it would have no
+/// effect.
+/// Errors: wrongUse.
 core::Result<void> sameSeed(const OpenedStudy& study, const database::StudyRun& run, const StudyRunRequest& request);
-/// The same where nothing is left to be run.
+/// The same check if no run is left to be done.
 core::Result<void> seedIsOfWhatWasDone(const OpenedStudy& study, const StudyRunRequest& request);
 
 } // namespace chiron::session

@@ -9,9 +9,10 @@
 
 namespace chiron::session {
 
-/// Hands what a trial's fidelity needs from the haptic thread to the window's. Eight seconds fit. A window that sleeps longer misses ticks,
-/// but no event: what a tick that found the ring full began or ended is told by the next that is taken. Threads: tryPush() haptic, ring()
-/// one other.
+/// Passes the data for a trial's fidelity from the haptic thread to the window's thread. It holds eight
+/// seconds. A window that stalls longer misses ticks but no events: events of ticks that found the ring full
+/// are added to the next sample that is accepted.
+/// Thread: tryPush() haptic, ring() one other.
 class SampleTap final : public core::IFrameSink {
 public:
     static constexpr std::size_t kSamples = 8192;
@@ -29,7 +30,7 @@ public:
 
 private:
     realtime::SpscRing<FidelitySample, kSamples> m_ring;
-    std::uint32_t m_missed = 0; ///< haptic thread's
+    std::uint32_t m_missed = 0; ///< belongs to the haptic thread
 };
 
 } // namespace chiron::session

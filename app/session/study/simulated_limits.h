@@ -6,8 +6,10 @@
 
 namespace chiron::session {
 
-/// What the simulated gimbal of headless runs renders passively, at the delay that is measured on it with a participant's hand at rest: the
-/// way that a device which is plugged in is measured. Always the same. Takes some 14 s of simulated time. Failure: measureDelay's.
+/// The limits that the simulated gimbal of headless runs renders passively, at the delay measured on it with
+/// a participant's hand at rest, in the same way as for a connected device. The result is always the same.
+/// Takes about 14 s of simulated time.
+/// Errors: those of measureDelay.
 core::Result<RenderingLimits> simulatedLimits();
 
 } // namespace chiron::session

@@ -18,7 +18,7 @@ void SittingControl::stopForce() noexcept {
 void SittingControl::rearm() noexcept {
     if (!m_stopped)
         return;
-    m_tellRearm = true; // after a stop that was not told yet, too: both are heard, in this order
+    m_tellRearm = true; // even if the stop was not sent yet: the loop receives both, in this order
     m_stopped = m_pause = false;
 }
 
@@ -36,7 +36,8 @@ void SittingControl::tell(LiveTraining& training) noexcept {
 void SittingControl::look(const haptics::DisplayState& state) noexcept {
     const bool latched = state.force == core::ForceState::stopped || state.force == core::ForceState::fault;
     if (latched && !m_sawLatched && !m_stopped)
-        m_stopped = m_pause = true; // once a latch: what was asked since may not be in this state yet
+        // Only once per latch: this state may not include later requests yet.
+        m_stopped = m_pause = true;
     m_sawLatched = latched;
 }
 

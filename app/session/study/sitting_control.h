@@ -5,20 +5,24 @@
 
 namespace chiron::session {
 
-/// What a sitting's window asks of the loop about pause and force. Wishes, not events: who asks twice, or for the opposite before the loop
-/// has heard, gets what was asked for last; what found no room in the loop's ring is told again. GUI thread.
+/// The pause and force state that the window of a run requests from the loop. Requests are states, not
+/// events: if the window repeats a request, or makes the opposite one before the loop has received the first,
+/// the last request wins; a command that found the loop's ring full is sent again.
+/// Thread: GUI.
 class SittingControl {
 public:
-    void begin() noexcept; ///< of a new session: it is told what holds already
+    void begin() noexcept; ///< call it for a new session, which must receive the current state
 
-    void wantPause(bool wanted) noexcept { m_pause = wanted || m_stopped; } ///< going on while force is stopped takes rearm()
-    void hold(bool held) noexcept { m_hold = held; } ///< a pause of the sitting's own: a break, the experimenter is asked
+    /// Going on while force is stopped needs rearm().
+    void wantPause(bool wanted) noexcept { m_pause = wanted || m_stopped; }
+    /// A pause by the run itself: for a break, or while the experimenter is asked.
+    void hold(bool held) noexcept { m_hold = held; }
     void stopForce() noexcept;
     void rearm() noexcept;
-    void letGo() noexcept; ///< what ends, ends: no pause keeps it
+    void letGo() noexcept; ///< no pause may delay the end of a session
 
-    void tell(LiveTraining& training) noexcept;               ///< each frame
-    void look(const haptics::DisplayState& state) noexcept;   ///< takes in what the supervisor did by itself
+    void tell(LiveTraining& training) noexcept;               ///< sends pending commands; call it each frame
+    void look(const haptics::DisplayState& state) noexcept;   ///< takes over stops by the supervisor
 
     bool paused() const noexcept { return m_pause; }
     bool stopped() const noexcept { return m_stopped; }
@@ -26,7 +30,7 @@ public:
 
 private:
     bool m_pause = false, m_hold = false;
-    bool m_told = false;    ///< a pause, to the loop
+    bool m_told = false;    ///< the loop has been told to pause
     bool m_stopped = false;
     bool m_tellStop = false, m_tellRearm = false;
     bool m_sawLatched = false; ///< the newest state showed a stop or a fault

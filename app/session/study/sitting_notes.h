@@ -7,7 +7,9 @@
 
 namespace chiron::session {
 
-/// What a sitting writes down beside each trial: in which language, what was heard, when the answer began. GUI thread.
+/// The circumstances that a run stores with each trial: the language, the masking sound, and the beginning of
+/// the answer.
+/// Thread: GUI.
 class SittingNotes {
 public:
     explicit SittingNotes(std::string language) { m_now.language = std::move(language); }

@@ -6,12 +6,14 @@
 
 namespace chiron::session {
 
-/// A point dragged behind the tool on a rope: taut, it says that the tool slides, and which way. A clipped bristle (bristle_friction.h) is
-/// dragged in the same way, on a rope of μ f_n/σ₀; so where one that is surely longer is taut, all of μ f_n is rendered. After a turn that takes twice
-/// the length, 3.5 mm at μ = 1 and 1.75 N: no speed and no fixed distance tells it. Pure.
+/// A point dragged behind the tool on a virtual rope: while the rope is taut, the tool slides in its
+/// direction. A clipped bristle (bristle_friction.h) is dragged in the same way, on a rope of length μ
+/// f_n/σ₀; so if a rope that is certainly longer is taut, the full μ f_n is rendered. After a change of
+/// direction this takes twice the length, 3.5 mm at μ = 1 and 1.75 N, which no speed and no fixed distance
+/// can detect. Pure.
 class SlidingTrail {
 public:
-    void drag(double x_m, double y_m, double length_m) noexcept { ///< the tool moves on by so much
+    void drag(double x_m, double y_m, double length_m) noexcept { ///< the tool moves by this distance
         m_behind[0] += x_m;
         m_behind[1] += y_m;
         const double now_m = std::hypot(m_behind[0], m_behind[1]);
@@ -22,11 +24,11 @@ public:
         m_length_m = length_m;
     }
     bool taut() const noexcept { return m_taut; }
-    /// The share of a force that holds the tool back; the trail has to be taut.
+    /// The component of a force that holds the tool back; requires a taut trail.
     double against(double x_N, double y_N) const noexcept { return -(x_N * m_behind[0] + y_N * m_behind[1]) / m_length_m; }
 
 private:
-    std::array<double, 2> m_behind{}; ///< from the dragged point to the tool
+    std::array<double, 2> m_behind{}; ///< vector from the dragged point to the tool
     double m_length_m = 0.0;
     bool m_taut = false;
 };

@@ -19,17 +19,18 @@ namespace {
 using psychophysics::Warning;
 using psychophysics::WarningKind;
 
-/// Trials of a rendered run have a session; a person's may lack one only where the study was brought in from elsewhere.
+/// Trials of a rendered run have a session. A person's trials can lack one only if the study was imported.
 bool wasNotRendered(const database::Participant& participant, const std::vector<database::StudyTrial>& trials) {
     return participant.simulated && std::any_of(trials.begin(), trials.end(), [](const auto& trial) { return trial.session == 0; });
 }
 
-/// Whether three objects are ranked in a condition.
+/// True if three objects are ranked in a condition.
 bool ranks(const psychophysics::Condition& condition) {
     return psychophysics::ranksThree(condition.task) && condition.stimulus.attribute != psychophysics::Attribute::apex;
 }
 
-/// The choices made again, by the condition that the run is analysed by; none where there is no such, or its procedures are sealed.
+/// Repeats the choices by the condition that the run is analysed by; empty if there is none, or the run's
+/// procedures are sealed.
 core::Result<ReplayedChoices> rerun(const StudyAnalysis& study, const psychophysics::Condition* condition, database::StudyRun run,
                                     const std::vector<database::StudyTrial>& trials) {
     if (!condition || run.procedures.empty())
@@ -81,14 +82,15 @@ core::Result<AnalysedRun> analyseRun(database::StudyReader& reader, const StudyA
 
 bool wasShown(const AnalysedRun& run) { return run.felt && !*run.felt; }
 
-/// Of an apex marks are what counts, of which there is no Weber fraction.
+/// In a study of the apex the marks count, since there is no Weber fraction.
 Presence presenceIn(const AnalysedRun& run) {
     if (!run.apex)
         return presenceOf(run.estimate, run.run.state == database::StudyRunState::completed);
     return run.apex->trials > 0 ? Presence::used : Presence::noAnswers;
 }
 
-/// The group's estimate: of people who still take part; of simulated participants where there is nobody else.
+/// Computes the group's estimate: of people who have not withdrawn, or of simulated participants if there are
+/// no people.
 void pool(AnalysedCondition& condition, const psychophysics::Condition* designed, std::uint64_t seed, const AnalysisChoices& choices) {
     const auto takesPart = [](const AnalysedRun& run) { return run.participant.state != database::ParticipantState::withdrawn; };
     const bool real = std::any_of(condition.runs.begin(), condition.runs.end(),
@@ -132,7 +134,7 @@ void pool(AnalysedCondition& condition, const psychophysics::Condition* designed
         warnings.push_back({choices.withShown ? WarningKind::shownInGroup : WarningKind::shownLeftOut, shown});
 }
 
-/// The labels of the conditions, in the design's order; while blinded by code.
+/// The labels of the conditions, in the design's order; ordered by code while blinded.
 core::Result<std::vector<std::string>> labelsOf(database::StudyReader& reader, const StudyAnalysis& study) {
     std::vector<std::string> labels;
     if (!study.blind()) {
@@ -179,7 +181,8 @@ psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition,
         return estimate;
     }
     estimate = psychophysics::estimateRun(*condition, trials, seed);
-    if (blinding.on) { // of another condition's reference
+    // These values are relative to another condition's reference.
+    if (blinding.on) {
         estimate.jnd = estimate.pse = std::numeric_limits<double>::quiet_NaN();
         estimate.pse95 = {};
         estimate.unit.clear();
@@ -189,7 +192,7 @@ psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition,
 
 namespace {
 
-/// What is analysed: the design, and its conditions without a run yet.
+/// The study before its analysis: the design, and its conditions without runs.
 core::Result<StudyAnalysis> opened(database::StudyReader& reader, database::StudyNumber number) {
     StudyAnalysis study;
     auto record = reader.study(number);
@@ -248,7 +251,8 @@ core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database
         AnalysedCondition& condition = study->conditions[i];
         const psychophysics::Condition* designed = study->designed(i);
         pool(condition, designed, core::Random::mix(seed, "group " + condition.condition), choices);
-        if (study->sealed()) // whoever withdrew or was simulated is told of no condition either
+        // Runs that are withdrawn or simulated do not show it for any condition either.
+        if (study->sealed())
             for (AnalysedRun& run : condition.runs)
                 run.presence = Presence::sealed;
         condition.roll = groupRoll(*participants, condition.runs, study->record.summary.state != database::StudyState::frozen, study->design.participantsPlanned);

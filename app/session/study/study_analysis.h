@@ -18,68 +18,75 @@
 
 namespace chiron::session {
 
-/// One run as it came out.
+/// The results of one run.
 struct AnalysedRun {
     database::Participant participant;
     database::StudyRun run;
     std::vector<database::StudyTrial> trials; ///< all of them
     int scored = 0, spoiled = 0, practice = 0;
-    std::optional<bool> felt; ///< false where any trial was only shown; nothing where nothing was rendered
-    bool pooled = true;       ///< the group is of it, too, where it has an estimate
+    std::optional<bool> felt; ///< false if any trial was only shown; empty if nothing was rendered
+    bool pooled = true;       ///< the run belongs to the group if it has an estimate
     Presence presence = Presence::noValue; ///< whether the group's value uses it, or why not
     psychophysics::RunEstimate estimate;
     ReplayedChoices replayed;
-    std::optional<psychophysics::ApexSummary> apex; ///< of a study of the apex: this run's marks alone
-    psychophysics::RankingSummary ranking; ///< where three are ranked; else of none
+    std::optional<psychophysics::ApexSummary> apex; ///< study of the apex: this run's marks alone
+    psychophysics::RankingSummary ranking; ///< for ranking of three objects; otherwise empty
 };
 
 struct AnalysedCondition {
     std::string condition; ///< id, or sealed code while blinded
     std::vector<AnalysedRun> runs; ///< by participant
-    /// Of the people who still take part and felt the objects; of simulated participants only where there are no people. Who was left out is
-    /// among its warnings (withdrawn, simulated_left_out, simulated, not_rendered, shown_left_out); its members' `index` counts `runs`.
+    /// Group value of the people who have not withdrawn and felt the objects; of simulated participants only
+    /// if there are no people. Its warnings state who was left out (withdrawn, simulated_left_out, simulated,
+    /// not_rendered, shown_left_out); its members' `index` refers to `runs`.
     psychophysics::GroupEstimate group;
-    /// Of a study of the apex: the marks of those whom the group is of; a participant's number is the row of its first run in `runs`.
+    /// Study of the apex: the marks of the group's members; a participant's number is the index of their
+    /// first run in `runs`.
     std::optional<psychophysics::ApexSummary> apex;
-    psychophysics::RankingSummary ranking; ///< of the same members; where three are ranked, else of none
-    GroupRoll roll; ///< what the group's value rests on
+    psychophysics::RankingSummary ranking; ///< of the same members, for ranking of three objects; otherwise
+                                           ///< empty
+    GroupRoll roll; ///< the runs on which the group's value is based
 };
 
 struct StudyAnalysis {
     database::StudyRecord record;
     psychophysics::StudyDesign design;
-    std::vector<AnalysedCondition> conditions; ///< in the design's order; while blinded by sealed code
-    std::vector<ComparedConditions> comparisons; ///< every two of them; none while blinded
+    std::vector<AnalysedCondition> conditions; ///< in the design's order; ordered by sealed code while
+                                               ///< blinded
+    std::vector<ComparedConditions> comparisons; ///< every pair of conditions; empty while blinded
     database::Blinding blinding;
 
     bool blind() const { return blinding.on; }
-    bool sealed() const { return blinding.seals(); } ///< runs are listed, and nothing is said of them; quality can be watched
+    bool sealed() const { return blinding.seals(); } ///< runs are listed without results; the quality is
+                                                     ///< still available
     std::vector<database::ParticipantQuality> quality; ///< by participant
     std::map<database::ParticipantNumber, std::string> codes; ///< of all participants
-    /// What the runs of conditions[at] are analysed by: analysedBy() of it.
+    /// The condition by which the runs of conditions[at] are analysed: analysedBy() of it.
     const psychophysics::Condition* designed(std::size_t at) const;
 };
 
-/// What an analysis may be asked to do otherwise.
+/// Options of an analysis.
 struct AnalysisChoices {
     bool withShown = false; ///< runs on devices that render no force belong to the group
 };
 
-/// Says so where trials were shown, not felt: warning shown.
+/// Adds the warning "shown" to an estimate if trials were shown, not felt.
 void warnShown(psychophysics::RunEstimate& estimate, const std::vector<database::StudyTrial>& trials);
 
-/// Says so where a simulated participant's trials were not rendered (a quick run): warning not_rendered.
+/// Adds the warning "not_rendered" if a simulated participant's trials were not rendered (a quick run).
 void warnNotRendered(psychophysics::RunEstimate& estimate, const database::Participant& participant, const std::vector<database::StudyTrial>& trials);
 
-/// The condition that a run is analysed by: its own; while the study is blinded any, where the analysis of all of them is the same, else
-/// null: nothing but its trials can be counted then.
+/// The condition by which a run is analysed: its own. While the study is blinded, any condition if all of
+/// them have the same analysis, else null; then only the run's trials can be counted.
 const psychophysics::Condition* analysedBy(const psychophysics::StudyDesign& design, const database::Blinding& blinding, const std::string& condition);
-/// What a run says, without what is known of a condition in physical units while the study is blinded. `condition`: null as above.
+/// The estimate of a run; while the study is blinded, without values in physical units. `condition`: may be
+/// null as in analysedBy().
 psychophysics::RunEstimate estimateOf(const psychophysics::Condition* condition, const std::vector<psychophysics::ScoredTrial>& trials,
                                       const database::Blinding& blinding, std::uint64_t seed);
 
-/// Every run of a study with trials, analysed anew; `seed`: of bootstraps. Stopped runs of a withdrawn participant are left out.
-/// Failure: the reader's; badInput (a design or a trial that cannot be read).
+/// Analyses every run of a study that has trials; `seed` is that of the bootstraps. Stopped runs of a
+/// withdrawn participant are left out.
+/// Errors: those of the reader; badInput (a design or a trial that cannot be read).
 core::Result<StudyAnalysis> analyseStudy(database::StudyReader& reader, database::StudyNumber study, std::uint64_t seed, const AnalysisChoices& choices = {});
 
 } // namespace chiron::session

@@ -11,7 +11,7 @@ namespace chiron::session {
 
 namespace {
 
-/// Whether the condition can be put before its simulated participant at all.
+/// Checks that the condition can be presented to its simulated participant at all.
 core::Result<void> checkStation(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const std::string& trainee) {
     if (const MarkSessions* marks = markSessionsOf(condition)) {
         auto level = marks->level(design, condition, 1, {});

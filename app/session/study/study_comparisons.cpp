@@ -16,8 +16,8 @@ namespace {
 
 using psychophysics::RunEstimate;
 
-/// Of several runs the geometric mean of the Weber fractions, with the length of interval that so many independent ones have together; their
-/// points are put one after the other.
+/// Combines several runs: the geometric mean of the Weber fractions, with the interval of the mean of this
+/// number of independent runs; their points are concatenated.
 RunEstimate together(const std::vector<const RunEstimate*>& runs) {
     RunEstimate result = *runs.front();
     if (runs.size() == 1)
@@ -38,7 +38,7 @@ RunEstimate together(const std::vector<const RunEstimate*>& runs) {
     return result;
 }
 
-/// By participant; of those whom the group's value uses.
+/// Estimates by participant, for those whose values the group uses.
 std::map<std::string, RunEstimate> byParticipant(const AnalysedCondition& condition) {
     std::map<std::string, std::vector<const RunEstimate*>> runs;
     for (const psychophysics::GroupMember& member : condition.group.members) {
@@ -54,7 +54,7 @@ std::map<std::string, RunEstimate> byParticipant(const AnalysedCondition& condit
 }
 
 struct Pair {
-    std::vector<RunEstimate> first, second;           ///< of those who did both, in the same order
+    std::vector<RunEstimate> first, second;           ///< those who did both, in the same order
     std::vector<RunEstimate> onlyFirst, onlySecond;
 };
 
@@ -74,7 +74,7 @@ Pair paired(const std::map<std::string, RunEstimate>& first, const std::map<std:
     return pair;
 }
 
-/// Magnitude, of which no thresholds are compared, where answers chose the differences.
+/// The condition's task; Magnitude, for which no thresholds are compared, if answers chose the differences.
 psychophysics::Task taskOf(const StudyAnalysis& study, std::size_t condition) {
     const psychophysics::Condition* designed = study.designed(condition);
     return designed && !adapts(*designed) ? designed->task : psychophysics::Task::magnitude;

@@ -11,24 +11,27 @@ namespace chiron::session {
 
 struct StudyAnalysis;
 
-/// Two conditions of a study beside each other.
+/// The comparison of two conditions of a study.
 struct ComparedConditions {
-    std::size_t first = 0, second = 0; ///< places in StudyAnalysis::conditions
+    std::size_t first = 0, second = 0; ///< indices into StudyAnalysis::conditions
     psychophysics::ConditionComparison weber;
-    /// Of none where the same people did not do both, tasks differ, or answers decided what came next: an adaptive run hardly tells the slope, and with it
-    /// free the likelihood ratio is far from chi-square.
+    /// Empty if the same people did not do both conditions, if the tasks differ, or if the answers decided
+    /// what came next: an adaptive run hardly determines the slope, and with a free slope the likelihood
+    /// ratio is far from chi-square.
     psychophysics::ThresholdModels models;
 };
 
-/// Whether answers decide which difference comes next.
+/// True if the answers decide which difference comes next.
 bool adapts(const psychophysics::Condition& condition);
 
-/// Whether any of them could test separate thresholds: of adaptive procedures none does.
+/// True if any of the comparisons could test separate thresholds; with adaptive procedures, none can.
 bool testsThresholds(const std::vector<ComparedConditions>& compared);
 
-/// Every two conditions whose groups give a Weber fraction, of those people whom the groups' values use (Presence::used): paired by participant where at
-/// least two have a value in both, else as two groups of those who have one in only one of them. A participant with several runs of a condition counts once: the geometric mean of what they say. None while the
-/// study is blinded: a difference that is watched as it grows is not a test any more.
+/// Compares every two conditions whose groups have a Weber fraction, for the people whose values the groups
+/// use (Presence::used): paired by participant if at least two have a value in both conditions, else as two
+/// groups of those who have a value in only one of them. A participant with several runs of a condition
+/// counts once, with the geometric mean of their values. Empty while the study is blinded: a difference that
+/// is monitored while it grows is not a valid test.
 std::vector<ComparedConditions> compareAll(const StudyAnalysis& study, std::uint64_t seed);
 
 } // namespace chiron::session

@@ -53,7 +53,7 @@ void StudyDirector::direct(const FidelitySample& sample) {
     m_inputs->postOwn({CommandKind::answer, said ? static_cast<std::uint16_t>(*said) : simulation::kAnswerSpoiled});
 }
 
-/// What the hand felt at each place, log10 over the reference; nothing where a place could not be felt.
+/// The felt value at each place, log10 relative to the reference; empty if a place could not be felt.
 std::optional<std::vector<double>> StudyDirector::feel() const {
     std::vector<double> felt;
     for (std::size_t place = 0; place < m_shown.values.size(); ++place) {
@@ -65,7 +65,8 @@ std::optional<std::vector<double>> StudyDirector::feel() const {
     return felt;
 }
 
-/// Adjustment: turns the dial by what was felt, and explores again. False: the dial stays, or there is no time for another look.
+/// Adjustment: turns the dial by the felt difference and explores again. Returns false if the dial does not
+/// move, or there is no time for another exploration.
 bool StudyDirector::turned(const std::vector<double>& felt, const FidelitySample& sample) {
     const auto& table = m_parts.condition.stimulus.differences;
     if (m_parts.condition.task != Task::adjustment || table.empty())
@@ -73,7 +74,8 @@ bool StudyDirector::turned(const std::vector<double>& felt, const FidelitySample
     if (!m_equal)
         m_equal = m_parts.observer.adjust(table.front(), table.back());
     const double limit_s = m_parts.exploreLimit_s;
-    const auto ticks = static_cast<double>((sample.tick - m_clock.first()) + (sample.tick - m_looked)); // with one more look
+    // The duration with one more exploration.
+    const auto ticks = static_cast<double>((sample.tick - m_clock.first()) + (sample.tick - m_looked));
     if (m_steps >= kSteps || (limit_s > 0.0 && ticks * core::kTickSeconds > limit_s))
         return false;
     const double wanted = table[static_cast<std::size_t>(m_dial)] - (felt.back() - felt.front() - *m_equal);
@@ -88,7 +90,7 @@ bool StudyDirector::turned(const std::vector<double>& felt, const FidelitySample
     return true;
 }
 
-/// What the observer says of it.
+/// The observer's answer to the felt values.
 std::optional<int> StudyDirector::think(const std::vector<double>& felt) {
     const psychophysics::StimulusDesign& stimulus = m_parts.condition.stimulus;
     const Task task = m_parts.condition.task;
@@ -104,7 +106,8 @@ void StudyDirector::present() {
     if (progress.breakDue())
         progress.breakTaken();
     if (progress.needsExperimenter())
-        progress.experimenterSays(false); // nobody is there to help: the run stops
+        // Nobody is present to help, so the run stops.
+        progress.experimenterSays(false);
     if (progress.done()) {
         finish();
         return;

@@ -13,16 +13,18 @@
 
 namespace chiron::session {
 
-/// Runs one condition with a simulated participant, as fast as the machine can: presents what StudyProgress asks for, waits until the
-/// mind has explored every place, lets the observer answer from the mind's own estimates, measures the trial's fidelity from its
-/// frames, records it, and ends the sitting when the run is done. Everything at ticks that the run itself determines, so the same
-/// seeds give the same session. A trial that takes longer than kPatience_s, or whose places could not be estimated, is spoiled.
-/// Adjustment: the mind explores, the dial is stepped by the difference it felt (less what the observer takes for none), and so on
-/// until the dial would stay; the value stored is that of the candidate reached.
+/// Runs one condition with a simulated participant, faster than real time. It presents what StudyProgress
+/// requests, waits until the participant's decision model has explored every place, lets the observer answer
+/// from the model's own estimates, measures the trial's fidelity from its frames, records it, and ends the
+/// session when the run is done. All of this happens at ticks that the run itself determines, so the same
+/// seeds give the same session. A trial that takes longer than kPatience_s, or whose places could not be
+/// estimated, is spoiled. Adjustment: the participant explores, the dial is turned by the felt difference
+/// (minus the difference that the observer perceives as none), and this repeats until the dial would not
+/// move; the stored value is that of the candidate reached.
 class StudyDirector final : public ITickDirector {
 public:
     static constexpr double kPatience_s = 20.0; ///< for one exploration of all places
-    static constexpr int kSteps = 5;            ///< of the dial in one trial, at most
+    static constexpr int kSteps = 5;            ///< largest number of steps of the dial in one trial
 
     struct Parts {
         StudyProgress& progress;
@@ -30,11 +32,12 @@ public:
         operators::IParticipantMind& mind;
         psychophysics::SimulatedObserver& observer;
         FidelityMeter& meter;
-        /// Takes the row of a trial; false ends the sitting at once (a failure to store).
+        /// Stores the row of a trial; returning false ends the session at once (a failure to store).
         std::function<bool(database::StudyTrial)> store;
-        /// Asked after each trial: true ends the sitting there, as an interruption would (tests, stop).
+        /// Called after each trial; returning true ends the session there, as an interruption would (tests,
+        /// stop).
         std::function<bool()> interrupted;
-        double exploreLimit_s = 0.0; ///< after which the objects are gone; 0: none
+        double exploreLimit_s = 0.0; ///< time after which the objects are gone; 0: none
     };
     explicit StudyDirector(Parts parts) : m_parts(std::move(parts)) {}
 
@@ -43,8 +46,9 @@ public:
 
     void setSession(database::SessionId session) { m_session = session; }
     std::uint64_t ticks() const noexcept { return m_ticks; }
-    bool over() const noexcept { return m_over; } ///< the end was asked for
-    const core::Result<void>& recorded() const noexcept { return m_recorded; } ///< why the run's progress took a trial no more
+    bool over() const noexcept { return m_over; } ///< the end was requested
+    /// The reason why the run's progress no longer accepted a trial.
+    const core::Result<void>& recorded() const noexcept { return m_recorded; }
 
 private:
     void direct(const FidelitySample& sample);
@@ -67,10 +71,10 @@ private:
     int m_answer = -1;
     std::optional<double> m_value;
     std::string m_spoiled;
-    std::uint64_t m_looked = 0;     ///< tick at which the present exploration began
+    std::uint64_t m_looked = 0;     ///< tick at which the current exploration began
     int m_dial = 0;                 ///< candidate that is set (adjustment)
     int m_steps = 0;
-    std::optional<double> m_equal;  ///< felt difference that this trial's observer takes for none
+    std::optional<double> m_equal;  ///< felt difference that this trial's observer perceives as none
     core::Result<void> m_recorded;
 };
 

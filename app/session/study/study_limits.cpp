@@ -12,17 +12,18 @@ namespace chiron::session {
 
 namespace {
 
-constexpr double kArmDamping_Ns_per_m = 2.0; ///< b of devices.md §6's example
+constexpr double kArmDamping_Ns_per_m = 2.0; ///< b in the example of devices.md §6
 constexpr double kSiteForce_N = 4.0;         ///< models.md §5
-constexpr double kWeightShare = 0.75;        ///< of the force limit, for a lifted object: the rest is left for lifting it
+/// Fraction of the force limit for the weight of a lifted object; the rest is left for lifting it.
+constexpr double kWeightShare = 0.75;
 
-/// What the objects damp beside the attribute, N·s/m.
+/// The damping of the objects in addition to the attribute, N·s/m.
 double contactDamping(const psychophysics::StimulusDesign& stimulus) {
     const auto fixed = stimulus.fixed.find("damping_Ns_per_m");
     return fixed != stimulus.fixed.end() ? fixed->second : simulation::ObjectAttributes{}.damping_Ns_per_m;
 }
 
-/// The largest value of the attribute, SI; infinite where nothing limits it.
+/// The largest value of the attribute, SI; infinite if nothing limits it.
 double largestValue(const psychophysics::StimulusDesign& stimulus, const RenderingLimits& limits, std::string& why) {
     using psychophysics::Attribute;
     switch (stimulus.attribute) {
@@ -34,7 +35,8 @@ double largestValue(const psychophysics::StimulusDesign& stimulus, const Renderi
         return kWeightShare * limits.largestForce_N / core::kStandardGravity;
     case Attribute::viscosity:
         why = "viscosity";
-        return std::max(0.0, limits.largestViscosity_Ns_per_m - contactDamping(stimulus)); // both act on one velocity
+        // Both act on the same velocity.
+        return std::max(0.0, limits.largestViscosity_Ns_per_m - contactDamping(stimulus));
     case Attribute::deformation:
     case Attribute::roughness:
     case Attribute::friction:

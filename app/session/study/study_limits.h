@@ -9,35 +9,39 @@
 
 namespace chiron::session {
 
-/// What a connected device can render passively.
+/// The values that a connected device can render passively.
 struct RenderingLimits {
     double largestStiffness_N_per_m = 0.0; ///< K = b/(T/2 + t_d), devices.md §6
     double largestViscosity_Ns_per_m = 0.0; ///< the device's own bound b_max
     double largestForce_N = 0.0;
-    double delay_s = 0.0;                  ///< t_d it was computed with
-    bool measured = false;                 ///< t_d was measured; else it is the device's stated one
+    double delay_s = 0.0;                  ///< the t_d used
+    bool measured = false;                 ///< t_d was measured; if false, it is the delay that the device
+                                           ///< states
 };
 
-/// Of a device: K < (b + B)/(T/2 + t_d) with b = 2 N·s/m of arm and mechanism and B = 0, T = 1 ms, t_d the measured delay (0: taken as one
-/// device period). Force: its continuous one, the site's cap at most. A device that renders no force has no limits here (infinite).
+/// The limits of a device: K < (b + B)/(T/2 + t_d) with b = 2 N·s/m of arm and mechanism and B = 0, T = 1 ms,
+/// and t_d the measured delay (0: one device period is assumed). The force is the device's continuous one, at
+/// most the site's cap. A device that renders no force has no limits here (infinite).
 RenderingLimits renderingLimits(const devices::DeviceDescriptor& device, double delay_s = 0.0);
 
-/// The delay that a device states, on the safe side: what it sends may be one period old, and what it is sent may wait for one more. 0 where
-/// it is stepped in the tick.
+/// The delay that a device states, on the safe side: a sample may be one period old, and a command may wait
+/// for one more. 0 if the device is stepped in the tick.
 double statedDelay_s(const devices::DeviceDescriptor& device);
-/// The same limits with the measured delay; where it was never measured (or is no number) with the stated one.
+/// The same limits with the measured delay; with the stated one if it was never measured or is NaN.
 RenderingLimits limitsAt(const devices::DeviceDescriptor& device, std::optional<double> measuredDelay_s);
 
-/// What is left of a condition's table on such a device.
+/// The part of a condition's table that such a device can render.
 struct LimitedTable {
-    double limit = 0.0;  ///< largest |D| that is rendered; infinite where all of them are
-    int candidates = 0;  ///< that are left
+    double limit = 0.0;  ///< largest |D| that is rendered; infinite if all are rendered
+    int candidates = 0;  ///< number of candidates left
     std::string why;     ///< empty: nothing was left out; else "stiffness", "weight", "viscosity", "reference"
 };
-/// The largest multiple of the task counts: a difference whose value the device cannot render passively or without saturation is
-/// never shown. `why` "reference": not even the reference (candidates 0).
+/// Limits a table by the largest multiple of the task: a difference whose value the device cannot render
+/// passively or without saturation is never shown. `why` is "reference" if not even the reference can be
+/// rendered (candidates 0).
 LimitedTable limitedTable(const psychophysics::Condition& condition, const RenderingLimits& limits);
-/// The same where experimenters are blind: what is left in every condition with this table, as what is left of one would tell which it is.
+/// The same for blind experimenters: the part that is left in every condition with this table, because a
+/// condition's own remaining part would reveal which one it is.
 LimitedTable blindTable(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition, const RenderingLimits& limits);
 
 } // namespace chiron::session

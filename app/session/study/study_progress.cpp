@@ -24,7 +24,7 @@ const Condition* find(const psychophysics::StudyDesign& design, const std::strin
 
 constexpr std::string_view kLimitWord = "limit@";
 
-/// The shortest digits that are read back as the same number, whatever the locale.
+/// The shortest digits that read back as the same number, independently of the locale.
 std::string limitWord(double limit) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), limit).ptr;
@@ -75,14 +75,16 @@ core::Result<StudyProgress> StudyProgress::resume(const psychophysics::StudyDesi
         return progress;
     for (const database::StudyTrial& trial : trials) {
         if (progress->needsExperimenter())
-            progress->experimenterSays(true); // it went on, or there were no further trial
+            // The run continued, since otherwise there would be no further trial.
+            progress->experimenterSays(true);
         if (auto taken = progress->m_state->apply(trial); !taken)
             return tl::unexpected(taken.error());
     }
     State& state = *progress->m_state;
-    state.breaksTaken = state.rules.breakEvery > 0 ? state.scored / state.rules.breakEvery : 0; // the interruption was one
+    // The interruption counts as a break.
+    state.breaksTaken = state.rules.breakEvery > 0 ? state.scored / state.rules.breakEvery : 0;
     if (state.asksExperimenter)
-        progress->experimenterSays(true); // who begins another sitting says so
+        progress->experimenterSays(true); // resuming the run implies that it goes on
     return progress;
 }
 

@@ -13,7 +13,7 @@
 
 namespace chiron::session {
 
-/// What is to be presented next.
+/// The next presentation.
 struct StudyPresentation {
     int candidate = 0;
     int arrangement = 0;
@@ -22,13 +22,13 @@ struct StudyPresentation {
     int procedure = 0;
     double entropyMargin = 0.0;
     bool practice = false;
-    int trial = 0;                   ///< scored ones before it in this run
+    int trial = 0;                   ///< scored trials before it in this run
     int ordinal = 0;                 ///< all presentations before it
     int ofAtMost = 0;                ///< 0: not known
-    int repeat = 0;                  ///< how often this one was spoiled already
+    int repeat = 0;                  ///< number of times it was already spoiled
 };
 
-/// What came of it.
+/// The participant's answer to a presentation.
 struct StudyAnswer {
     int answer = -1;
     std::optional<double> value;
@@ -37,18 +37,22 @@ struct StudyAnswer {
     database::SessionId session = 0;
     std::uint64_t firstTick = 0, lastTick = 0;
     TrialFidelity fidelity;
-    std::string spoiled; ///< why it does not count, from outside (experimenter, time, stopped); empty: fidelity decides
+    /// External reason why it does not count (experimenter, time, stopped); empty: the fidelity decides.
+    std::string spoiled;
 };
 
 struct ReplayedChoices;
 
-/// One run of one condition as a sequence of presentations and answers: procedures, interleaving, arrangements (balanced, seeded),
-/// practice, spoiled trials, breaks, stop rules. Values alone: no database, no rendering. Deterministic; a run is resumed by handing its
-/// stored trials to resume(), which takes the logged choices and goes on. Any one thread.
+/// One run of one condition as a sequence of presentations and answers: procedures, interleaving,
+/// arrangements (balanced, seeded), practice, spoiled trials, breaks, stop rules. It uses values only: no
+/// database, no rendering. Deterministic; resume() continues a run from its stored trials and takes over the
+/// logged choices.
+/// Thread: any one.
 class StudyProgress {
 public:
-    /// Failure: badInput (a procedure that cannot be made).
-    /// `limit`: only candidates |D| up to it are presented, because the device renders no larger ones (study_limits.h).
+    /// Begins a run. `limit`: only candidates |D| up to it are presented, because the device renders no
+    /// larger ones (study_limits.h).
+    /// Errors: badInput (a procedure that cannot be made).
     static core::Result<StudyProgress> begin(const psychophysics::StudyDesign& design, const std::string& condition, std::uint64_t seed,
                                              double limit = kNoLimit);
     static core::Result<StudyProgress> resume(const psychophysics::StudyDesign& design, const std::string& condition, std::uint64_t seed,
@@ -62,21 +66,26 @@ public:
     bool breakDue() const;        ///< until breakTaken()
     void breakTaken();
     StudyPresentation next() const;
-    int presentable(double difference) const; ///< the candidate nearest to D of those that the device renders: where a dial can be turned to
-    /// Takes the answer and gives the row to store. Failure: badInput.
+    /// The candidate nearest to D among those that the device renders: the position to which a dial can be
+    /// turned.
+    int presentable(double difference) const;
+    /// Accepts the answer and returns the row to store.
+    /// Errors: badInput.
     core::Result<database::StudyTrial> record(const StudyAnswer& answer);
-    /// Live, for the experimenter: each procedure's own estimate.
+    /// The current estimate of each procedure, for the experimenter.
     std::vector<psychophysics::ProcedureEstimate> estimates() const;
     std::vector<const psychophysics::Procedure*> procedures() const;
     bool needsExperimenter() const; ///< one trial was spoiled repeatsAtMost times
     void experimenterSays(bool goOn);
-    bool gaveUp() const; ///< the experimenter said no: done, and not completed
+    bool gaveUp() const; ///< the experimenter declined: the run is done, but not completed
     int scored() const;
     int spoiledTrials() const;
-    int toCome() const; ///< presentations that are left where none is spoiled, practice included; 0: not known
-    /// What a run's row stores of it: "rank3_quest_plus@1", of several separated by commas; with a limit ",limit@0.301" after them.
+    /// Number of presentations left if none is spoiled, practice included; 0: not known.
+    int toCome() const;
+    /// The procedures as stored with a run: "rank3_quest_plus@1", separated by commas if there are several;
+    /// with a limit, ",limit@0.301" follows.
     std::string procedureIds() const;
-    static double limitOf(const std::string& procedureIds); ///< kNoLimit where it names none
+    static double limitOf(const std::string& procedureIds); ///< kNoLimit if there is none
 
 private:
     friend core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design, const database::StudyRun& run,
@@ -86,13 +95,13 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// How re-running a run's log compares (psychophysics.md §6).
+/// The result of re-running the log of a run (psychophysics.md §6).
 struct ReplayedChoices {
     int trials = 0;
     int same = 0;
     int ties = 0;               ///< different with a margin below 1e-9
     int firstDifference = -1;   ///< ordinal; -1: none
-    bool sameProcedures = true; ///< versions as stored
+    bool sameProcedures = true; ///< the versions are the stored ones
 };
 core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& design, const database::StudyRun& run,
                                            const std::vector<database::StudyTrial>& trials);

@@ -19,7 +19,8 @@ bool StudyProgress::State::allDone() const {
     return stopped || std::all_of(procedures.begin(), procedures.end(), [](const auto& procedure) { return procedure->done(); });
 }
 
-/// At random among those that go on, by the presentation's number: the same again when a run is resumed.
+/// Picks at random among the unfinished procedures, depending on the presentation's number, so that a resumed
+/// run makes the same choice.
 int StudyProgress::State::pickProcedure() const {
     if (sameProcedure >= 0 && !procedures[static_cast<std::size_t>(sameProcedure)]->done())
         return sameProcedure;
@@ -33,7 +34,7 @@ int StudyProgress::State::pickProcedure() const {
     return open[static_cast<std::size_t>(random.below(open.size()))];
 }
 
-/// The nearest candidate there is; of two alike the first.
+/// The nearest candidate; of two equally near ones, the first.
 int StudyProgress::State::candidateFor(double x) const {
     int best = allowed.front();
     double nearest = std::numeric_limits<double>::infinity();
@@ -82,7 +83,7 @@ void StudyProgress::State::believe(const database::StudyTrial& trial) {
     repeat = 0;
 }
 
-/// Takes a trial as it was logged: live, on resuming and on re-running alike.
+/// Processes a trial as it was logged, in the same way live, on resuming and on re-running.
 core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial) {
     if (trial.candidate < 0 || static_cast<std::size_t>(trial.candidate) >= condition.stimulus.differences.size() || trial.procedure < 0 ||
         static_cast<std::size_t>(trial.procedure) >= procedures.size())
@@ -92,7 +93,8 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
     if (trial.practice && trial.answer < 0) {
         ++practiceUnanswered;
         ++repeat;
-        asksExperimenter = repeat >= repeatsAtMost && trial.spoiled != "taken_back"; // nothing is wrong with who thinks again
+        // A participant who takes an answer back to reconsider it causes no concern.
+        asksExperimenter = repeat >= repeatsAtMost && trial.spoiled != "taken_back";
     } else if (trial.practice) {
         ++practised;
         repeat = 0;
@@ -103,7 +105,8 @@ core::Result<void> StudyProgress::State::apply(const database::StudyTrial& trial
         sameProcedure = trial.procedure;
         asksExperimenter = repeat >= repeatsAtMost;
     } else {
-        // Where nothing differed, an answer says nothing of the difference that was asked for: it is kept, and the procedure asks again.
+        // If the arrangement showed no difference, the answer contains no information about the requested
+        // difference: the trial is kept, and the procedure asks again.
         const int told = psychophysics::scoredOutcome(condition.task, trial.outcome, procedure.outcomes());
         if (psychophysics::showsDifference(condition.task, trial.arrangement))
             if (auto done = procedure.record(told, stimulusOf(trial.candidate)); !done)
@@ -134,7 +137,8 @@ core::Result<ReplayedChoices> rerunChoices(const psychophysics::StudyDesign& des
         const bool sameOtherwise = shown.arrangement == trial.arrangement && shown.procedure == trial.procedure && shown.practice == trial.practice;
         if (sameOtherwise && shown.candidate == trial.candidate)
             ++replayed.same;
-        else if (sameOtherwise && trial.entropyMargin < kTie) // only the candidate is chosen by entropy
+        // Only the candidate is chosen by entropy.
+        else if (sameOtherwise && trial.entropyMargin < kTie)
             ++replayed.ties;
         else if (replayed.firstDifference < 0)
             replayed.firstDifference = trial.ordinal;

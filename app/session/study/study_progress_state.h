@@ -10,7 +10,7 @@
 
 namespace chiron::session {
 
-/// What a run's progress holds: for study_progress*.cpp alone.
+/// The state of a run's progress; for study_progress*.cpp only.
 struct StudyProgress::State {
     psychophysics::Condition condition;
     psychophysics::TrialRules rules;
@@ -19,14 +19,17 @@ struct StudyProgress::State {
     double limit = kNoLimit;
     std::vector<int> allowed; ///< candidates that may be presented
     std::vector<std::unique_ptr<psychophysics::Procedure>> procedures;
-    std::vector<int> asked; ///< scored trials of each procedure, also those that it was not told of
+    std::vector<int> asked; ///< scored trials of each procedure, including those that the procedure did not
+                            ///< receive
     int ordinal = 0;
     int scored = 0;
     int spoiled = 0;
     int practised = 0;
-    int practiceUnanswered = 0; ///< practice that ended without an answer (time was up, stopped): no practice, it comes again
-    int repeat = 0;        ///< how often the present trial was spoiled
-    int sameProcedure = -1; ///< after a spoiled trial its procedure goes on
+    /// Practice trials that ended without an answer (time was up, stopped): they do not count as practice and
+    /// are repeated.
+    int practiceUnanswered = 0;
+    int repeat = 0;        ///< number of times that the current trial was spoiled
+    int sameProcedure = -1; ///< after a spoiled trial, its procedure continues
     int breaksTaken = 0;
     bool asksExperimenter = false;
     bool stopped = false;
@@ -34,10 +37,12 @@ struct StudyProgress::State {
     bool allDone() const;
     int pickProcedure() const;
     int candidateFor(double x) const;
-    double scaled(double difference) const; ///< x of a candidate in the procedures' own scale; not finite where it has none (log of 0)
+    /// x of a candidate in the procedures' own scale; not finite if it has none (log of 0).
+    double scaled(double difference) const;
     psychophysics::Stimulus stimulusOf(int candidate) const;
     StudyPresentation present() const;
-    /// Takes the log's word that practice is over. Earlier versions counted practice without an answer, too.
+    /// Adopts the log's record that practice is over, because earlier versions also counted practice trials
+    /// without an answer.
     void believe(const database::StudyTrial& trial);
     core::Result<void> apply(const database::StudyTrial& trial);
 };

@@ -18,7 +18,7 @@ namespace chiron::session {
 
 namespace {
 
-/// One run at hand: what a sitting shares, rendered or quick.
+/// The current run, with the data that rendered and quick runs share.
 struct Sitting {
     database::Database& database;
     const database::Actor& actor;
@@ -29,7 +29,7 @@ struct Sitting {
     database::StudyRunNumber run = 0;
     std::string sealedCode;
     std::uint64_t runSeed = 0;
-    int before = 0; ///< presentations of earlier sittings
+    int before = 0; ///< presentations before this call
     int presented = 0;
     core::Result<void> stored;
 
@@ -81,8 +81,8 @@ core::Result<database::SessionId> runRecorded(Sitting& sitting, const OpenedStud
     return result->session;
 }
 
-/// Sessions of the exercise whose marks are asked for, until the run is done: spoiled trials come again in a further one, and no session
-/// holds more than the exercise does. Gives the last.
+/// Runs sessions of the exercise whose marks are asked for until the run is done: a further session repeats
+/// spoiled trials, and no session holds more trials than the exercise allows. Returns the last session.
 core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& sitting, const OpenedStudy& study) {
     database::SessionId last = 0;
     while (!sitting.progress.done() && !sitting.interrupted()) {
@@ -97,7 +97,8 @@ core::Result<database::SessionId> runMarks(const MarkSessions& marks, Sitting& s
         if (!session)
             return session;
         last = *session;
-        if (!sitting.stored || sitting.presented == before) // stuck: another session would be, too
+        // Without progress, another session would be stuck as well.
+        if (!sitting.stored || sitting.presented == before)
             break;
     }
     return last;
@@ -119,7 +120,8 @@ StudyAnswer toldAnswer(Sitting& sitting, const StudyPresentation& shown) {
     return answer;
 }
 
-/// The same trials without a rendering: the observer is told the values; marks of an apex are drawn by the observer for planning.
+/// Runs the same trials without rendering: the observer receives the values directly; marks of an apex are
+/// drawn from the observer model for planning.
 void runQuick(Sitting& sitting) {
     while (!sitting.progress.done() && !sitting.interrupted()) {
         if (sitting.progress.breakDue())
@@ -146,7 +148,7 @@ struct BegunRun {
     StudyProgress progress;
 };
 
-/// A run is rendered, or quick, from its first trial to its last.
+/// A run must be either rendered or quick from its first trial to its last.
 core::Result<void> sameKind(const database::StudyRun& run, const std::vector<database::StudyTrial>& trials, bool quick) {
     const bool mixed = std::any_of(trials.begin(), trials.end(), [&](const auto& trial) { return (trial.session == 0) != quick; });
     return mixed ? core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun " +
@@ -194,7 +196,8 @@ core::Result<StudyRunSummary> runConducted(database::Database& database, const d
     auto run = beginOrResume(database, actor, study, label, conducted, request, *limit);
     if (!run)
         return tl::unexpected(run.error());
-    // Each sitting has its own streams: what a first one has drawn already, a second one must not draw again.
+    // Each resumption has its own random streams, so that it does not repeat numbers that an earlier part of
+    // the run has drawn.
     const std::uint64_t seed = core::Random::mix(run->seed, "sitting " + std::to_string(run->trials.size()));
     Sitting sitting{database, actor, request, *found, run->progress,
                     psychophysics::SimulatedObserver(request.observer, core::Random::mix(seed, "observer")), run->number, run->sealedCode, run->seed,
@@ -235,7 +238,7 @@ core::Result<StudyRunSummary> runCondition(database::Database& database, const d
     return run ? std::move(run) : tl::unexpected(sealedError(study, *conducted, run.error()));
 }
 
-/// A simulated participant, as it was enrolled.
+/// Checks that the participant is simulated and is the one that was enrolled.
 core::Result<void> mayBeSimulated(const OpenedStudy& study, const StudyRunRequest& request) {
     const database::Participant& participant = study.participant;
     if (!participant.simulated)

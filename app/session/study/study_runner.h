@@ -16,16 +16,21 @@
 
 namespace chiron::session {
 
-/// A simulated participant does a study, or goes on with it, as fast as the machine can.
+/// A request that a simulated participant does or resumes a study, faster than real time.
 struct StudyRunRequest {
     database::StudyNumber study = 0;
     std::string participantCode;
     psychophysics::ObserverSpec observer;
-    std::uint64_t seed = 1;   ///< of participant and runs; the stored seed of a run that is resumed holds
-    bool seedGiven = false;   ///< asked for by name: a run that was begun with another one is then refused
-    bool quick = false;       ///< no rendering: the observer is told the values; trials have no session
-    std::string condition;    ///< id, or sealed code while blinded; empty: all that are not completed, in the participant's order
-    int trialsAtMost = 0;     ///< > 0: stops after so many presentations of a run, as an interruption does (it is resumed by another call)
+    std::uint64_t seed = 1;   ///< of participant and runs; a resumed run keeps its stored seed
+    bool seedGiven = false;   ///< the seed was given explicitly: a run that began with another one is then
+                              ///< refused
+    bool quick = false;       ///< no rendering: the observer receives the values directly; trials have no
+                              ///< session
+    /// Id, or sealed code while blinded; empty: all conditions that are not completed, in the participant's
+    /// order.
+    std::string condition;
+    /// > 0: stops after this number of presentations of a run, like an interruption; another call resumes it.
+    int trialsAtMost = 0;
     std::filesystem::path ringFolder; ///< empty: the default
     simulation::ComparisonControl control = simulation::ComparisonControl::none; ///< deliberate faults (psychophysics.md §6)
     const std::atomic<bool>* cancel = nullptr;
@@ -35,7 +40,7 @@ struct StudyRunRequest {
 struct StudyRunSummary {
     std::string condition; ///< id, or sealed code while blinded
     database::StudyRunNumber run = 0;
-    database::SessionId session = 0; ///< of this sitting; 0: quick
+    database::SessionId session = 0; ///< the latest session of the run; 0: quick
     int scored = 0;     ///< of the whole run
     int spoiled = 0;
     bool completed = false;
@@ -44,14 +49,18 @@ struct StudyRunSummary {
 
 struct StudyRunReport {
     std::vector<StudyRunSummary> runs;
-    bool completed = false; ///< every condition of the participant is
-    std::optional<RenderingLimits> limits; ///< of the device, at its measured delay; nothing: a quick run has none
+    bool completed = false; ///< every condition of the participant is completed
+    /// Of the device at its measured delay; empty for a quick run, which has no device.
+    std::optional<RenderingLimits> limits;
 };
 
-/// Through scene, loop, supervisor and simulated device, recorded as sessions of "comparison" under the actor; trials are stored as they are
-/// answered, so a kill or a stop loses the trial at hand at most, and the next call resumes there. Deterministic: same study, observer
-/// and seed, same trials. Failure: notFound, notAllowed, wrongUse (not frozen; a person's code;
-/// another observer than the one enrolled, another seed, where one is given, than a run was begun with; a quick run that is to go on rendered, or the other way round), badInput, storage.
+/// Runs the request through scene, loop, supervisor and simulated device, recorded as sessions of
+/// "comparison" under the actor. Trials are stored as soon as they are answered, so a kill or a stop loses at
+/// most the current trial, and the next call resumes there. Deterministic: the same study, observer and seed
+/// give the same trials.
+/// Errors: notFound; notAllowed; wrongUse (not frozen; a person's code; another observer than the one
+///   enrolled; an explicit seed other than the one with which a run began; resuming a quick run with
+///   rendering, or the reverse); badInput; storage.
 core::Result<StudyRunReport> runStudyHeadless(database::Database& database, const database::Actor& actor, const StudyRunRequest& request);
 
 } // namespace chiron::session

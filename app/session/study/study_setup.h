@@ -13,19 +13,22 @@
 
 namespace chiron::session {
 
-/// The level that a condition's sessions are recorded under. `control`: a deliberate fault (psychophysics.md §6). `sealedCode`: what the
-/// condition is called in the session's title and in its level's id; empty: by its own id. Failure: badInput.
+/// The level under which a condition's sessions are recorded. `control`: a deliberate fault
+/// (psychophysics.md §6). `sealedCode`: the name of the condition in the session's title and in the level's
+/// id; empty: its own id.
+/// Errors: badInput.
 core::Result<catalogue::ExerciseLevel> studyLevel(const psychophysics::StudyDesign& design, const psychophysics::Condition& condition,
                                                   simulation::ComparisonControl control = simulation::ComparisonControl::none,
                                                   const std::string& sealedCode = {});
 
-/// The condition with this id; null where there is none.
+/// The condition with this id; null if there is none.
 const psychophysics::Condition* conditionOf(const psychophysics::StudyDesign& design, const std::string& id);
 
-/// P2's simulated gimbal with a simulated participant's hand on it.
+/// P2's simulated gimbal held by a simulated participant.
 struct ParticipantStation {
     Station station;
-    operators::IParticipantMind* mind = nullptr; ///< of the station's device
+    operators::IParticipantMind* mind = nullptr; ///< decision model of the participant on the station's
+                                                 ///< device
 };
 core::Result<ParticipantStation> participantStation(const catalogue::ExerciseLevel& level, std::uint64_t seed);
 

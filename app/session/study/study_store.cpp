@@ -88,9 +88,9 @@ core::Result<void> sameTable(const database::StudyRun& run, double limit) {
 }
 
 core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now) {
-    if (run.procedures != now)
+    if (run.procedures != now) // unnamed in the message, because procedures can reveal the condition
         return core::fail(core::ErrorCode::wrongUse, "run " + std::to_string(run.id) + " was begun with another version of its procedures than this program has: no version continues "
-                                                         "another one's run; expected another participant for this condition"); // unnamed: procedures may tell conditions apart
+                                                         "another one's run; expected another participant for this condition");
     return {};
 }
 
@@ -151,7 +151,8 @@ core::Result<void> finishRun(database::Database& database, const database::Actor
 }
 
 std::uint64_t runSeed(const OpenedStudy& study, const std::string& label) {
-    return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + label) >> 1; // SQLite's integers have a sign
+    // Shifted to 63 bits, because SQLite's integers are signed.
+    return core::Random::mix(study.design.seed, "run " + study.participant.code + " " + label) >> 1;
 }
 
 } // namespace chiron::session

@@ -11,55 +11,63 @@
 
 namespace chiron::session {
 
-/// What a sitting needs of the database: study, participant, the run that is to be begun or gone on with. Conditions go by labels: their
-/// ids, or while the study is blinded their sealed codes.
+/// The data that a run needs from the database: study, participant, and the runs so far. Conditions are
+/// identified by labels: their ids, or their sealed codes while the study is blinded.
 struct OpenedStudy {
-    /// Whether conditions go by sealed codes now.
+    /// True if conditions are currently identified by sealed codes.
     bool blind() const { return record.blinding.on; }
-    /// Whether the participant has completed no other condition than the one of this label.
+    /// True if the participant has completed no condition other than the one with this label.
     bool firstPart(const std::string& label) const;
 
     database::StudyRecord record;
-    psychophysics::StudyDesign design; ///< masked where the record is, until a run of it is conducted
+    psychophysics::StudyDesign design; ///< masked if the record is, until a run of it is conducted
     database::Participant participant;
-    std::vector<database::StudyRun> runs; ///< of the participant, in the order begun
+    std::vector<database::StudyRun> runs; ///< of the participant, in the order in which they began
     std::vector<std::string> order;       ///< labels in the participant's order
 };
 
-/// Failure: notFound, notAllowed, wrongUse (a draft), badInput.
+/// Opens a study for a participant.
+/// Errors: notFound, notAllowed, wrongUse (a draft), badInput.
 core::Result<OpenedStudy> openStudy(database::Database& database, const database::Actor& actor, database::StudyNumber study,
                                     const std::string& participantCode);
-/// What a condition, or that of a run, goes by.
+/// The label of a condition, or of the condition of a run.
 std::string labelOf(const database::SealedCondition& condition);
 std::string labelOf(const database::StudyRun& run);
-/// Labels in the order that a participant with this row does them. `conditions`: StudyReader::conditionCodes.
+/// Labels in the order in which a participant with this row does the conditions. `conditions`:
+/// StudyReader::conditionCodes.
 std::vector<std::string> labelsInOrder(const psychophysics::StudyDesign& design, const std::vector<database::SealedCondition>& conditions, int row);
-/// The conditions that are still to be done, in order.
+/// The conditions still to be done, in order.
 std::vector<std::string> openConditions(const OpenedStudy& study);
-/// What a sitting's session calls the condition of a run: its sealed code while the experimenter is blind, else empty (its own id).
+/// The name of a run's condition in a session: its sealed code while the experimenter is blind, else empty
+/// (its own id).
 std::string sessionLabel(const OpenedStudy& study, const std::string& sealedCode);
-/// Failure: wrongUse, where the device renders less than the one the run was begun on: its later trials would be of another table.
+/// Refuses a device that renders less than the one on which the run began, because later trials would use
+/// another table.
+/// Errors: wrongUse.
 core::Result<void> sameTable(const database::StudyRun& run, double limit);
-/// Failure: wrongUse, where the run's procedures are of other versions than this program's (`now`: StudyProgress::procedureIds()): a version
-/// never continues another one's run (psychophysics.md §6).
+/// Refuses a run whose procedures have other versions than this program's (`now`:
+/// StudyProgress::procedureIds()): a version never continues the run of another one (psychophysics.md §6).
+/// Errors: wrongUse.
 core::Result<void> sameVersions(const database::StudyRun& run, const std::string& now);
 
-/// The condition of this label with its open run: what the sitting renders and goes on with. Failure: the repository's.
+/// The condition with this label and its open run, which are needed to render and to resume.
+/// Errors: those of the repository.
 core::Result<database::ConductedRun> conduct(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
                                              const std::string& label);
-/// The study with the design as it is, for who conducts a run of it. Failure: badInput.
+/// The study with its unmasked design, for whoever conducts a run of it.
+/// Errors: badInput.
 core::Result<OpenedStudy> unmasked(OpenedStudy study, const database::ConductedRun& run);
-/// What went wrong with a run, by its sealed code instead of its condition while the study is blinded.
+/// The error of a run, with its sealed code in place of its condition while the study is blinded.
 core::Error sealedError(const OpenedStudy& study, const database::ConductedRun& run, core::Error error);
 /// Begins a run of a condition. `procedures`: StudyProgress::procedureIds().
 core::Result<database::StudyRunNumber> beginRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
                                                 const std::string& label, std::uint64_t seed, const std::string& procedures);
 core::Result<void> storeTrial(database::Database& database, const database::Actor& actor, const database::StudyTrial& trial);
-/// Ends the run, and the participant with its last condition.
+/// Ends the run; with the last condition, also ends the participant's part.
 core::Result<void> finishRun(database::Database& database, const database::Actor& actor, const OpenedStudy& study,
                              database::StudyRunNumber run);
-/// Of a run that is begun: from the study's seed, the participant's code and the condition's label, so that it is known before, and does
-/// not tell a blinded condition.
+/// The seed of a new run, derived from the study's seed, the participant's code and the condition's label, so
+/// that it is known in advance and does not reveal a blinded condition.
 std::uint64_t runSeed(const OpenedStudy& study, const std::string& label);
 
 } // namespace chiron::session

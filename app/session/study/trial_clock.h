@@ -9,7 +9,8 @@
 
 namespace chiron::session {
 
-/// How long a trial took, in ticks: no tick of a pause counts, nor does a contact within one. Any one thread.
+/// The duration of a trial, in ticks. Ticks and contacts during a pause do not count.
+/// Thread: any one.
 class TrialClock {
 public:
     void begin(std::uint64_t tick) noexcept {
@@ -30,7 +31,8 @@ public:
     std::uint64_t first() const noexcept { return m_first; }
     std::uint64_t last() const noexcept { return m_last; }
     double exploration_s() const noexcept { return seconds(m_last - m_first, m_paused); }              ///< since the trial began
-    double sinceContact_s() const noexcept { return seconds(m_last - m_lastContact, m_pausedSinceContact); } ///< since the last one; of none since it began
+    /// Since the last contact, or since the trial began if there was none.
+    double sinceContact_s() const noexcept { return seconds(m_last - m_lastContact, m_pausedSinceContact); }
     double paused_s() const noexcept { return static_cast<double>(m_paused) * core::kTickSeconds; }
 
 private:

@@ -71,14 +71,15 @@ std::string fidelityJson(const TrialFidelity& f) {
                      {"outside", QString::fromStdString(f.outside)}};
     if (f.apex)
         json.insert("apex", apexJson(*f.apex));
-    const TrialCircumstances& c = f.circumstances; // a key for what is known: trials without it stay as they were
+    // Only known values get a key, so that trials without them are stored as before.
+    const TrialCircumstances& c = f.circumstances;
     if (!c.language.empty())
         json.insert("language", QString::fromStdString(c.language));
     if (!c.masking.empty())
         json.insert("masking", QString::fromStdString(c.masking));
     if (c.answerTick)
         json.insert("answer_tick", static_cast<qint64>(*c.answerTick));
-    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject keeps its keys sorted
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); // QJsonObject sorts its keys
 }
 
 TrialCircumstances circumstancesOf(const std::string& fidelityJson) {

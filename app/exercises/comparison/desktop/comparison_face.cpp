@@ -15,7 +15,7 @@ public:
 } // namespace
 
 std::unique_ptr<LevelPicture> ComparisonFace::picture(const catalogue::ExerciseLevel&, const PictureFrame&) const {
-    return nullptr; // of studies
+    return nullptr; // it has no levels of its own, only those of studies
 }
 
 QStringList ComparisonFace::levelFacts(const catalogue::ExerciseLevel&, const QLocale&) const { return {}; }
@@ -29,7 +29,7 @@ QString ComparisonFace::debriefTitle() const { return DebriefPartTexts::tr("What
 QString ComparisonFace::debriefEmpty() const { return DebriefPartTexts::tr("What was compared and answered is shown with its study."); }
 
 DebriefReading ComparisonFace::readDebrief(const catalogue::ExerciseLevel&, const scoring::SessionTrace&) const {
-    return nullptr; // shown with its study
+    return nullptr; // its results are shown with its study
 }
 
 std::unique_ptr<PlaybackLayer> ComparisonFace::playbackLayer(const session::SessionSetup&, const scoring::SessionTrace&) const {

@@ -50,7 +50,8 @@ void FlatComparison::paint(QPainter& painter, const FlatPanel& panel, const Scen
             painter.drawRect(QRectF(at.x() - radius, at.y(), 2.0 * radius, panel.pixels(4.0)));
         else
             painter.drawEllipse(at, radius, radius);
-        if (cues.bodies > 1) // the number that it goes by wherever it is answered or told of
+        // The number by which answers and messages identify the object.
+        if (cues.bodies > 1)
             paintNumber(painter, panel, setup, at + QPointF(0.0, -radius - 12.0 * panel.unit()), i + 1);
     }
 }

@@ -10,13 +10,15 @@
 
 namespace chiron::scene3d {
 
-/// The places of a study from above and from the side, all alike: nothing that is drawn depends on what lies there.
+/// The positions of the compared objects from above and from the side. All are drawn alike: nothing in the
+/// picture depends on the object at a position.
 class FlatComparison final : public IFlatContent {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatComparison)
 
 public:
     explicit FlatComparison(const simulation::ComparisonParameters& parameters) : m_parameters(parameters) {}
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::ComparisonParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Objects side by side and instrument, from above and from the side"); }

@@ -16,7 +16,7 @@ const simulation::ComparisonParameters& parametersOf(const catalogue::ExerciseLe
     return level.parameters.as<simulation::ComparisonParameters>();
 }
 
-/// One object: the middle place. What is felt is in the recorded quantities.
+/// A single object at the middle position. The felt values are in the recorded quantities.
 class ComparisonSurfaces final : public TrialSurfaces {
 public:
     explicit ComparisonSurfaces(const simulation::ComparisonParameters& p) {
@@ -62,7 +62,8 @@ core::Result<ScriptedTrainee> ComparisonKind::makeOperator(const catalogue::Exer
 
 double ComparisonKind::forceLimit_N(const catalogue::ExerciseLevel& level) const { return parametersOf(level).maximumForce_N; }
 
-/// Ten scripted presentations' worth: nobody presents anything without a study's runner, which has no limit.
+/// The duration of ten scripted presentations. Only a study's runner presents anything, and it has no such
+/// limit.
 std::uint64_t ComparisonKind::tickLimit(const catalogue::ExerciseLevel&) const { return 10000; }
 
 void ComparisonKind::addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const {

@@ -85,7 +85,8 @@ Grasping tubeGrasping(const simulation::ElasticTubeParameters& level, const sess
     grasping.held = [](const core::LaparoscopyCues& cues, const QLocale&) { return heldTube(cues); };
     grasping.load = [](const haptics::DisplayState& state, const QLocale& locale) {
         const double stretch_mm = 1e3 * state.exercise.of<core::LaparoscopyCues>().stretch_m;
-        return GraspPanelTexts::tr("Stretched by %1 mm").arg(locale.toString(std::round(stretch_mm * 10.0) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
+        // Adding 0 removes the minus sign of -0.0.
+        return GraspPanelTexts::tr("Stretched by %1 mm").arg(locale.toString(std::round(stretch_mm * 10.0) / 10.0 + 0.0, 'f', 1));
     };
     return grasping;
 }

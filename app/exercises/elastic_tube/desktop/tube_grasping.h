@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// What the training screen asks of a level with a tube. Pure.
+/// The parameters that the training screen needs for a level with a tube. Pure function.
 Grasping tubeGrasping(const simulation::ElasticTubeParameters& level, const session::LevelLimits& limits);
 
 } // namespace chiron::desktop

@@ -20,7 +20,7 @@ namespace {
 std::array<double, 3> arrayOf(const core::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 core::Vec3 vecOf(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// The tip that holds a place; nothing where nobody does.
+/// The tip of the tool that holds a grip; empty if nobody holds it.
 std::optional<core::Vec3> holderOf(const session::PlaybackView& view, std::uint8_t mask) {
     for (std::size_t i = 0; i < view.tools.size(); ++i)
         if ((mask >> i & 1) != 0)
@@ -34,7 +34,7 @@ struct Stepped {
     std::vector<double> high;
 };
 
-/// The band of each trial over its time, with gaps between.
+/// The band of each trial over its duration, with gaps between trials.
 Stepped bands(const session::PlaybackTrack& track, const TubeLayer& tube) {
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
     Stepped steps;
@@ -87,10 +87,12 @@ void TubeLayer::fillTube(const session::PlaybackTrack& track, const session::Pla
     const core::Vec3 base(trial.base_m.x(), trial.base_m.y(), 0.0);
     const core::Vec3 end = vecOf(placeAt(track, view, "free_end"));
     cues.p_WGrip[last] = arrayOf(end);
-    // The other end of an unfixed tube is where its holder is; held by nobody it was dragged, and lies as far away as it is long.
+    // The other end of an unfixed tube is at its holder's tip. If nobody holds it, it was dragged along and
+    // lies one rest length away.
     const core::Vec3 lying = core::Vec3(end.x() - m_level.restLength_m, end.y(), m_level.radius_m);
     cues.p_WGrip[0] = arrayOf(anchored ? base : holderOf(view, cues.gripHeldBy[0]).value_or(lying));
-    if (cues.grips == 3) // held: at its holder's tip; free: as the tube has it
+    // A held grip is at its holder's tip; a free one follows the tube.
+    if (cues.grips == 3)
         cues.p_WGrip[1] =
             arrayOf(holderOf(view, cues.gripHeldBy[1])
                         .value_or(simulation::tubePlace(vecOf(cues.p_WGrip[0]), end, m_level.restLength_m, m_level.gripShare)));

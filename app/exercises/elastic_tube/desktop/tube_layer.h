@@ -10,17 +10,17 @@
 
 namespace chiron::desktop {
 
-/// An elastic tube played back: where it lay and how it was held at any moment, from the recorded quantities, the tools' poses and the truth
-/// of each trial (planned again from content and seed); its tension with the band, and the books of energy. Everything is shown, whatever
-/// the level hid.
+/// The playback of an elastic tube: its position and grips at any moment, from the recorded quantities, the
+/// tools' poses and the truth of each trial (planned again from content and seed), and the plots of its
+/// tension with the band and of the energy balance. Shows everything, including what the level hid.
 class TubeLayer final : public PlaybackLayer {
 public:
     TubeLayer(const simulation::ElasticTubeParameters& level, std::uint64_t seed);
 
-    /// What was there at a moment of the track; not present between trials.
+    /// The state of the tube at a moment of the track; not present between trials.
     core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
 
-    /// The target tension of a trial and its half width, N; 0 where the task has none.
+    /// The range of the target tension of a trial, N; 0 if the task has none.
     struct Band {
         double low_N = 0.0;
         double high_N = 0.0;

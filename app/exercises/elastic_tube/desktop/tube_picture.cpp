@@ -31,7 +31,7 @@ void TubePicture::paint(QPainter& painter) const {
         painter.drawPath(tube);
     painter.setPen(QPen(m_visible ? tissue.lighter(130) : m_theme.color(Colour::text), m_visible ? thick : 2.0, style, Qt::RoundCap));
     painter.drawPath(tube);
-    if (!free) { // its foot
+    if (!free) { // the foot of the tube
         painter.setPen(Qt::NoPen);
         painter.setBrush(tissue.darker(120));
         painter.drawEllipse(base, thick * 1.1, thick * 0.4);

@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// The tube and what holds it.
+/// The tube with the instruments that hold it.
 class TubePicture final : public GraspPicture {
 public:
     TubePicture(const simulation::ElasticTubeParameters& level, const PictureFrame& frame) : GraspPicture(frame), m_level(level) {}

@@ -16,9 +16,9 @@ namespace chiron::report {
 
 class PlotView;
 
-/// One trial on an elastic tube. Absent: the task has no such target, or it was never held.
+/// One trial on an elastic tube. A value is absent if the task has no such target or the tube was never held.
 struct TubeTrialRow {
-    int trial = 0; ///< from 0; people see it from 1
+    int trial = 0; ///< from 0; displayed from 1
     TrialOutcome outcome = TrialOutcome::unfinished;
     std::optional<double> target_N;
     std::optional<double> error_N; ///< root mean square over its holds
@@ -26,11 +26,11 @@ struct TubeTrialRow {
     double stretchMax_mm = 0.0;
     std::optional<double> overStretches;
     std::optional<double> drops;
-    std::optional<double> retractionInBand_percent; ///< of a fold that had to be held back
+    std::optional<double> retractionInBand_percent; ///< of a fold that had to be retracted
 };
 
-/// What an elastic tube came to, at 100 Hz (of each 10 ms the value farthest from zero). Between trials, and where a trial asks for
-/// no band or no mark, values are not numbers.
+/// The results on an elastic tube, at 100 Hz (for each 10 ms the value farthest from zero). Values are NaN
+/// between trials, and if a trial has no band or no mark.
 struct TubeReport {
     struct Span {
         double begin_s = 0.0;
@@ -41,7 +41,7 @@ struct TubeReport {
     std::vector<double> bandLow_N, bandHigh_N;
     std::vector<double> stretch_mm;
     std::vector<double> markLow_mm, markHigh_mm;
-    std::vector<double> retraction_N; ///< pull on the fold over the tube; none where there is none
+    std::vector<double> retraction_N; ///< pull on the fold over the tube; empty if there is no fold
     double retractionLow_N = 0.0, retractionHigh_N = 0.0;
     double overStretch_mm = 0.0; ///< 0: not known
     std::vector<Span> paused;
@@ -49,17 +49,20 @@ struct TubeReport {
     std::vector<TubeTrialRow> rows;
 };
 
-/// The plots of an elastic tube over time. Each makes a new view (GUI thread); empty data give an empty plot with a note.
-/// Tension with the band that was asked for ...
+/// The plots of an elastic tube over time. Each function creates a new view; empty data give an empty plot
+/// with a note.
+/// Thread: GUI.
+///
+/// Tension with the target band.
 std::unique_ptr<PlotView> tensionPlot(const TubeReport& tube, const PlotTheme& theme);
-/// The pull on the fold over the tube with its band; null where there was no fold.
+/// The pull on the fold over the tube with its band; null if there was no fold.
 std::unique_ptr<PlotView> retractionPlot(const TubeReport& tube, const PlotTheme& theme);
-/// ... and stretch with the mark, where the task has one, and the length that counts as over-stretched.
+/// Stretch with the mark, if the task has one, and the length that counts as over-stretched.
 std::unique_ptr<PlotView> stretchPlot(const TubeReport& tube, const PlotTheme& theme);
-/// What each trial came to.
+/// The results of each trial.
 WordTable tubeTable(const TubeReport& tube, const QLocale& locale);
 
-/// Tension and stretch over time, and what each trial came to.
+/// Tension and stretch over time, and the results of each trial.
 class TubeSection final : public ReportSection {
 public:
     explicit TubeSection(TubeReport tube) : m_tube(std::move(tube)) {}

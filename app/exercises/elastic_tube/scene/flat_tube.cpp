@@ -31,7 +31,8 @@ void paintPiece(QPainter& painter, const FlatPanel& panel, const TubePiece& piec
     }
 }
 
-/// The fold's outline, seen through so that what lies under it can be told; its edge is a line with the place to grip.
+/// Draws the fold's outline, translucent so that the tube under it stays visible; its edge is a line with the
+/// position to grip.
 void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::LaparoscopyCues& cues) {
     const FoldSheet sheet = FoldSheet::of(cues);
     if (sheet.rows.empty())
@@ -57,7 +58,7 @@ void paintFold(QPainter& painter, const FlatPanel& panel, const SceneSetup& setu
     painter.drawEllipse(panel.project(edge), size, size);
 }
 
-/// A line across the tube at this place of it.
+/// Draws a line across the tube at this fraction of its length.
 void paintMark(QPainter& painter, const FlatPanel& panel, const TubeCurve& curve, double share) {
     for (const TubePiece& piece : curve.pieces)
         for (std::size_t k = 1; k < piece.rings.size(); ++k) {
@@ -106,7 +107,8 @@ void FlatTube::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup
         const double size = 5.0 * panel.unit();
         painter.setPen(QPen(setup.colours.ink, 2.0 * panel.unit()));
         painter.setBrush(cues.gripHeldBy[k] != 0 ? setup.colours.arrow : setup.colours.background);
-        if (cues.gripAnchored[k]) // a square: fixed; a round one: to be held, filled while it is
+        // A square is fixed; a circle is to be held, and is filled while it is held.
+        if (cues.gripAnchored[k])
             painter.drawRect(QRectF(at.x() - size, at.y() - size, 2.0 * size, 2.0 * size));
         else
             painter.drawEllipse(at, size, size);

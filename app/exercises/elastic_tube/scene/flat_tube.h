@@ -16,7 +16,8 @@ class FlatTube final : public IFlatContent {
 
 public:
     explicit FlatTube(const simulation::ElasticTubeParameters& parameters) : m_parameters(parameters) {}
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::ElasticTubeParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Elastic tube and instruments, from above and from the side"); }

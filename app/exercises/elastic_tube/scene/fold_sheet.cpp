@@ -12,13 +12,13 @@ namespace {
 
 using core::Vec3;
 
-constexpr int kRows = FoldSheet::kEdgeRow; // from the root to the edge
-constexpr double kRootBehind_m = 0.042; // behind the place over which the edge hangs
-constexpr double kRootHalf_m = 0.040; // half as wide as what it grows from …
-constexpr double kEdgeHalf_m = 0.032; // … and as its edge
-constexpr double kHem_m = 0.012;      // hangs down beyond the edge
-constexpr double kWave_m = 0.0012;    // it is not ironed
-constexpr double kLow_m = 0.0012;     // over the floor
+constexpr int kRows = FoldSheet::kEdgeRow; // number of rows from the root to the edge
+constexpr double kRootBehind_m = 0.042; // distance behind the point over which the edge hangs
+constexpr double kRootHalf_m = 0.040; // half the width at the root …
+constexpr double kEdgeHalf_m = 0.032; // … and at the edge
+constexpr double kHem_m = 0.012;      // length of the hem that hangs down beyond the edge
+constexpr double kWave_m = 0.0012;    // amplitude of the waves in the sheet
+constexpr double kLow_m = 0.0012;     // smallest height over the floor
 
 Vec3 vecOf(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
@@ -39,7 +39,8 @@ FoldSheet FoldSheet::of(const core::LaparoscopyCues& cues) {
         auto& row = sheet.rows.emplace_back();
         for (int c = 0; c < kColumns; ++c) {
             const double across = 2.0 * c / (kColumns - 1) - 1.0;
-            const double gripped = held ? std::exp(-6.0 * across * across) : 1.0; // held by its middle, its corners hang
+            // The fold is held at its middle, so its corners hang down.
+            const double gripped = held ? std::exp(-6.0 * across * across) : 1.0;
             const double half = kRootHalf_m + std::min(along, 1.0) * (kEdgeHalf_m - kRootHalf_m);
             const double share = std::min(along, 1.0);
             Vec3 p = root + share * way;
@@ -65,7 +66,8 @@ TriangleMesh foldMesh(const FoldSheet& sheet, double pale) {
             for (std::size_t c = 0; c < FoldSheet::kColumns; ++c) {
                 const Vec3 down = at(std::min(r + 1, sheet.rows.size() - 1), c) - at(r > 0 ? r - 1 : 0, c);
                 const Vec3 wide = at(r, std::min<std::size_t>(c + 1, FoldSheet::kColumns - 1)) - at(r, c > 0 ? c - 1 : 0);
-                const Vec3 across = down.cross(wide); // rows come forward, columns go right: up
+                // Rows come forward and columns go right, so this vector points up.
+                const Vec3 across = down.cross(wide);
                 const Vec3 n = side * (across.norm() > 0.0 ? Vec3(across.normalized()) : Vec3(Vec3::UnitZ()));
                 const Vec3 p = 1e3 * at(r, c) + 0.3 * n;
                 MeshVertex v;

@@ -10,18 +10,23 @@
 
 namespace chiron::scene3d {
 
-/// The fold of tissue over a tube as a sheet: rows from where it grows out of the floor behind the tube, over its edge, to the hem that hangs down
-/// in front while nobody holds it. It is drawn as wide as what it covers, narrower where it is gripped. Places in W, m. How it hangs is ours; felt is
-/// its edge alone.
+/// The fold of tissue over a tube as a sheet. Its rows run from the line behind the tube where the fold meets
+/// the floor, over its edge, to the hem that hangs down in front while nobody holds the fold. It is as wide
+/// as the part that it covers, and narrower where it is gripped. The shape in which it hangs is our own
+/// design; only its edge takes part in the force.
+/// Unit: m.
+/// Frame: W.
 struct FoldSheet {
     static constexpr int kColumns = 13;          ///< across, in x
-    static constexpr std::size_t kEdgeRow = 12;  ///< rows beyond it are the hem
+    static constexpr std::size_t kEdgeRow = 12;  ///< the rows after this one are the hem
     std::vector<std::array<core::Vec3, kColumns>> rows;
 
-    static FoldSheet of(const core::LaparoscopyCues& cues); ///< no rows where the screen shows no fold
+    static FoldSheet of(const core::LaparoscopyCues& cues); ///< no rows if the screen shows no fold
 };
 
-/// Both of its sides, paler where it is drawn tight. W, mm.
+/// Both sides of the sheet; `pale` makes it paler where it is under tension.
+/// Unit: mm.
+/// Frame: W.
 TriangleMesh foldMesh(const FoldSheet& sheet, double pale);
 
 } // namespace chiron::scene3d

@@ -7,13 +7,14 @@
 
 namespace chiron::scene3d {
 
-/// The end of a scale of the tension: above the band, or the largest force of the level.
+/// The end of the tension scale: a value above the band, or the largest force of the level.
 inline double tensionEnd_N(const simulation::ElasticTubeParameters& tube) {
     const bool band = tube.task == simulation::TubeTask::hold || tube.task == simulation::TubeTask::twoHanded;
     return band ? 1.5 * (tube.targetHigh_N + tube.band_N) : tube.maximumForce_N;
 }
 
-/// The tension of the tube with its band: the level has the scale, the cues the band. Pure.
+/// The bar of the tube's tension with its band. The scale comes from the level, the band from the cues. Pure
+/// function.
 inline SecondBar tensionBar(const simulation::ElasticTubeParameters& tube, const core::LaparoscopyCues& cues) {
     SecondBar bar;
     bar.dial.title = GaugeTexts::tr("Tension (N)");

@@ -30,7 +30,7 @@ TubeContent::TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::
 double TubeContent::fieldRadius_m() const { return 0.052; }
 
 double TubeContent::roomAbove_m() const {
-    // As far up as the tube reaches before it tears, and the jaws on it.
+    // The tube can reach this high before it tears, plus the jaws on it.
     return std::min(0.074, m_parameters.restLength_m * m_parameters.tearRatio * 0.9 + 0.010);
 }
 

@@ -9,7 +9,7 @@
 
 namespace chiron::scene3d {
 
-/// The tube in the abdomen: made anew from the cues for every picture (about 1,500 vertices).
+/// The tube in the abdomen. It is rebuilt from the cues for every picture (about 1,500 vertices).
 class TubeContent final : public ISceneContent {
 public:
     TubeContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);

@@ -10,37 +10,37 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr int kSteps = 26;          // of a part between two places
-constexpr double kPinch = 0.80;     // of the radius, between the jaws
-constexpr double kPinch_m = 0.004;  // to either side of them
-constexpr double kFlare_m = 0.004;  // how far up from the floor the base is wider
-constexpr double kPaleAt = 0.55;    // stretched by so much, all blood has left
+constexpr int kSteps = 26;          // rings of a part between two grips
+constexpr double kPinch = 0.80;     // factor of the radius between the jaws
+constexpr double kPinch_m = 0.004;  // length of the pinch to either side of the jaws
+constexpr double kFlare_m = 0.004;  // height over the floor up to which the base is wider
+constexpr double kPaleAt = 0.55;    // stretch at which the tube is fully pale
 
 core::Vec3 placeOf(const core::LaparoscopyCues& cues, int i) {
     const auto& p = cues.p_WGrip[static_cast<std::size_t>(i)];
     return {p[0], p[1], p[2]};
 }
 
-/// A part between two places that are fixed, held or an end, l long at rest.
+/// A part between two grips that are fixed, held or ends of the tube; its rest length is l.
 struct Part {
-    std::size_t first = 0; ///< the two places, in the cues
+    std::size_t first = 0; ///< indices of the two grips in the cues
     std::size_t last = 1;
     core::Vec3 from = core::Vec3::Zero();
     core::Vec3 to = core::Vec3::Zero();
     double rest_m = 0.0;
-    double clear_m = 0.0; ///< lowest z of its middle line
-    double viaAt = 0.0;   ///< 0..1: a free place on the way, led through by `via`; 0: none
-    core::Vec3 via = core::Vec3::Zero(); ///< from where the curve would have it
+    double clear_m = 0.0; ///< lowest z of its centre-line
+    double viaAt = 0.0;   ///< 0..1: position of a free grip between the two, shifted by `via`; 0: none
+    core::Vec3 via = core::Vec3::Zero(); ///< offset of the free grip from the curve
     double stretch() const { return (to - from).norm() / std::max(1e-6, rest_m); }
 };
 
-/// A slack part, sagging by `sag_m` in the direction that the floor leaves.
+/// A point of a slack part that sags by `sag_m`, downwards as far as the floor allows and sideways otherwise.
 core::Vec3 sagged(const Part& part, double sag_m, double t) {
     const core::Vec3 way = part.to - part.from;
     const core::Vec3 line = part.from + t * way;
     const double middle_m = 0.5 * (part.from.z() + part.to.z());
     const double down = sag_m > 1e-9 ? std::clamp((middle_m - part.clear_m) / sag_m, 0.0, 1.0) : 1.0;
-    // To the side of the way; where that runs straight up, towards a fixed side.
+    // Sideways relative to the direction of the part; if the part is vertical, towards a fixed side.
     const double length_m = std::max(1e-6, way.norm());
     core::Vec3 side = core::Vec3(-way.y(), way.x(), 0.0) / length_m + std::abs(way.z()) / length_m * core::Vec3(0.8, -0.6, 0.0);
     side = side.norm() > 1e-6 ? core::Vec3(side.normalized()) : core::Vec3(core::Vec3::UnitX());
@@ -50,7 +50,8 @@ core::Vec3 sagged(const Part& part, double sag_m, double t) {
     return p;
 }
 
-/// The curve of a part, led softly through a free place on it, so that it can be gripped where it is drawn.
+/// The curve of a part, bent smoothly through a free grip on it, so that the grip is drawn where it can be
+/// taken.
 core::Vec3 curveOf(const Part& part, double sag_m, double t) {
     const core::Vec3 p = sagged(part, sag_m, t);
     if (part.viaAt <= 0.0)
@@ -70,7 +71,7 @@ double lengthAt(const Part& part, double sag_m) {
     return length_m;
 }
 
-/// The sag at which the part is as long as at rest.
+/// The sag for which the part has its rest length.
 double sagOf(const Part& part) {
     if (part.stretch() >= 1.0)
         return 0.0;
@@ -83,7 +84,7 @@ double sagOf(const Part& part) {
     return 0.5 * (low + high);
 }
 
-/// What hangs from one end after the tube has torn: up from the floor and over, or down from the jaws.
+/// The loose end of a torn tube: from the floor it rises and bends over, from the jaws it hangs down.
 core::Vec3 limp(const core::Vec3& from, const core::Vec3& away, bool anchored, double length_m, double clear_m, double t) {
     const double along_m = t * length_m;
     if (anchored)
@@ -177,7 +178,7 @@ private:
         }
     }
 
-    /// One half of the part that tore.
+    /// Adds one half of the torn part.
     void addHalf(TubePiece& piece, std::size_t i, bool first) const {
         const Part& part = m_parts[i];
         const std::size_t place = first ? part.first : part.last;
@@ -186,13 +187,13 @@ private:
         away = away.norm() > 1e-6 ? core::Vec3(away.normalized()) : core::Vec3(0.8, -0.6, 0.0);
         constexpr int kHalf = kSteps / 2;
         for (int k = 0; k <= kHalf; ++k) {
-            const double t = static_cast<double>(first ? k : kHalf - k) / kHalf; // away from the place that is held
+            const double t = static_cast<double>(first ? k : kHalf - k) / kHalf; // counted from the held grip
             addRing(piece, i, limp(first ? part.from : part.to, away, m_cues.gripAnchored[place], 0.5 * part.rest_m, m_clear_m, t),
                     first ? 0.5 * t : 1.0 - 0.5 * t);
         }
     }
 
-    /// Soft changes of thickness, the pinch under the jaws, the foot of the base.
+    /// Smooths changes of thickness and adds the pinch under the jaws and the foot of the base.
     void finish(TubePiece& piece) {
         std::vector<TubeRing>& rings = piece.rings;
         for (int pass = 0; pass < 3; ++pass) {

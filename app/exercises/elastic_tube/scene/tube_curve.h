@@ -10,12 +10,14 @@
 
 namespace chiron::scene3d {
 
-/// One cross-section of the drawn tube. W, metres.
+/// One cross-section of the drawn tube.
+/// Unit: m.
+/// Frame: W.
 struct TubeRing {
     core::Vec3 p_W = core::Vec3::Zero();
     double radius_m = 0.0;
-    double share = 0.0; ///< of the rest length, from the base: which place of the tube this is
-    double pale = 0.0;  ///< 0..1: how far stretched, as blood leaves it
+    double share = 0.0; ///< position along the tube, as a fraction of the rest length from the base
+    double pale = 0.0;  ///< 0..1: degree of stretch, since stretched tissue loses blood
 };
 
 struct TubePiece {
@@ -24,18 +26,19 @@ struct TubePiece {
     SweepEnd last = SweepEnd::round;
 };
 
-/// The tube as it is drawn: through every place of the cues, exactly. Between two of them a taut part (longer than at rest) is
-/// straight and r √(l/d) thick, so that its volume stays (l at rest, d now); a slack part is r thick and as long as at rest:
-/// it hangs in a parabola, turned to the side by as much as the floor stops it. A torn tube parts in the middle of what is
-/// stretched most. Pure; the same cues give the same curve; a small change of them a small change of it.
+/// The centre-line of the drawn tube. It passes exactly through every grip of the cues. Between two of them,
+/// a taut part (longer than at rest) is straight and has the radius r √(l/d), so that its volume is constant
+/// (l at rest, d now). A slack part has the radius r and its rest length; it hangs in a parabola, turned to
+/// the side where the floor would stop it. A torn tube parts in the middle of the most stretched part. Pure:
+/// the same cues give the same curve, and a small change of the cues gives a small change of the curve.
 struct TubeCurve {
     std::vector<TubePiece> pieces;
 
     /// `radius_m`: at rest. `floor_m`: z of the floor.
     static TubeCurve of(const core::LaparoscopyCues& cues, double radius_m, double floor_m = 0.0);
-    /// The ring nearest to a place along the tube; nothing where there is no tube.
+    /// The ring nearest to a position along the tube; empty if there is no tube.
     std::optional<TubeRing> at(double share) const;
-    double length_m() const; ///< of all pieces along their rings
+    double length_m() const; ///< of all pieces, measured along their rings
 };
 
 } // namespace chiron::scene3d

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMark_m = 0.0011; // half width of a painted ring
 constexpr int kTubeSides = 18;
 
-/// A short sleeve round the tube, centred at this share of it.
+/// Adds a short sleeve round the tube, centred at this fraction of its length.
 void addSleeve(TriangleMesh& mesh, const TubeCurve& curve, double share, double half_m) {
     for (const TubePiece& piece : curve.pieces) {
         for (std::size_t k = 1; k < piece.rings.size(); ++k) {

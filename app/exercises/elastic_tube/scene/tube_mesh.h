@@ -6,11 +6,13 @@
 
 namespace chiron::scene3d {
 
-/// The skin of the tube, darker towards the floor, blanched where it is stretched. All of these: W, millimetres; pure.
+/// The surface of the tube, darker towards the floor and blanched where it is stretched. All meshes of this
+/// header are in W and millimetres; all functions are pure.
 TriangleMesh tubeMesh(const TubeCurve& curve);
-/// Painted rings where instruments may take hold, and at each quarter of its length: they come apart as the tube is stretched.
+/// Painted rings at the places where instruments may grip and at each quarter of the tube's length. They move
+/// apart as the tube is stretched.
 TriangleMesh tubeMarks(const TubeCurve& curve, const core::LaparoscopyCues& cues);
-/// The soft shade of the tube on the floor; `light` of a vertex is how dark.
+/// The soft shadow of the tube on the floor; `light` of a vertex is its darkness.
 TriangleMesh tubeShade(const TubeCurve& curve, double floor_m);
 
 } // namespace chiron::scene3d

@@ -22,7 +22,8 @@ const simulation::ElasticTubeParameters& parametersOf(const catalogue::ExerciseL
 /// Arming takes 2 s and a person may first have to let go; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
-/// A retractor enters behind the field, so that it draws tissue away from the hands that work in it: assumption.
+/// A retractor enters behind the field, so that it pulls tissue away from the hands that work there
+/// (assumption).
 constexpr double kRetractorBehind_m = 0.040;
 
 class ElasticTubeSurfaces final : public TrialSurfaces {

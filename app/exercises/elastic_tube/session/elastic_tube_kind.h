@@ -5,14 +5,15 @@
 
 namespace chiron::session {
 
-/// Elastic tube (P2; models.md §2.4): one hand or two.
+/// The exercise on an elastic tube (P2; models.md §2.4), with one hand or two.
 class ElasticTubeKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "elastic_tube"; }
     int toolCount(const catalogue::ExerciseLevel& level) const override;
-    /// One instrument enters over the middle, two at x = ± instrumentsApart/2: tool 0, the right one, at the positive side.
+    /// One instrument enters over the middle; two enter at x = ± instrumentsApart/2, with tool 0, the right
+    /// one, on the positive side.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
-    /// As simulation::TubeQuantity.
+    /// In the order of simulation::TubeQuantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     PointerTool pointerTool() const noexcept override { return PointerTool::grasper; }
@@ -28,13 +29,13 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// What the metrics of tension, stretch and drops need to know: target_N and band_N (where the task has a target tension), mark_m
-    /// and mark_tolerance_m (where it has a mark; stretch beyond the rest length), over_stretch_m, tear_m, hold_s and task
-    /// (simulation::TubeTask).
+    /// The values that the metrics of tension, stretch and drops need: target_N and band_N (if the task has a
+    /// target tension), mark_m and mark_tolerance_m (if it has a mark; stretch beyond the rest length),
+    /// over_stretch_m, tear_m, hold_s and task (simulation::TubeTask).
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
-    /// The base is the trial's object; a tool is drawn where it is.
+    /// The base is the object of the trial; the surface point of a tool is its own position.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
-    /// Who can do it has done the one that takes two hands (level 4) as well.
+    /// The skilled trainee also does the level that takes two hands (level 4).
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level == 4, level <= 2}; }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;

@@ -58,7 +58,7 @@ private:
         m_tube.tension_N.push_back(tension_N);
         m_tube.stretch_mm.push_back(stretch_mm);
     }
-    /// Nothing joins one trial to the next.
+    /// Adds a gap, so that no line joins one trial to the next.
     void gap(double t_s) {
         point(t_s, kNothing, kNothing);
         for (auto* values : {&m_tube.retraction_N, &m_tube.bandLow_N, &m_tube.bandHigh_N, &m_tube.markLow_mm, &m_tube.markHigh_mm})

@@ -11,14 +11,14 @@
 
 namespace chiron::session_report {
 
-/// What a session on an elastic tube came to: tension and stretch with what was asked for, and each trial's own metrics, as the
-/// scores compute them. A trial that was stopped is there, as not finished. Pure.
+/// The results of a session on an elastic tube: tension and stretch with their targets, and each trial's own
+/// metrics, as the scores compute them. A trial that was stopped is included as not finished. Pure function.
 report::TubeReport tubeReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// The section of a report. Pure.
+/// The section of a report. Pure function.
 std::shared_ptr<const report::ReportSection> tubeSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// What the end of a trial, and damage, are called.
+/// The words for the end of a trial and for damage.
 EndWords tubeEnds();
 
 } // namespace chiron::session_report

@@ -65,7 +65,8 @@ Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level, con
     grasping.step = [task = level.task, limits](const core::LaparoscopyCues& cues, const QLocale& locale) { return handlingText(cues, task, limits, locale); };
     grasping.held = heldObject;
     grasping.load = [](const haptics::DisplayState& state, const QLocale& locale) {
-        const double pull_N = std::max(0.0, -state.tool[0].tissue[2]) + 0.0; // + 0: no minus before 0.00
+        // Adding 0 removes the minus sign of -0.00.
+        const double pull_N = std::max(0.0, -state.tool[0].tissue[2]) + 0.0;
         return GraspPanelTexts::tr("Pull of the load, downwards: %1 N").arg(locale.toString(pull_N, 'f', 2));
     };
     return grasping;

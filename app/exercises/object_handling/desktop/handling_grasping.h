@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// What the training screen asks of a level with objects. Pure.
+/// The parameters that the training screen needs for a level with objects. Pure function.
 Grasping handlingGrasping(const simulation::ObjectHandlingParameters& level, const session::LevelLimits& limits);
 
 } // namespace chiron::desktop

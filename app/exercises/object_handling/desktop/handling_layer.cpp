@@ -35,7 +35,7 @@ void HandlingLayer::fillObjects(const session::PlaybackTrack& track, const sessi
         if (i != held)
             continue;
         body.heldBy = 1;
-        // What the jaws leave of its thickness is how far they are open.
+        // The opening of the jaws equals the remaining thickness of the object.
         const double opening_m = 2.0 * m_level.jawLength_m * std::sin(0.5 * (view.tools.empty() ? 0.0 : view.tools[0].jaw_rad));
         body.squeeze_m = std::max(0.0, 2.0 * m_level.radius_m - opening_m);
     }

@@ -10,14 +10,15 @@
 
 namespace chiron::desktop {
 
-/// Object handling played back: where the objects lay and how one was held at any moment, from the recorded quantities, the jaw and the
-/// truth of each trial (planned again from content and seed); the squeeze with its limit, and the books of energy. Everything is shown,
-/// whatever the level hid.
+/// The playback of object handling: the positions of the objects and the grip on one of them at any moment,
+/// from the recorded quantities, the jaw and the truth of each trial (planned again from content and seed),
+/// and the plots of the squeeze with its limit and of the energy balance. Shows everything, including what
+/// the level hid.
 class HandlingLayer final : public PlaybackLayer {
 public:
     HandlingLayer(const simulation::ObjectHandlingParameters& level, std::uint64_t seed);
 
-    /// What was there at a moment of the track; not present between trials.
+    /// The state of the objects at a moment of the track; not present between trials.
     core::LaparoscopyCues cuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) const;
 
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, const session::PlaybackView& view, double t_s) override;

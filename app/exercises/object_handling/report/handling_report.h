@@ -16,7 +16,8 @@ namespace chiron::report {
 
 class PlotView;
 
-/// One trial of object handling. Where the object lay at the end: from the target's middle, seen from above.
+/// One trial of object handling. The object's position at the end is relative to the target's centre, seen
+/// from above.
 struct HandlingTrialRow {
     int trial = 0;
     TrialOutcome outcome = TrialOutcome::unfinished;
@@ -24,8 +25,8 @@ struct HandlingTrialRow {
     std::optional<double> overLimit_s;
     std::optional<double> x_mm, y_mm;
     std::optional<double> fromTarget_mm;
-    bool taken = false;           ///< it was held; else it is only the nearest one
-    std::optional<bool> heaviest; ///< of a weighing that was done: whether the heaviest was chosen
+    bool taken = false;           ///< the object was held; if false, it is only the nearest one
+    std::optional<bool> heaviest; ///< for a completed weighing: whether the heaviest one was chosen
 };
 
 struct HandlingReport {
@@ -34,13 +35,14 @@ struct HandlingReport {
     std::vector<HandlingTrialRow> rows;
 };
 
-/// The largest squeeze of each trial with its limit. Each makes a new view (GUI thread) ...
+/// The largest squeeze of each trial with its limit. This function and the next create a new view.
+/// Thread: GUI.
 std::unique_ptr<PlotView> squeezePlot(const HandlingReport& handling, const PlotTheme& theme);
-/// ... and where each object lay at the end, seen from above about the target.
+/// The position of each object at the end, seen from above around the target.
 std::unique_ptr<PlotView> placePlot(const HandlingReport& handling, const PlotTheme& theme);
 WordTable handlingTable(const HandlingReport& handling, const QLocale& locale);
 
-/// How hard each object was squeezed and where it lay in the end, and what each trial came to.
+/// The squeeze on each object, its final position, and the results of each trial.
 class HandlingSection final : public ReportSection {
 public:
     explicit HandlingSection(HandlingReport handling) : m_handling(std::move(handling)) {}

@@ -15,7 +15,8 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// Outline of the mapped unit ball in this picture: where the map's two rows of the picture reach in each direction.
+/// The outline of the mapped unit ball in this picture: the extent, in each direction, of the map's two rows
+/// that the picture shows.
 QPolygonF outline(const FlatPanel& panel, const core::Vec3& p_W, const core::Mat3& map) {
     const int up = panel.side() == FlatPanel::Side::above ? 1 : 2;
     const core::Vec3 across = map.row(0).transpose();

@@ -16,7 +16,8 @@ class FlatHandling final : public IFlatContent {
 
 public:
     explicit FlatHandling(const simulation::ObjectHandlingParameters& parameters) : m_parameters(parameters) {}
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::ObjectHandlingParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Objects, target and instrument, from above and from the side"); }

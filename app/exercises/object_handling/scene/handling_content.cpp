@@ -15,15 +15,15 @@ namespace {
 
 const OrganLook kOvary{{1.0F, 0.95F, 0.89F, 0.20F}, {0.95F, 0.83F, 0.77F, 0.40F}};
 const OrganLook kOrgan{{0.68F, 0.30F, 0.26F, 0.25F}, {0.55F, 0.20F, 0.18F, 0.7F}};
-constexpr std::uint32_t kOvarySeed = 23; // all of a level look alike
+constexpr std::uint32_t kOvarySeed = 23; // all objects of a level look alike
 
-/// A unit body: lobed, near to the ball that is felt.
+/// A lobed body of unit size, close to the ball that is felt.
 TriangleMesh ovary() {
     TriangleMesh mesh;
     addLobe(mesh, core::Vec3::Zero(), {1.04, 0.99, 0.99}, 0.05, kOvarySeed, 22);
     for (MeshVertex& v : mesh.vertices)
         for (float& along : v.texture)
-            along *= 11.0F; // the picture of its skin is in millimetres
+            along *= 11.0F; // the texture of the skin is in millimetres
     return mesh;
 }
 
@@ -44,7 +44,7 @@ TriangleMesh dish(double radius_mm) {
     return mesh;
 }
 
-/// The direction in which the blades of the jaw that holds it close: y of T.
+/// The closing direction of the blades of the jaw that holds the object: y of T.
 core::Vec3 jawsOf(const core::BodyCue& body, const SceneState& state) {
     for (std::size_t i = 0; i < state.tool.size(); ++i)
         if ((body.heldBy >> i & 1) != 0)

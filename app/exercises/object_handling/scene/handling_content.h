@@ -11,7 +11,7 @@
 
 namespace chiron::scene3d {
 
-/// Ovaries to be lifted, weighed and set down in a dish (on a soft organ: in a ring), in the abdomen.
+/// Ovaries in the abdomen that are lifted, weighed and set down in a dish (on a soft organ: in a ring).
 class HandlingContent final : public ISceneContent {
 public:
     HandlingContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
@@ -41,7 +41,7 @@ private:
     Part* m_dish;
     double m_dishRadius_m = 0.0;
     TargetRing* m_target;
-    Part* m_organ = nullptr; ///< the soft bed; null where objects lie on the floor
+    Part* m_organ = nullptr; ///< the soft bed; null if the objects lie on the floor
     TriangleMesh m_organAtRest;
     bool m_organDented = false;
 };

@@ -12,7 +12,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// A dent under something whose lowest point is here; nothing where that is above the organ.
+/// Adds a dent under an object with this lowest point; does nothing if the point is above the organ.
 void addDent(std::vector<Dent>& dents, const simulation::ObjectHandlingParameters& parameters, const core::Vec3& lowest, double wide_m) {
     const double height_m = organHeight_m(parameters, lowest.x(), lowest.y());
     if (!lowest.allFinite() || lowest.z() >= height_m)

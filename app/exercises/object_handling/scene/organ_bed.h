@@ -10,14 +10,20 @@
 
 namespace chiron::scene3d {
 
-/// The organ that objects lie on: the level's mesh with its highest point at W's origin, at rest. W, millimetres. Empty where the
-/// mesh cannot be made. Pure; allocates.
+/// The organ on which the objects lie: the level's mesh at rest, with its highest point at W's origin. Empty
+/// if the mesh cannot be made. Pure function; allocates.
+/// Unit: mm.
+/// Frame: W.
 TriangleMesh organMesh(const simulation::ObjectHandlingParameters& parameters);
-/// Height of its upper side over a place, without its bumps; 0 where objects lie on the floor. W, metres. Pure.
+/// Height of its upper side above a point, without its bumps; 0 if the objects lie on the floor. Pure
+/// function.
+/// Unit: m.
+/// Frame: W.
 double organHeight_m(const simulation::ObjectHandlingParameters& parameters, double x_m, double y_m);
-/// How it gives way under tips and bodies that are below its upper side. The slow model's own shape is not shown: pure.
+/// The dents made by tips and bodies that are below its upper side. The dents depend on the arguments alone:
+/// the shape of the slow model is not shown.
 std::vector<Dent> organDents(const simulation::ObjectHandlingParameters& parameters, const SceneState& state);
-/// A mesh with its vertices moved by the dents; normals stay.
+/// Returns the mesh with its vertices moved by the dents; the normals are unchanged.
 TriangleMesh dented(TriangleMesh mesh, const std::vector<Dent>& dents);
 
 } // namespace chiron::scene3d

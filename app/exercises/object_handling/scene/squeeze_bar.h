@@ -9,7 +9,8 @@
 
 namespace chiron::scene3d {
 
-/// The squeeze of the jaws with its limit: the level has the scale, the cues the limit. Pure.
+/// The bar of the jaws' squeeze with its limit. The scale comes from the level, the limit from the cues. Pure
+/// function.
 inline SecondBar squeezeBar(const simulation::ObjectHandlingParameters& level, const core::LaparoscopyCues& cues) {
     SecondBar bar;
     bar.dial.title = GaugeTexts::tr("Squeeze (N)");

@@ -9,8 +9,8 @@
 
 namespace chiron::scene3d {
 
-/// The map from a unit body to a squeezed one: flat by `squeeze_m` along `jaws` (unit, across the blades), and wider across
-/// it, so that its volume stays. Pure.
+/// The linear map from a unit body to a squeezed one: thinner by `squeeze_m` along `jaws` (unit vector across
+/// the blades) and wider perpendicular to it, so that its volume is constant. Pure function.
 inline core::Mat3 squeezed(const core::BodyCue& body, const core::Vec3& jaws) {
     const double thin = std::clamp(1.0 - 0.5 * body.squeeze_m / std::max(1e-6, body.radius_m), 0.4, 1.0);
     const double wide = 1.0 / std::sqrt(thin);

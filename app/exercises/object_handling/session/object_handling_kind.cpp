@@ -61,7 +61,7 @@ std::vector<core::QuantityDescription> ObjectHandlingKind::quantities(const cata
 
 std::unique_ptr<simulation::IScene> ObjectHandlingKind::makeScene(const SessionSetup& setup) const {
     simulation::ObjectHandlingParameters parameters = parametersOf(setup.level);
-    parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
+    parameters.cues = cueWordsOf(setup.level, setup.felt()); // if force cannot be felt, it is shown
     return std::make_unique<simulation::ObjectHandlingScene>(parameters, setup.seed);
 }
 

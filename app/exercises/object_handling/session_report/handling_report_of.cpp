@@ -11,9 +11,9 @@ namespace chiron::session_report {
 
 namespace {
 
-/// Where the trial's object lay at its end.
+/// Adds the position of the trial's object at the end of the trial.
 void addPlace(const scoring::TrialTrace& trial, report::HandlingTrialRow& row) {
-    scoring::PreparedTrial prepared; // of which the answer reads quantities and truth alone
+    scoring::PreparedTrial prepared; // the answer reads only quantities and truth from it
     prepared.trial = &trial;
     prepared.tool = &trial.tools.front();
     const auto answer = scoring::answerOf(prepared);

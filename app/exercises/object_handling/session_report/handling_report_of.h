@@ -11,14 +11,14 @@
 
 namespace chiron::session_report {
 
-/// What a session of object handling came to: squeeze and place of each trial, and its own metrics, as the scores compute them. A trial
-/// that was stopped is there, as not finished. Pure.
+/// The results of a session of object handling: squeeze and position in each trial, and each trial's own
+/// metrics, as the scores compute them. A trial that was stopped is included as not finished. Pure function.
 report::HandlingReport handlingReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// The section of a report. Pure.
+/// The section of a report. Pure function.
 std::shared_ptr<const report::ReportSection> handlingSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// What the end of a trial, and damage, are called.
+/// The words for the end of a trial and for damage.
 EndWords handlingEnds();
 
 } // namespace chiron::session_report

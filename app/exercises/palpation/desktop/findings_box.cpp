@@ -42,11 +42,11 @@ FindingsBox::FindingsBox(const Theme& theme, const QLocale& locale, const simula
     keysTo(asks.asksHardness);
     simulation::PalpationCues none = asks;
     none.selected = -1;
-    m_cues.selected = 0; // so that the first look is news
+    m_cues.selected = 0; // differs from `none`, so that the first show() updates everything
     show(none);
     setRunning(false);
     for (QPushButton* button : findChildren<QPushButton*>())
-        button->setFocusPolicy(Qt::TabFocus); // a click leaves Enter to the mark
+        button->setFocusPolicy(Qt::TabFocus); // after a click, the Enter key still sets the mark
 }
 
 void FindingsBox::addFindings(const Theme& theme) {
@@ -191,7 +191,7 @@ void FindingsBox::rate(int rating) {
     const bool hardness = m_digitsRateHardness;
     emit reported(hardness ? core::ReportField::hardness : core::ReportField::confidence, static_cast<unsigned>(rating));
     if (hardness)
-        keysTo(false); // and what comes after it
+        keysTo(false); // the digits then set the next row
 }
 
 void FindingsBox::keysTo(bool hardness) {

@@ -19,16 +19,20 @@ namespace chiron::desktop {
 class RatingRow;
 class SizeRow;
 
-/// What a person says was found: the findings by number, one of them selected, its ratings as far as the level asks for them,
-/// and the end of the trial. It shows what the session took, and asks the session for everything else. GUI thread.
+/// The findings that a person reports, by number: one of them is selected, with the ratings that the level
+/// asks for, and there is a button to end the trial. The box shows the findings that the session has
+/// accepted, and sends every change to the session as a request.
+/// Thread: GUI.
 class FindingsBox final : public QWidget {
     Q_OBJECT
 public:
     FindingsBox(const Theme& theme, const QLocale& locale, const simulation::PalpationCues& asks, double padRadius_m, QWidget* parent = nullptr);
 
     void show(const simulation::PalpationCues& cues);
-    void setRunning(bool running); ///< false: between trials, paused or over; the session takes nothing then
-    /// A key of kKeys: digits rate, + and − size, V changes what digits rate, N selects the next, Delete takes back, D is done.
+    void setRunning(bool running); ///< false between trials, while paused and after the end: the session then
+                                   ///< accepts nothing
+    /// Handles a key of kKeys: digits rate, + and − change the size, V changes which rating the digits set, N
+    /// selects the next finding, Delete takes one back, D ends the trial.
     bool key(int key);
     static std::span<const int> keys();
 
@@ -53,15 +57,15 @@ private:
     QLabel* m_none = nullptr;
     QLabel* m_about = nullptr;
     QPushButton* m_takeBack = nullptr;
-    SizeRow* m_size = nullptr;         ///< null where the level does not ask
+    SizeRow* m_size = nullptr;         ///< null if the level does not ask for it
     RatingRow* m_hardness = nullptr;   ///< likewise
     RatingRow* m_confidence = nullptr; ///< likewise
-    QFrame* m_missing = nullptr;       ///< what is still to be said, once the end was asked for
+    QFrame* m_missing = nullptr;       ///< the ratings still missing, shown once the end was requested
     QLabel* m_missingText = nullptr;
     QPushButton* m_done = nullptr;
     bool m_digitsRateHardness = false;
     bool m_running = false;
-    bool m_asked = false; ///< the end was asked for while something is missing: the next press means it
+    bool m_asked = false; ///< the end was requested while ratings are missing: the next press confirms it
 };
 
 } // namespace chiron::desktop

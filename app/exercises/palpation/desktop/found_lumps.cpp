@@ -13,10 +13,10 @@ void FoundLumps::follow(const haptics::DisplayState& state) {
     m_findings = cues.finding;
 }
 
-// Matched as scoring matches them.
+// Matches findings to lumps in the same way as the scoring does.
 std::vector<scoring::FindingMatch> FoundLumps::matches(const session::TrialObject& object, const Findings& findings) {
     scoring::PalpationTruth truth;
-    truth.hitRadius_m = 0.0; // each lump's own reach is its radius here
+    truth.hitRadius_m = 0.0; // here `radius_m` of each lump is already its reach
     for (const session::TrialLump& lump : object.lumps)
         truth.lumps.push_back({.place_W = lump.p_WAbove, .radius_m = lump.reach_m});
     simulation::FindingsBook book;
@@ -47,7 +47,7 @@ QString FoundLumps::words(const session::TrialObject& truth, const QLocale& loca
     return wrong == 0 ? words : AnswerTexts::tr("%1, %2").arg(words, AnswerTexts::tr("%n false alarm(s)", nullptr, wrong));
 }
 
-/// As playback shows them: each lump, whether it was found, and what became of each finding.
+/// Shows the result as playback does: each lump, whether it was found, and the outcome of each finding.
 void FoundLumps::show(const session::TrialObject& truth, scene3d::SceneState& drawn) const {
     const std::vector<session::TrialLump>& lumps = truth.lumps;
     const std::vector<scoring::FindingMatch> matches = this->matches(truth, m_kept);

@@ -9,7 +9,8 @@
 
 namespace chiron::desktop {
 
-/// Which lumps of a trial were found, as its findings say. GUI thread.
+/// The lumps of a trial that were found, according to its findings.
+/// Thread: GUI.
 class FoundLumps final : public FoundAnswer {
 public:
     void follow(const haptics::DisplayState& state) override;
@@ -25,7 +26,7 @@ private:
 
     bool m_palpates = false;
     Findings m_findings{}; ///< in the newest state of the trial
-    Findings m_kept{};     ///< at the end of the trial that is drawn
+    Findings m_kept{};     ///< at the end of the trial that is shown
 };
 
 } // namespace chiron::desktop

@@ -58,7 +58,7 @@ QString LeanDial::words() const {
 void LeanDial::paintField(QPainter& painter, const QRectF& field) const {
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
     painter.setBrush(m_theme.color(Colour::raised));
-    // A circle of the largest lean, cut at the largest roll.
+    // A circle with the radius of the largest lean, cut off at the largest roll.
     const double half = 0.5 * field.height();
     const QRectF circle(field.center().x() - half, field.top(), 2.0 * half, 2.0 * half);
     const double cut_deg = kDegreesPerRadian * std::acos(std::min(1.0, 0.5 * field.width() / half));
@@ -94,7 +94,8 @@ void LeanDial::paintEvent(QPaintEvent*) {
             painter.drawEllipse(at, r, r);
         if (m_fingers > 1) {
             painter.setPen(m_theme.color(Colour::text));
-            // Dots of fingers that lean alike lie on each other; their numbers do not: right, left, and below for a second hand's.
+            // The dots of fingers that lean equally coincide, but their numbers do not: they are to the right
+            // and left, and below for the second hand.
             const double wide = 3.0 * r;
             const QRectF number(i % 2 == 0 ? at.x() + r : at.x() - r - wide, i < 2 ? at.y() - wide : at.y(), wide, wide);
             painter.drawText(number, Qt::AlignCenter | Qt::TextDontClip, m_locale.toString(i + 1));

@@ -10,9 +10,11 @@
 
 namespace chiron::desktop {
 
-/// How the platform under a fingertip leans, seen from above, the finger pointing up: a dot that goes where the platform leans, as the
-/// lateral force does, in the field of what the platform can (30° in all, 20° sideways); at its limit the dot is a square and a word
-/// says so. One dot a finger, numbered where there are several. GUI thread.
+/// The inclination of the platform under a fingertip, seen from above with the finger pointing up. A dot
+/// moves in the direction in which the platform leans, which is that of the lateral force, within the
+/// platform's range (30° in all, 20° sideways). At the limit the dot becomes a square and a word says so.
+/// There is one dot per finger, numbered if there are several.
+/// Thread: GUI.
 class LeanDial final : public QWidget {
     Q_OBJECT
 public:
@@ -20,12 +22,13 @@ public:
 
     LeanDial(const Theme& theme, const QLocale& locale, int fingers, QWidget* parent = nullptr);
 
-    /// Of one finger, rad; `saturated`: the force leans farther than the platform does.
+    /// Sets the inclination of one finger, rad. `saturated`: the force leans farther than the platform can.
     void setLean(int finger, double pitch_rad, double roll_rad, bool saturated);
-    /// Where the dot is, rad, to the right and down as on the screen: roll = l·x_F, but pitch = −l·y_F (models.md §3), so a positive
-    /// pitch leans towards the trainee and goes down. Within what the platform can. Pure.
+    /// The position of the dot, rad, to the right and down as on the screen: roll = l·x_F, but pitch = −l·y_F
+    /// (models.md §3), so a positive pitch leans towards the trainee and moves the dot down. The result is
+    /// within the platform's range. Pure function.
     static QPointF dotOf(double pitch_rad, double roll_rad);
-    QString words() const; ///< "Lean: 12°", "Lean: 30°, at its limit"; of several, each
+    QString words() const; ///< "Lean: 12°", "Lean: 30°, at its limit"; for several fingers, each one
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

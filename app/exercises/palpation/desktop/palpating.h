@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// A palpation's own parameters; null for levels of another kind. Points into `level`.
+/// The parameters of a palpation; null for levels of another exercise. Points into `level`.
 inline const simulation::PalpationParameters* palpationOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.find<simulation::PalpationParameters>();
 }

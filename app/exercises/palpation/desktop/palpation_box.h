@@ -15,8 +15,10 @@ namespace chiron::desktop {
 
 class PalpationMapView;
 
-/// What a trial of a palpation came to: chosen by its number, where and how hard was searched as two maps with truth and findings,
-/// and the same in words: each lump and what was said of it, each finding that was none. GUI thread.
+/// The results of a palpation trial, selected by its number: two maps show where and how hard the surface was
+/// searched, with truth and findings, and a text lists each lump with its finding and each finding that
+/// matched no lump.
+/// Thread: GUI.
 class PalpationBox final : public QWidget {
     Q_OBJECT
 public:
@@ -37,9 +39,9 @@ private:
     PalpationMapView* m_force;
 };
 
-/// "2 of 3 lumps found, 1 finding was none, 84 % searched." Pure.
+/// "2 of 3 lumps found, 1 finding was none, 84 % searched." Pure function.
 QString palpationSummary(const session::PalpationTrialRecord& record, const QLocale& locale);
-/// Each lump and what was said of it, then each finding that was none. Pure.
+/// Each lump with its reported finding, then each finding that matched no lump. Pure function.
 QStringList palpationLines(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level, const QLocale& locale);
 
 } // namespace chiron::desktop

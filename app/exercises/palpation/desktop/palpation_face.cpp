@@ -26,7 +26,7 @@ public:
 
 private:
     simulation::PalpationParameters m_level;
-    std::vector<session::PalpationTrialRecord> m_records; ///< one a trial that was begun
+    std::vector<session::PalpationTrialRecord> m_records; ///< one per trial that was started
 };
 
 QString handsText(const simulation::PalpationParameters& p) {

@@ -54,7 +54,7 @@ QString PalpationLayer::readout(const session::PlaybackTrack& track, const sessi
     if (!m_replay)
         return trialReadout(view, locale);
     const simulation::PalpationCues cues = m_replay->cuesAt(track, t_s, false);
-    std::size_t hardest = 0; // of several fingers the one that presses hardest
+    std::size_t hardest = 0; // of several fingers, the one that presses hardest
     for (std::size_t i = 1; i < view.tools.size(); ++i)
         if (view.tools[i].tissue_N.norm() > view.tools[hardest].tissue_N.norm())
             hardest = i;

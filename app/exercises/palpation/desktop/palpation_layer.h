@@ -8,14 +8,17 @@
 
 namespace chiron::desktop {
 
-/// A palpation played back: lumps, findings and maps, how they are looked at, and how the fingers leaned.
+/// The playback of a palpation: lumps, findings and maps, the switches for them, and the inclination of the
+/// fingers.
 class PalpationLayer final : public PlaybackLayer {
 public:
     explicit PalpationLayer(PalpationReplay replay) : m_replay(std::move(replay)) {}
-    /// Where what was found cannot be told: movement and force do not depend on it.
+    /// For a recording whose findings cannot be read; movement and force are still shown, because they do not
+    /// depend on them.
     explicit PalpationLayer(core::Error why) : m_why(std::move(why)) {}
 
-    PalpationReplay* replay() { return m_replay ? &*m_replay : nullptr; } ///< null where it cannot be told
+    /// Null if the findings could not be read.
+    PalpationReplay* replay() { return m_replay ? &*m_replay : nullptr; }
 
     QString lost() const override;
     std::vector<PlaybackSwitch> switches() const override;

@@ -9,13 +9,15 @@
 
 namespace chiron::desktop {
 
-/// Where the fingers pressed in the trial that runs, from every sample of the loop: what the live map shows. GUI thread.
+/// The live map: where the fingers pressed in the current trial, from every sample of the loop.
+/// Thread: GUI.
 class PalpationMap {
 public:
     explicit PalpationMap(const simulation::PalpationParameters& level)
         : m_map(level.areaHalf_m, level.tissue.contactRadius_m, level.coverForce_N) {}
 
-    /// Samples since the frame before, of trial `trial`; another trial begins with an empty map.
+    /// Adds the samples since the previous frame, which belong to `trial`. A new trial starts with an empty
+    /// map.
     void take(int trial, std::span<const session::LiveSample> samples);
     const simulation::SurfaceMap& map() const noexcept { return m_map; }
 

@@ -9,11 +9,12 @@
 
 namespace chiron::desktop {
 
-/// What is drawn over the map of a recorded trial: truth, findings and what became of them. Pure.
+/// The overlay of a recorded trial's map: truth, and findings with their outcomes. Pure function.
 report::PalpationMapView mapViewOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level,
                                    simulation::SurfaceMapKind kind);
 
-/// A map of the searched surface on the screen, read aloud in words. GUI thread.
+/// A map of the searched surface on the screen, with a description for screen readers.
+/// Thread: GUI.
 class PalpationMapView final : public QWidget {
     Q_OBJECT
 public:

@@ -19,10 +19,10 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times a second: digits that can be read
+constexpr int kNumbersEvery_frames = 6; // ten times per second, so that the digits can be read
 constexpr double kPlotHeight_px = 64;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kLeanLimit_deg = 30.0; // of the platform (P3)
+constexpr double kLeanLimit_deg = 30.0; // limit of the platform (P3)
 constexpr double kLeanAxis_deg = 60.0;
 
 simulation::PalpationCues asksOf(const simulation::PalpationParameters& level) {
@@ -153,7 +153,7 @@ void PalpationPanel::addPlots() {
     if (m_cues.bars)
         m_leanPlot = plot("training.lean_plot", tools() > 1 ? tr("Tilt, first finger (°)") : tr("Tilt (°)"), kLeanAxis_deg, kLeanLimit_deg);
     if (m_leanPlot)
-        addDetail(m_leanPlot); // the dial shows it
+        addDetail(m_leanPlot); // a detail only, because the dial shows the lean as well
 }
 
 void PalpationPanel::show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) {
@@ -196,7 +196,7 @@ void PalpationPanel::showNumbers(const haptics::DisplayState& state) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].number[0]->setText(text(state.tool[i].displayPose[0], 2));
         if (!m_cues.bars)
-            continue; // lean and depth belong to that cue
+            continue; // lean and depth belong to this cue
         m_rows[i].number[1]->setText(text(cues.lean_rad[i] * kDegrees, 0));
         m_rows[i].number[2]->setText(text(cues.depth_m[i] * 1e3, 1));
     }

@@ -18,8 +18,10 @@ class LeanDial;
 class LivePlot;
 class TargetBar;
 
-/// What is measured and said while fingers palpate: the findings with their ratings, how hard each finger presses with the band to
-/// press in, how the platform leans, how much was searched, numbers and plots, as far as the level allows each. GUI thread.
+/// The panel beside a palpation: the findings with their ratings, the force of each finger with the target
+/// band, the inclination of the platform, the searched share, numbers and plots, each as far as the level
+/// allows it.
+/// Thread: GUI.
 class PalpationPanel final : public InfoView {
     Q_OBJECT
 public:
@@ -28,8 +30,8 @@ public:
 
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
     FindingsBox& findings() { return *m_findings; }
-    bool showsForceMap() const; ///< the live map shows how hard was pressed, not where
-    void switchMap();           ///< to the other one
+    bool showsForceMap() const; ///< the live map shows the force, not the coverage
+    void switchMap();           ///< between the force map and the coverage map
 
 private:
     struct FingerRow {
@@ -49,14 +51,14 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     session::LevelCues m_cues;
-    const simulation::PalpationParameters& m_level; ///< the catalogue's
+    const simulation::PalpationParameters& m_level; ///< owned by the catalogue
     QVBoxLayout* m_column;
     FindingsBox* m_findings = nullptr;
     QLabel* m_elapsed = nullptr;
     QLabel* m_coverage = nullptr;
     QCheckBox* m_forceMap = nullptr;
     std::vector<TargetBar*> m_force;
-    std::vector<TargetBar*> m_squeeze; ///< one a hand; none where the level has no pinch
+    std::vector<TargetBar*> m_squeeze; ///< one per hand; empty if the level has no pinch
     LeanDial* m_lean = nullptr;
     std::vector<FingerRow> m_rows;
     LivePlot* m_forcePlot = nullptr;

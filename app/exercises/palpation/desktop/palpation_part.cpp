@@ -11,7 +11,8 @@ namespace chiron::desktop {
 namespace {
 
 constexpr int kMapKey = Qt::Key_M;
-constexpr int kFreeKey = Qt::Key_T; // "tell": the pointer is needed beside the scene
+// T as in "tell": frees the pointer for use beside the scene.
+constexpr int kFreeKey = Qt::Key_T;
 
 struct GuideTexts {
     Q_DECLARE_TR_FUNCTIONS(ControlGuide)
@@ -27,7 +28,7 @@ PalpationPart::PalpationPart(const simulation::PalpationParameters& level, LiveS
 
 InfoView* PalpationPart::makePanel() {
     m_panel = new PalpationPanel(around().theme, around().locale, around().cues, m_level);
-    m_panel->findings().setEnabled(around().ownHand); // who watches says nothing
+    m_panel->findings().setEnabled(around().ownHand); // a person who only watches reports nothing
     QObject::connect(&m_panel->findings(), &FindingsBox::reported, m_panel,
                      [report = around().report](core::ReportField field, unsigned value) { report(field, value); });
     return m_panel;
@@ -36,7 +37,7 @@ InfoView* PalpationPart::makePanel() {
 std::unique_ptr<HandControl> PalpationPart::takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const {
     const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
-        return nullptr; // somebody else's hand
+        return nullptr; // somebody else's hand moves the tool
     auto fingers =
         std::make_unique<FingerControl>(mailboxes, m_level.fingers, around().theme.scale(), around().leftHanded, m_level.pinch.has_value());
     fingers->onChosen(std::move(chosen));
@@ -68,7 +69,9 @@ std::vector<int> PalpationPart::keys() const {
 bool PalpationPart::key(int key) {
     if (key == kMapKey)
         m_panel->switchMap();
-    else if (key == kFreeKey) // the clock runs on and the finger stays where it is: while paused nothing is taken
+    // The clock continues and the finger stays in place, because the session accepts no findings while
+    // paused.
+    else if (key == kFreeKey)
         around().freePointer();
     else
         return m_panel->findings().key(key);

@@ -11,17 +11,19 @@ namespace chiron::desktop {
 
 class PalpationPanel;
 
-/// Of a level that is palpated: findings with their ratings, the fingers, the live map.
+/// The part of the training screen for palpation levels: findings with their ratings, the fingers, the live
+/// map.
 class PalpationPart final : public LivePart {
 public:
-    /// `level` outlives it, and its panel.
+    /// `level` must outlive this object and its panel.
     PalpationPart(const simulation::PalpationParameters& level, LiveSurroundings around);
 
     InfoView* makePanel() override;
     double panelWidth_px() const override { return kWidePanel_px; }
     std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const override;
     QString activeText(int tool) const override;
-    bool handMarks() const override { return true; } // of several fingers it is the moved hand's
+    // With several fingers, a mark belongs to the hand that is moved.
+    bool handMarks() const override { return true; }
     std::vector<ControlHint> controls() const override;
     QString keysText() const override;
     std::vector<int> keys() const override;
@@ -33,7 +35,7 @@ public:
 private:
     const simulation::PalpationParameters& m_level;
     PalpationPanel* m_panel = nullptr;
-    std::optional<PalpationMap> m_map; ///< of the trial that runs, where the level shows it
+    std::optional<PalpationMap> m_map; ///< of the current trial, if the level shows it
 };
 
 } // namespace chiron::desktop

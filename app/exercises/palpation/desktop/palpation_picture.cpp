@@ -11,8 +11,8 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kPress_m = 0.004; // as deep as the drawn finger presses
-constexpr double kWide_m = 0.016;  // of a finger
+constexpr double kPress_m = 0.004; // depth to which the drawn finger presses
+constexpr double kWide_m = 0.016;  // width of a finger
 } // namespace
 
 void PalpationPicture::paint(QPainter& painter) const {
@@ -51,7 +51,7 @@ void PalpationPicture::paint(QPainter& painter) const {
     painter.setPen(QPen(tissue.darker(170), std::max(1.5, width() * 0.009)));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(edge);
-    if (!m_level.kinds.empty() && m_level.lumpsHigh > 0) { // dashed where it has to be felt
+    if (!m_level.kinds.empty() && m_level.lumpsHigh > 0) { // dashed if it has to be found by touch
         const simulation::LumpKind& kind = m_level.kinds.front();
         const double radius = kind.radius_m * perMetre;
         const QPointF lump = at(0.55 * half_m) + QPointF(0.0, kind.depth_m * perMetre);

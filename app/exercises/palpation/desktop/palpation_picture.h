@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-/// The cut through the middle of the tissue, in its true proportions, the fingers on it, and its lump where it is shown.
+/// The section through the middle of the tissue, to scale, with the fingers on it, and its lump if the level
+/// shows it.
 class PalpationPicture final : public LevelPicture {
 public:
     PalpationPicture(const simulation::PalpationParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_level(level) {}

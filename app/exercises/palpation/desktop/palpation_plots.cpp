@@ -11,11 +11,12 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kLeanLimit_deg = 30.0; // of the platform (P3)
+constexpr double kLeanLimit_deg = 30.0; // limit of the platform (P3)
 constexpr std::array<report::PlotStyle, 4> kStyles{report::PlotStyle::solidA, report::PlotStyle::dashedB, report::PlotStyle::dottedC,
                                                   report::PlotStyle::dashDotD};
 
-/// A line a finger of its recorded quantity "<before><finger><after>"; false where none was recorded.
+/// Adds one line per finger for its recorded quantity "<before><finger><after>"; returns false if none was
+/// recorded.
 bool addFingers(const PlaybackPlots& plots, report::PlotView& view, const char* before, const char* after, double factor) {
     const session::PlaybackTrack& track = plots.track();
     const std::vector<double>& t_s = plots.series().t_s;

@@ -5,7 +5,8 @@ namespace chiron::desktop {
 
 class PlaybackPlots;
 
-/// How far the force leaned and how deep the fingers were, over time. None where it was not recorded.
+/// Adds the plots of the inclination of the force and of the fingers' depth over time, if these were
+/// recorded.
 void addPalpationPlots(PlaybackPlots& plots);
 
 } // namespace chiron::desktop

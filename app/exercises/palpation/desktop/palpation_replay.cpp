@@ -66,7 +66,7 @@ void PalpationReplay::addTruth(const session::PalpationTrialRecord& record, simu
     }
 }
 
-// What became of a finding is said of those that were still there at the end, in the place where they were.
+// Outcomes exist only for findings that were still there at the end, at their positions at that time.
 void PalpationReplay::addOutcomes(const session::PalpationTrialRecord& record, scene3d::SceneState& state) {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
     auto& overlay = state.overlay.own<scene3d::PalpationOverlay>();

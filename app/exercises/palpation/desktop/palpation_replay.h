@@ -14,23 +14,25 @@
 
 namespace chiron::desktop {
 
-/// How a palpation is looked at in playback.
+/// The display options of a palpation in playback.
 struct PalpationLook {
-    bool truth = true;      ///< lumps, and what became of the findings
-    bool wholeTrial = false; ///< the map of the whole trial, not up to this moment
+    bool truth = true;      ///< show the lumps and the outcomes of the findings
+    bool wholeTrial = false; ///< show the map of the whole trial instead of the map up to this moment
     simulation::SurfaceMapKind map = simulation::SurfaceMapKind::coverage;
 };
 
-/// What was found and searched at any moment of a recorded palpation, beside the truth. Maps follow the track's samples and go on
-/// from where they were while the recording is played. GUI thread, once made.
+/// The findings and the searched surface at any moment of a recorded palpation, with the truth. The maps
+/// follow the track's samples and are extended incrementally during playback.
+/// Thread: GUI after construction.
 class PalpationReplay {
 public:
     PalpationReplay(simulation::PalpationParameters level, std::vector<session::PalpationTrialRecord> records);
 
-    const session::PalpationTrialRecord* record(int trial) const; ///< null: no such trial was begun
-    /// What is there at a moment, as the training screen would show it with every cue, and the truth as lumps where it is looked at.
+    const session::PalpationTrialRecord* record(int trial) const; ///< null: no such trial was started
+    /// The cues at a moment as the training screen would show them with every cue on; with `truth`, also the
+    /// lumps.
     simulation::PalpationCues cuesAt(const session::PlaybackTrack& track, double t_s, bool truth) const;
-    /// Puts it into the scene; its map stays valid until the next call.
+    /// Adds the same to the scene; the map stays valid until the next call.
     void showIn(scene3d::SceneState& state, const session::PlaybackTrack& track, double t_s, const PalpationLook& look);
     const simulation::PalpationParameters& level() const { return m_level; }
 
@@ -42,11 +44,11 @@ private:
     simulation::PalpationParameters m_level;
     simulation::TissueSurface m_surface;
     std::vector<session::PalpationTrialRecord> m_records;
-    // The map that follows: of which trial, and how many of the track's moments are in it.
+    // The incremental map: the trial to which it belongs, and how many of the track's moments it contains.
     std::optional<session::PalpationPresses> m_presses;
     int m_trial = -1;
     std::size_t m_next = 0;
-    std::uint32_t m_shown = 0; ///< counts whenever another map is shown
+    std::uint32_t m_shown = 0; ///< incremented whenever another map is shown
     const void* m_last = nullptr;
     std::uint32_t m_lastStep = 0;
 };

@@ -29,7 +29,8 @@ RatingRow::RatingRow(const Theme& theme, const QString& name, Word word, QWidget
         button->setMinimumWidth(theme.px(24));
         connect(button, &QPushButton::clicked, this, [this, rating] {
             const int before = m_rating;
-            m_rating = -1; // the press has checked the button by itself: what counts is what the session says
+            // The click has already checked the button; only the rating that the session confirms counts.
+            m_rating = -1;
             setRating(before);
             emit rated(rating);
         });

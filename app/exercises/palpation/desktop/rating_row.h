@@ -11,8 +11,9 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// A rating from 1 to 5: five buttons, and above them what is rated with the word of what was chosen ("Hardness: firm"). Says
-/// where the digit keys go to this row. GUI thread.
+/// A rating from 1 to 5: five buttons, and above them the name of the rating with the word for the chosen
+/// value ("Hardness: firm"). Indicates if the digit keys set this row.
+/// Thread: GUI.
 class RatingRow final : public QWidget {
     Q_OBJECT
 public:

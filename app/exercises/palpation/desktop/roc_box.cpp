@@ -86,7 +86,7 @@ void RocBox::ask(Background& background, database::Database& database, const dat
         },
         [this, query](core::Result<session::PooledDetection> pooled) {
             if (query.level != m_level)
-                return; // another level was chosen meanwhile
+                return; // another level was chosen in the meantime
             if (pooled)
                 show(*pooled, query.felt);
             else

@@ -18,8 +18,10 @@ namespace chiron::desktop {
 
 class StatePanel;
 
-/// Receiver operating characteristic of a person, from how sure they said they were of each finding, over all their sessions of
-/// one level: with its area and with what it counts; or what is missing until there is one. GUI thread.
+/// The receiver operating characteristic of a person, computed from the confidence ratings of all findings in
+/// all their sessions of one level. Shows the area under the curve and the counts behind it, or the reason
+/// why there is none yet.
+/// Thread: GUI.
 class RocBox final : public ResultsPart {
     Q_OBJECT
 public:
@@ -27,7 +29,7 @@ public:
     ~RocBox() override;
 
     void ask(Background& background, database::Database& database, const database::Actor& actor, const ResultsQuestion& question) override;
-    /// `felt`: of which device class it is; the two are never pooled.
+    /// `felt`: the device class of the sessions; the two classes are never pooled.
     void show(const session::PooledDetection& pooled, bool felt);
     using QWidget::show;
 
@@ -36,12 +38,14 @@ private:
     QLocale m_locale;
     StatePanel* m_panel;
     std::shared_ptr<WorkToken> m_work;
-    std::optional<int> m_level; ///< that is shown, or read: another metric reads nothing anew
+    std::optional<int> m_level; ///< the level that is shown or being read: choosing another metric does not
+                                ///< read again
 };
 
-/// "Area under the curve: 0.84 ... Sessions: 6. Places with a lump: 24, without: 70." Pure.
+/// "Area under the curve: 0.84 ... Sessions: 6. Places with a lump: 24, without: 70." Pure function.
 QString rocSummary(const session::PooledDetection& pooled, bool felt, const scoring::RocCurve& curve, const QLocale& locale);
-/// The curve with the line of chance. GUI thread.
+/// The curve with the line of chance.
+/// Thread: GUI.
 std::unique_ptr<report::PlotView> rocPlot(const scoring::RocCurve& curve, const Theme& theme, const QLocale& locale);
 
 } // namespace chiron::desktop

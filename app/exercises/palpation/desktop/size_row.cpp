@@ -14,9 +14,10 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr double kPixelsPerMm = 1.5; // at 100 %: the largest finding is as high as the buttons and its title
+// At 100 %: the largest finding is as high as the buttons and its title.
+constexpr double kPixelsPerMm = 1.5;
 
-/// The finding as a disc and the finger's pad as a dashed ring round the same middle.
+/// Draws the finding as a disc and the finger's pad as a dashed ring with the same centre.
 class ToScale final : public QWidget {
 public:
     ToScale(const Theme& theme, double padRadius_mm) : m_theme(theme), m_pad_mm(padRadius_mm) {
@@ -90,7 +91,8 @@ void SizeRow::setRadius(double radius_m) {
 
 void SizeRow::step(int by_mm) {
     const int next_mm = m_across_mm == 0 ? kFirst_mm : std::clamp(m_across_mm + by_mm, kLeast_mm, kMost_mm);
-    setRadius(0.5e-3 * next_mm); // two quick presses are two steps, although the session has not answered yet
+    // Two quick presses make two steps, although the session has not confirmed the first one yet.
+    setRadius(0.5e-3 * next_mm);
     emit sized(static_cast<unsigned>(5 * next_mm));
 }
 

@@ -10,23 +10,24 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// How large a finding is: across, in whole millimetres, by minus and plus, with a circle of that size beside the pad of a finger,
-/// both to the same scale. GUI thread.
+/// The size of a finding: its diameter in whole millimetres, set by minus and plus, with a circle of that
+/// size beside the pad of a finger, both to the same scale.
+/// Thread: GUI.
 class SizeRow final : public QWidget {
     Q_OBJECT
 public:
     static constexpr int kLeast_mm = 2;
     static constexpr int kMost_mm = 40;
-    static constexpr int kFirst_mm = 10; ///< where minus and plus begin
+    static constexpr int kFirst_mm = 10; ///< first value set by minus and plus
 
     SizeRow(const Theme& theme, const QLocale& locale, double padRadius_m, QWidget* parent = nullptr);
 
     void setRadius(double radius_m); ///< 0: not said
-    void step(int by_mm);            ///< says the next size; not said yet: kFirst_mm
+    void step(int by_mm);            ///< reports the next size; kFirst_mm if there is none yet
     QString words() const;           ///< "Size: 14 mm across"
 
 signals:
-    void sized(unsigned tenths_mm); ///< radius, as a report word has it
+    void sized(unsigned tenths_mm); ///< radius, in the unit of a report word
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words, scale bar and legend of the maps of a palpation.
+// Title, description, scale bar and legend of the maps of a palpation.
 #include "app/exercises/palpation/report/palpation_map_painter.h"
 #include "report/report_text.h"
 
@@ -123,7 +123,7 @@ void PalpationMapPainter::paintLegend(QPainter& painter, const QRectF& room) con
     }
 }
 
-/// 10 or 20 mm under the map, and which side the person stood at.
+/// Draws a bar of 10 or 20 mm under the map, and the side at which the person stood.
 void PalpationMapPainter::paintScale(QPainter& painter, const QRectF& plot) const {
     const double u = m_theme.scale;
     const double perMm = 0.5 * plot.width() / (m_map.half_m().x() * 1e3);

@@ -30,7 +30,8 @@ QColor between(const QColor& from, const QColor& to, double share) {
 PalpationMapPainter::PalpationMapPainter(const SurfaceMap& map, PalpationMapView view, PlotTheme theme)
     : m_map(map), m_view(std::move(view)), m_theme(std::move(theme)) {}
 
-/// One hue from the paper to the accent: its lightness alone tells the steps apart, in every theme and in print.
+/// One hue from the paper to the accent: lightness alone distinguishes the steps, in every theme and in
+/// print.
 QColor PalpationMapPainter::colourOf(MapBand band) const {
     if (m_view.kind == SurfaceMapKind::coverage && simulation::isSearched(band))
         return between(m_theme.paper, m_theme.accent, 0.55);
@@ -105,7 +106,7 @@ void PalpationMapPainter::paintTruthAndSizes(QPainter& painter, const QRectF& pl
     for (const PalpationMapFinding& finding : m_view.findings) {
         if (!(finding.radius_m > 0.0))
             continue;
-        const double radius = perMetre * finding.radius_m; // as big as it was said to be
+        const double radius = perMetre * finding.radius_m; // in the reported size
         const QPointF place = at(plot, finding.x_m, finding.y_m);
         painter.setPen(QPen(m_theme.paper, 3.0 * u));
         painter.drawEllipse(place, radius, radius);
@@ -124,7 +125,7 @@ void PalpationMapPainter::paintCells(QPainter& painter, const QRectF& plot) cons
     painter.drawImage(plot, cells);
 }
 
-/// Lines over what was not searched, and the other way over what was pressed too hard.
+/// Hatches the area that was not searched, and in the other direction the area that was pressed too hard.
 void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) const {
     const double wide = plot.width() / SurfaceMap::kColumns;
     const double high = plot.height() / SurfaceMap::kRows;
@@ -134,7 +135,8 @@ void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) cons
         return QRectF(plot.left() + from * wide, plot.bottom() - (row + 1) * high, (to - from) * wide, high);
     };
     for (int row = 0; row < SurfaceMap::kRows; ++row)
-        for (int column = 0; column < SurfaceMap::kColumns;) { // runs, so that a vector page stays small
+        // Runs of equal cells, so that a vector page stays small.
+        for (int column = 0; column < SurfaceMap::kColumns;) {
             const MapBand band = m_view.bands.of(m_map.force_N(column, row));
             const auto same = [&](int other) {
                 const MapBand there = m_view.bands.of(m_map.force_N(other, row));
@@ -161,7 +163,7 @@ void PalpationMapPainter::paintHatch(QPainter& painter, const QRectF& plot) cons
     }
 }
 
-/// The border between searched and not searched, as a line along the cells.
+/// Draws the border between the searched and the unsearched area as a line along the cells.
 void PalpationMapPainter::paintEdge(QPainter& painter, const QRectF& plot) const {
     const double wide = plot.width() / SurfaceMap::kColumns;
     const double high = plot.height() / SurfaceMap::kRows;
@@ -215,7 +217,8 @@ void PalpationMapPainter::paintLump(QPainter& painter, QPointF at, double radius
     }
 }
 
-/// A disc with its number; a hit wears a second ring, a false alarm is a diamond, the selected one has ticks round it.
+/// Draws a disc with its number. A hit has a second ring, a false alarm is a diamond, and the selected
+/// finding has corner marks.
 void PalpationMapPainter::paintFinding(QPainter& painter, QPointF at, const PalpationMapFinding& finding) const {
     const double u = m_theme.scale;
     const double radius = 9.0 * u;

@@ -16,19 +16,23 @@ class QPainter;
 
 namespace chiron::report {
 
-/// A lump as it truly was. W, metres.
+/// The true position and size of a lump.
+/// Unit: m.
+/// Frame: W.
 struct PalpationMapLump {
     double x_m = 0.0; ///< of the surface point above it
     double y_m = 0.0;
     double depth_m = 0.0; ///< of its centre
     double radius_m = 0.0;
-    int hardness = 0;   ///< 1..5; 0: not told
-    bool found = false; ///< drawn whole; else dashed with a cross
+    int hardness = 0;   ///< 1..5; 0: not stated
+    bool found = false; ///< drawn with a solid outline; if false, dashed with a cross
 };
 
-/// A finding as it was reported. W, metres.
+/// A finding as it was reported.
+/// Unit: m.
+/// Frame: W.
 struct PalpationMapFinding {
-    int number = 1; ///< as people see it, from 1
+    int number = 1; ///< as displayed, from 1
     double x_m = 0.0;
     double y_m = 0.0;
     double radius_m = 0.0; ///< 0: not said
@@ -36,34 +40,36 @@ struct PalpationMapFinding {
     bool selected = false;
 };
 
-/// What is drawn over a map.
+/// The overlay of a map.
 struct PalpationMapView {
     simulation::SurfaceMapKind kind = simulation::SurfaceMapKind::coverage;
     simulation::MapBands bands;
-    int regionColumns = 3; ///< the units of detection
+    int regionColumns = 3; ///< regions over which detection is scored
     int regionRows = 3;
-    std::vector<PalpationMapLump> lumps; ///< none: the truth is not told
+    std::vector<PalpationMapLump> lumps; ///< empty: the truth is not shown
     std::vector<PalpationMapFinding> findings;
 };
 
-/// A map of the searched surface from above, x to the right, y away from the person: coverage or force in steps of one hue (dark
-/// or light enough to be told apart without colour), hatched where not searched, cross-hatched over the limit; the regions' grid,
-/// lumps to scale, findings by number and shape, a scale bar, a legend in newtons. Opaque colours only; vector but for the cells.
+/// A map of the searched surface from above, x to the right, y away from the person. Coverage or force is
+/// drawn in steps of one hue that differ in lightness, so that they can be distinguished without colour.
+/// Areas that were not searched are hatched, and areas over the limit are cross-hatched. The map also shows
+/// the grid of the regions, the lumps to scale, the findings by number and shape, a scale bar, and a legend
+/// in newtons. Uses opaque colours only, and vector graphics except for the cells.
 class PalpationMapPainter {
 public:
     PalpationMapPainter(const simulation::SurfaceMap& map, PalpationMapView view, PlotTheme theme);
 
-    /// The legend goes to the right of the map where the room is wide, below it otherwise.
+    /// The legend is to the right of the map in a wide room, and below it otherwise.
     void paint(QPainter& painter, const QRectF& room) const;
-    /// Where the search area itself lies in this room: half.x from the middle is its right edge.
+    /// The rectangle of the search area in this room: x = half.x is at its right edge.
     QRectF plotIn(const QRectF& room) const { return layOut(room).plot; }
     /// "Coverage: 82 % searched".
     QString title() const;
-    /// The picture in words, for a screen reader.
+    /// A description of the picture for screen readers.
     QString words() const;
 
 private:
-    /// What a line of the legend shows beside its words.
+    /// The sign that a line of the legend shows beside its words.
     struct LegendRow {
         enum class Sign { band, lumpFound, lumpMissed, finding } sign = Sign::band;
         simulation::MapBand band = simulation::MapBand::untouched;
@@ -90,12 +96,13 @@ private:
     void paintSwatch(QPainter& painter, const QRectF& box, const LegendRow& row) const;
     QSizeF legendSize() const;
 
-    const simulation::SurfaceMap& m_map; ///< the caller's; read during paint()
+    const simulation::SurfaceMap& m_map; ///< owned by the caller; read during paint()
     PalpationMapView m_view;
     PlotTheme m_theme;
 };
 
-/// The same as a picture of `size` logical pixels, `ratio` device pixels each. GUI thread.
+/// The map as a picture of `size` logical pixels, with `ratio` device pixels per logical pixel.
+/// Thread: GUI.
 QImage palpationMapPicture(const simulation::SurfaceMap& map, const PalpationMapView& view, const PlotTheme& theme, const QSize& size,
                            double ratio = 1.0);
 

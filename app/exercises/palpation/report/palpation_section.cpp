@@ -15,8 +15,9 @@ namespace chiron::report {
 
 namespace {
 
-constexpr double kMapHeight = 222.0; // logical pixels: the maps' legends stand beside them
-constexpr double kMapScale = 0.66;   // of their words: two maps and their legends share a page's width
+constexpr double kMapHeight = 222.0; // logical pixels; the legends are beside the maps
+// Scale of their text: two maps and their legends share the width of a page.
+constexpr double kMapScale = 0.66;
 
 using Kind = PalpationFindingRow::Kind;
 
@@ -24,7 +25,7 @@ QString place(const PalpationFindingRow& row, const QLocale& locale) {
     return QStringLiteral("%1, %2").arg(locale.toString(row.x_mm, 'f', 1), locale.toString(row.y_mm, 'f', 1));
 }
 
-/// "7.0 (−0.5)": as reported, and by how much that is wrong.
+/// "7.0 (−0.5)": the reported radius, and its error.
 QString radius(const PalpationFindingRow& row, const QLocale& locale) {
     if (!(row.radius_mm > 0.0))
         return QStringLiteral("–");
@@ -49,7 +50,7 @@ QString outcome(const PalpationFindingRow& row) {
     return Words::tr("✗ missed lump");
 }
 
-/// "1.42 (95 %: 0.80 to 2.04)", or why there is none.
+/// "1.42 (95 %: 0.80 to 2.04)", or the reason why there is no value.
 QString sensitivity(const core::DetectionCounts& regions, const QLocale& locale) {
     if (!core::isUsable(regions))
         return Words::tr("too few regions: %1 with a lump, %2 without")
@@ -128,7 +129,7 @@ void PalpationSection::addTo(BlockMaker& blocks) const {
         addMaps(blocks, trial);
 }
 
-// One picture a trial: palpation_1.png, ...
+// Writes one picture per trial: palpation_1.png and so on.
 core::Result<void> PalpationSection::savePictures(const QDir& folder, const PlotTheme& theme, std::vector<QString>& written) const {
     for (const PalpationTrialReport& trial : m_report.trials) {
         const QString path = folder.filePath(QStringLiteral("palpation_%1.png").arg(trial.trial + 1));

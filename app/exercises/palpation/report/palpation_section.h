@@ -8,7 +8,7 @@
 
 namespace chiron::report {
 
-/// What was found and missed, how sensitive that was, and the maps of each trial beside the truth.
+/// The lumps found and missed, the sensitivity, and the maps of each trial with the truth.
 class PalpationSection final : public ReportSection {
 public:
     explicit PalpationSection(PalpationReport report) : m_report(std::move(report)) {}

@@ -10,17 +10,17 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// The head of the pin that stands on a finding: its number on a square flag; a hit is a double ring, a false alarm a diamond. The
-/// selected one has a black-and-white frame of corners round it.
+/// The head of the pin at a finding: its number on a square flag. A hit has a double ring, a false alarm a
+/// diamond. The selected one has a black-and-white frame of corner marks.
 struct FindingFlag {
-    int number = 1; ///< as people see it
+    int number = 1; ///< as displayed
     simulation::FindingOutcome outcome = simulation::FindingOutcome::open;
     bool selected = false;
 
     bool operator==(const FindingFlag&) const = default;
 };
 
-/// Fills `box` (square) as far as it needs; what is round it stays as it is.
+/// Paints into `box` (square) only as far as the flag needs; the surrounding pixels are unchanged.
 void paintFindingFlag(QPainter& painter, const QRectF& box, const FindingFlag& flag, const SceneSetup& setup);
 
 } // namespace chiron::scene3d

@@ -11,9 +11,9 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr double kStick_mm = 13.0;
-constexpr float kFlag_mm = 13.0F; // with the room for the frame of the selected one
+constexpr float kFlag_mm = 13.0F; // includes the margin for the frame of the selected one
 constexpr int kFlag_px = 96;
-constexpr double kReachHalf_mm = 0.22; // half the line's width
+constexpr double kReachHalf_mm = 0.22; // half the width of the line
 
 TriangleMesh stick() {
     TriangleMesh mesh;

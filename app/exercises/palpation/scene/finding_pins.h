@@ -13,16 +13,17 @@
 
 namespace chiron::scene3d {
 
-/// Pins with numbered flags that stand where something was reported, each in the circle within which a lump counts as found by it.
-/// Three draw calls each.
+/// Pins with numbered flags at the reported positions, each with the circle within which a lump counts as
+/// found by it. Three draw calls per pin.
 class FindingPins final : public Qt3DCore::QEntity {
 public:
-    /// `elevation_rad`: of the camera over the plane; the flags face it. `reach_m`: the circles' radius. `surface` outlives it.
+    /// `elevation_rad`: the camera's angle above the plane; the flags face the camera. `reach_m`: the radius
+    /// of the circles. `surface` must outlive this object.
     FindingPins(SharedLight& light, double elevation_rad, const simulation::TissueSurface& surface, double reach_m, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
     void show(const SceneState& state);
-    void putOver(Qt3DRender::QLayer* layer); ///< flags and tolerances: seen through the hand
+    void putOver(Qt3DRender::QLayer* layer); ///< flags and circles: visible through the hand
 
 private:
     struct Pin {

@@ -17,7 +17,7 @@ namespace {
 
 const QColor kRightGlove(58, 116, 190);
 const QColor kLeftGlove(142, 104, 186);
-constexpr double kSolidFrom = 0.995; // of opacity
+constexpr double kSolidFrom = 0.995; // opacity from which on a glove is drawn as opaque
 
 TriangleMesh coneMesh() {
     TriangleMesh mesh;
@@ -124,9 +124,10 @@ void Finger::showBlades(const ToolView& tool) {
         QMatrix4x4 matrix;
         matrix.translate(toMillimetres(drawnTip(tool)));
         matrix.rotate(toQuaternion(heldLike(tool)));
-        matrix.rotate(90.0F + 180.0F * float(side), 0.0F, 0.0F, 1.0F); // across the finger
+        matrix.rotate(90.0F + 180.0F * float(side), 0.0F, 0.0F, 1.0F); // perpendicular to the finger
         matrix.translate(0.0F, 0.0F, float(kHinge_mm));
-        matrix.rotate(qRadiansToDegrees(0.5F * float(tool.jaw_rad)), 1.0F, 0.0F, 0.0F); // as Instrument turns them
+        // The blades turn in the same way as those of Instrument.
+        matrix.rotate(qRadiansToDegrees(0.5F * float(tool.jaw_rad)), 1.0F, 0.0F, 0.0F);
         matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
         m_blade[side]->at().setMatrix(matrix);
     }
@@ -139,7 +140,8 @@ void Finger::showPlatform(const ToolView& tool, const FingerLean& lean) {
     const core::Vec3 toward = leans ? core::Vec3(level.normalized()) : core::Vec3(core::Vec3::UnitX());
     const double angle = leans ? lean.angle_rad : 0.0;
     const core::Vec3 axis = std::cos(angle) * up + std::sin(angle) * toward;
-    const core::Vec3 down = std::cos(angle) * toward - std::sin(angle) * up; // along the ring, to where it leans
+    // Along the ring, in the direction of the lean.
+    const core::Vec3 down = std::cos(angle) * toward - std::sin(angle) * up;
     const core::Vec3 middle = drawnTip(tool) + 1e-3 * kPlatformHeight_mm * up;
     const QQuaternion upright = QQuaternion::rotationTo(QVector3D(0, 0, 1), toVector(axis));
     for (Part* ring : {m_ring, m_stop}) {

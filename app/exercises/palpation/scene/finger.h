@@ -10,26 +10,29 @@
 
 namespace chiron::scene3d {
 
-/// A gloved finger, and with a hand's first one the hand behind it, with the ring of its platform, which leans; a cone on the ring says where to and how much. Right and left
-/// gloves differ in colour and come from their own side; several fingers wear bands. In the air finger and hand are nearly glass. Where the level has a pinch,
-/// a hand's first finger has the two blades of a grasper, drawn while they are open. Draw calls: 2, of a hand's first finger 3, with lean 2 more, bands 1, collar 1, blades 2.
+/// A gloved finger with the ring of its platform, which leans; a cone on the ring shows direction and amount
+/// of the lean. The first finger of a hand also carries the hand. Right and left gloves differ in colour and
+/// come from their own side; if there are several fingers, they wear bands. In the air, finger and hand are
+/// almost transparent. If the level has a pinch, the first finger of a hand has the two blades of a grasper,
+/// drawn while they are open. Draw calls: 2, or 3 for the first finger of a hand, plus 2 with lean, 1 with
+/// bands, 1 with the collar, 2 with blades.
 class Finger final : public Qt3DCore::QEntity {
 public:
-    /// `fingers`: of each hand.
+    /// `fingers`: number of fingers per hand.
     Finger(SharedLight& light, Qt3DRender::QParameter* skin, int index, int fingers, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
-    /// How it is marked and drawn.
+    /// The marking and opacity of a finger.
     struct Look {
-        int bands = 0;        ///< of several fingers
-        bool collar = false;  ///< of several fingers
+        int bands = 0;        ///< number of bands, if there are several fingers
+        bool collar = false;  ///< the finger that mouse and keyboard move, if there are several
         double opacity = 1.0; ///< of glove and hand
     };
     void show(const ToolView& tool, const FingerLean& lean, const Look& look);
-    /// The glove in the air.
+    /// Puts the glove in the air on a translucent layer.
     void putTranslucent(Qt3DRender::QLayer* layer);
     void hide() { setEnabled(false); }
-    /// The cone, the stop's ring and the blades: never hidden by the finger.
+    /// Draws the cone, the ring of the stop and the blades over the finger, so that it never hides them.
     void putOver(Qt3DRender::QLayer* layer) {
         m_cone->addComponent(layer);
         m_stop->addComponent(layer);
@@ -38,10 +41,10 @@ public:
     }
 
 private:
-    /// Finger, right hand and left hand, all of one material.
+    /// Finger, right hand and left hand, all with the same material.
     struct Glove {
         Part* finger = nullptr;
-        Part* hand[2] = {nullptr, nullptr}; ///< right, left: of a hand's first finger
+        Part* hand[2] = {nullptr, nullptr}; ///< right, left: only for the first finger of a hand
     };
     Glove makeGlove(Qt3DRender::QMaterial* material, int fingers);
     void showGlove(const Glove& glove, bool shown);
@@ -66,7 +69,7 @@ private:
     Part* m_blade[2];
 };
 
-/// The second session's finger: one translucent colour.
+/// The finger of the second session, in one translucent colour.
 class GhostFinger final : public Qt3DCore::QEntity {
 public:
     GhostFinger(SharedLight& light, Qt3DCore::QNode* parent);

@@ -15,7 +15,7 @@ const std::array kLine{
     SweepRing{{0.0, -26.0, 18.8}, 8.5, 0.97}, SweepRing{{0.0, -34.0, 24.6}, 8.6, 1.0}, SweepRing{{0.0, -43.0, 31.8}, 9.1, 0.95},
     SweepRing{{0.0, -53.0, 38.4}, 9.6, 1.0},  SweepRing{{0.0, -65.0, 44.6}, 10.2, 1.0}, SweepRing{{0.0, -76.0, 47.5}, 10.4, 0.9}};
 
-/// The finger's middle line at this y (mm), by linear pieces.
+/// The finger's centre-line at this y (mm), piecewise linear.
 SweepRing atY(double y_mm) {
     for (std::size_t i = 0; i + 1 < kLine.size(); ++i) {
         const SweepRing& a = kLine[i];

@@ -28,7 +28,7 @@ struct Words {
 
 } // namespace
 
-/// A place in the finger's own plane (y towards the tip, z up; mm), in this picture.
+/// The position in this picture of a point in the finger's own plane (y towards the tip, z up; mm).
 QPointF FlatFingers::along(const ToolView& tool, std::size_t index, double y_mm, double z_mm) const {
     const core::Quat held = tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
     const core::Quat q = held * core::Quat(Eigen::AngleAxisd(fingerYaw_rad(m_setup, index), core::Vec3::UnitZ()));
@@ -57,7 +57,7 @@ void FlatFingers::paintOutline(const ToolView& tool, std::size_t index, const QC
     m_painter.drawPath(finger);
 }
 
-/// The outline of hand_mesh.h, as it looks from here.
+/// The outline of the hand of hand_mesh.h, as seen in this picture.
 QPainterPath FlatFingers::backOfHand(const ToolView& tool, std::size_t index) const {
     const double side = isLeftHand(m_setup, index) ? -1.0 : 1.0;
     const core::Quat held = tool.q_WT.norm() > 0.5 ? tool.q_WT.normalized() : core::Quat::Identity();
@@ -116,7 +116,7 @@ void FlatFingers::paintDial(const SceneState& state, std::size_t index) const {
     m_painter.drawEllipse(middle, radius, radius);
     m_painter.setPen(QPen(lean.saturated ? m_setup.colours.over : m_setup.colours.ink, (lean.saturated ? 3.0 : 1.6) * u));
     m_painter.drawEllipse(middle, radius, radius);
-    if (lean.saturated) // against its stop: a second rim
+    if (lean.saturated) // at its stop: a second rim
         m_painter.drawEllipse(middle, radius + 5.0 * u, radius + 5.0 * u);
     const QPointF way = m_panel.project(drawnTip(tool) + 1e-3 * core::Vec3(lean.toward.x(), lean.toward.y(), 0.0)) - middle;
     const double length = std::hypot(way.x(), way.y());
@@ -132,7 +132,8 @@ void FlatFingers::paintDial(const SceneState& state, std::size_t index) const {
     m_painter.drawEllipse(middle, 3.0 * u, 3.0 * u);
     if (length <= 1e-9)
         return;
-    // The force arrow goes the same way as the needle, so the angle stands in figures on the other side.
+    // The force arrow points in the same direction as the needle, so the number of the angle is on the
+    // opposite side.
     const QString words = Words::tr("%1°").arg(QLocale().toString(state.exercise.of<simulation::PalpationCues>().lean_rad[index] * 180.0 / core::kPi, 'f', 0));
     const QPointF place = middle - (radius + 18.0 * u) / length * way;
     const QRectF box(place - QPointF(16.0, 9.0) * u, QSizeF(32.0, 18.0) * u);
@@ -146,7 +147,7 @@ void FlatFingers::paintDial(const SceneState& state, std::size_t index) const {
 void FlatFingers::paintPlatform(const SceneState& state, std::size_t index) const {
     const ToolView& tool = state.tool[index];
     const FingerLean lean = fingerLean(state, index, m_surface.normalAt(drawnTip(tool).head<2>()));
-    const double tilt = lean.angle_rad * lean.toward.x(); // as seen from here
+    const double tilt = lean.angle_rad * lean.toward.x(); // as seen in this picture
     const core::Vec3 middle = drawnTip(tool) + core::Vec3(0.0, 0.0, 1e-3 * kPlatformHeight_mm);
     const core::Vec3 half = 1e-3 * kPlatformRing_mm * core::Vec3(std::cos(tilt), 0.0, -std::sin(tilt));
     for (const auto& [colour, wide] : {std::pair{m_setup.colours.background, 6.5}, {lean.saturated ? m_setup.colours.over : m_setup.colours.ink, 3.5}}) {
@@ -171,7 +172,7 @@ void FlatFingers::paintBlades(const ToolView& tool, std::size_t index) const {
     }
 }
 
-/// Between the surface at rest and the pad, beside the finger.
+/// Draws the depth between the surface at rest and the pad, beside the finger.
 void FlatFingers::paintDepth(const SceneState& state, std::size_t index) const {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
     const double depth_mm = 1e3 * cues.depth_m[index];
@@ -180,7 +181,8 @@ void FlatFingers::paintDepth(const SceneState& state, std::size_t index) const {
     const ToolView& tool = state.tool[index];
     const double u = m_panel.unit();
     const core::Vec3 rest = m_surface.nearest(tool.p_WT, tool.p_WT.head<2>()).p_W;
-    const bool left = isLeftHand(m_setup, index) == (toolsOf(state) < 2); // of two hands outside, of one beside the tip
+    // With two hands on their outer side, with one hand beside the tip.
+    const bool left = isLeftHand(m_setup, index) == (toolsOf(state) < 2);
     const double beside = (left ? 1.0 : -1.0) * m_panel.pixels(kPlatformRing_mm + 4.0);
     const QPointF top = m_panel.project(rest) + QPointF(beside, 0.0);
     const QPointF foot = top + QPointF(0.0, m_panel.pixels(depth_mm));

@@ -11,8 +11,9 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Fingers in the flat pictures; a hand in the air is nearly glass. From above: pad, outline, bands, and a dial whose needle shows where to and how much the platform
-/// leans (its rim: 30°). From the side: outline, the leaning platform, and a bar with the depth in millimetres.
+/// Fingers in the flat pictures; a hand in the air is almost transparent. The view from above shows pad,
+/// outline, bands, and a dial whose needle shows direction and amount of the platform's lean (its rim: 30°).
+/// The view from the side shows the outline, the leaning platform, and a bar with the depth in millimetres.
 class FlatFingers {
 public:
     FlatFingers(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const simulation::TissueSurface& surface)
@@ -22,7 +23,7 @@ public:
     void paintGhost(const ToolView& ghost) const;
 
 private:
-    /// `glove`: with its opacity.
+    /// `glove`: the colour of the glove including its opacity.
     void paintOutline(const ToolView& tool, std::size_t index, const QColor& glove, bool ghost) const;
     QPainterPath backOfHand(const ToolView& tool, std::size_t index) const;
     void paintBands(const ToolView& tool, std::size_t index, bool active) const;

@@ -19,7 +19,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kBeside_mm = 14.0; // of the search area
+constexpr double kBeside_mm = 14.0; // margin beside the search area
 constexpr double kBelow_mm = 24.0;
 constexpr double kAbove_mm = 50.0;
 constexpr double kStep_m = 0.0005;
@@ -49,7 +49,7 @@ QRectF FlatPalpation::rangeSide_mm() const {
 
 double FlatPalpation::groundHeight_m(const SceneState&, double x_m, double y_m) const { return m_surface.heightAt({x_m, y_m}).z_m; }
 
-/// Light from the upper left, once a level.
+/// Shades the relief with light from the upper left, once per level.
 void FlatPalpation::paintRelief() {
     const QRectF range = rangeAbove_mm();
     const QColor bare = tissueColour(tissueLookOf(m_parameters.tissue));
@@ -66,7 +66,7 @@ void FlatPalpation::paintRelief() {
         }
 }
 
-/// Marching squares over a grid of 1 mm.
+/// Finds the contour lines by marching squares on a grid of 1 mm.
 void FlatPalpation::findHeightLines() {
     const QRectF range = rangeAbove_mm();
     const double rise_mm = 1e3 * (m_surface.highest_m() - m_parameters.tissue.shape.planeHeight_m);
@@ -121,7 +121,7 @@ std::vector<core::Vec2> FlatPalpation::profile(const SceneState& state) const {
     std::vector<double> across;
     for (double x = -reach_m; x <= reach_m; x += kStep_m)
         across.push_back(x);
-    for (const Dent& dent : dents) // the touched points themselves
+    for (const Dent& dent : dents) // add the touched points themselves
         across.insert(std::upper_bound(across.begin(), across.end(), dent.p_WSurface.x()), dent.p_WSurface.x());
     std::vector<core::Vec2> points;
     for (const double x : across) {
@@ -134,7 +134,7 @@ std::vector<core::Vec2> FlatPalpation::profile(const SceneState& state) const {
 }
 
 void FlatPalpation::paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
-    SceneState seen = state; // a level that does not show the hand shows no dent of it either
+    SceneState seen = state; // a level that hides the hand hides its dents too
     for (ToolView& tool : seen.tool)
         tool.present = tool.present && setup.cues.tool;
     if (panel.side() == FlatPanel::Side::above)
@@ -184,7 +184,7 @@ void FlatPalpation::paintMap(QPainter& painter, const FlatPanel& panel, const Sc
     painter.drawImage(QRectF(panel.at(-half.x(), half.y()), panel.at(half.x(), -half.y())), mapPicture(*overlay.map, setup, overlay.mapKind));
 }
 
-/// Below the surface, so translucent; one that nobody found has stripes and a broken edge.
+/// Draws the lumps, which are below the surface, as translucent; a missed one has stripes and a dashed edge.
 void FlatPalpation::paintLumps(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const SceneState& state) const {
     const auto& cues = state.exercise.of<simulation::PalpationCues>();
     for (int i = 0; cues.present && i < cues.lumps; ++i) {
@@ -214,7 +214,7 @@ void FlatPalpation::paintFindings(QPainter& painter, const FlatPanel& panel, con
             continue;
         const QPointF foot = panel.project({finding.p_W[0], finding.p_W[1], finding.p_W[2]});
         const bool above = panel.side() == FlatPanel::Side::above;
-        if (above) { // a lump within it counts as found
+        if (above) { // a lump within this circle counts as found
             const double reach = panel.pixels(1e3 * m_parameters.hitRadius_m);
             painter.setBrush(Qt::NoBrush);
             for (const auto& [colour, wide] : {std::pair{setup.colours.background, 4.0}, {setup.colours.ink, 1.8}}) {
@@ -222,7 +222,7 @@ void FlatPalpation::paintFindings(QPainter& painter, const FlatPanel& panel, con
                 painter.drawEllipse(foot, reach, reach);
             }
         }
-        if (above && finding.radius_m > 0.0) { // as big as it was said to be
+        if (above && finding.radius_m > 0.0) { // in the reported size
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(QColor(20, 12, 14), 1.5 * u, Qt::DotLine));
             painter.drawEllipse(foot, panel.pixels(1e3 * finding.radius_m), panel.pixels(1e3 * finding.radius_m));
@@ -264,7 +264,8 @@ void FlatPalpation::paintLegend(QPainter& painter, const FlatPanel& panel, const
     const MapLegend legend = MapLegend::of(setup, state);
     const QRectF plot = panel.plot();
     const double unit = std::min(panel.unit(), 0.55 * plot.height() / legend.size().height());
-    const bool right = state.tool[0].present && drawnTip(state.tool[0]).x() < 0.0; // the corner that the finger leaves free
+    // In the corner away from the finger.
+    const bool right = state.tool[0].present && drawnTip(state.tool[0]).x() < 0.0;
     painter.save();
     painter.translate(right ? plot.right() - legend.size().width() * unit - 6.0 : plot.left() + 6.0, plot.top() + 6.0);
     painter.scale(unit, unit);

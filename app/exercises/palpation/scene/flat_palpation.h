@@ -15,13 +15,15 @@
 
 namespace chiron::scene3d {
 
-/// A tissue from above, with its height lines, map, findings and lumps, and the cut through the finger that presses, with its depth.
+/// A tissue from above, with its contour lines, map, findings and lumps, and the section through the pressing
+/// finger, with its depth.
 class FlatPalpation final : public IFlatContent {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatPalpation)
 
 public:
     explicit FlatPalpation(const simulation::PalpationParameters& parameters);
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::PalpationParameters& parameters, const MarkedScene& scene);
 
     QString name() const override { return tr("Tissue, fingers and findings, from above and from the side"); }
@@ -32,11 +34,12 @@ public:
     GaugeDial forceBar(const SceneSetup& setup, const SceneState& state) const override { return forceDial(setup, state.exercise.of<simulation::PalpationCues>()); }
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
-    /// Where the side's cut goes: through the finger that presses deepest, else the first one, else the middle. m.
+    /// The position of the section, m: through the finger that presses deepest, else through the first
+    /// finger, else through the middle.
     static double cut_m(const SceneState& state, const simulation::TissueSurface& surface);
-    /// The outline of that cut, left to right, with its dents: x and z, metres.
+    /// The outline of that section, left to right, with its dents: x and z, metres.
     std::vector<core::Vec2> profile(const SceneState& state) const;
-    /// Height lines as pairs of points, mm.
+    /// Contour lines as pairs of points, mm.
     const std::vector<QLineF>& heightLines() const { return m_lines; }
     double lineStep_mm() const { return m_lineStep_mm; }
 
@@ -53,7 +56,7 @@ private:
 
     simulation::PalpationParameters m_parameters;
     simulation::TissueSurface m_surface;
-    QImage m_relief; ///< of the range from above
+    QImage m_relief; ///< relief of the area seen from above
     std::vector<QLineF> m_lines;
     double m_lineStep_mm = 2.0;
 };

@@ -13,8 +13,8 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// A cross-section of hand and wrist: how far from the knuckles towards the elbow, where its middle lies across, half its width and
-/// half its thickness.
+/// A cross-section of hand and wrist: its distance from the knuckles towards the elbow, its lateral offset,
+/// half its width and half its thickness.
 struct HandSection {
     double along_mm, across_mm, wide_mm, thick_mm;
 };
@@ -23,11 +23,12 @@ constexpr std::array kHand{HandSection{-9.0, 28.0, 30.0, 3.0},  HandSection{-6.0
                            HandSection{94.0, 24.0, 28.0, 17.5}, HandSection{116.0, 24.0, 28.5, 20.0}, HandSection{150.0, 24.0, 33.0, 25.0},
                            HandSection{154.0, 24.0, 34.5, 26.5}, HandSection{158.0, 24.0, 34.5, 26.5}, HandSection{162.0, 24.0, 32.0, 24.0}};
 constexpr double kSlope_rad = 22.0 * core::kPi / 180.0; ///< the hand rises towards the wrist
-constexpr double kKnuckleY_mm = -72.0;                  ///< of the index finger, where finger_mesh.cpp ends it
+constexpr double kKnuckleY_mm = -72.0;                  ///< of the index finger, where the finger of
+                                                        ///< finger_mesh.cpp ends
 constexpr double kKnuckleZ_mm = 46.0;
 constexpr int kSides = 36;
 
-/// Flatter than an ellipse, as a hand is.
+/// A hand's outline is flatter than an ellipse.
 Section outline(const HandSection& at) {
     Section section;
     for (int i = 0; i < kSides; ++i) {
@@ -38,7 +39,7 @@ Section outline(const HandSection& at) {
     return section;
 }
 
-/// From a body that stands on its knuckles (z towards the elbow) to the finger's frame.
+/// Rotates a body that stands on its knuckles (z towards the elbow) into the finger's frame.
 void layDown(TriangleMesh& mesh, std::size_t first) {
     const double s = std::sin(kSlope_rad), c = std::cos(kSlope_rad);
     const auto turn = [&](float (&v)[3], double y0, double z0) {
@@ -53,7 +54,7 @@ void layDown(TriangleMesh& mesh, std::size_t first) {
     }
 }
 
-/// A finger that is not used, folded so that it clears the tissue.
+/// Adds an unused finger, folded so that it clears the tissue.
 void addFolded(TriangleMesh& mesh, double x_mm, double knuckleY_mm, double size) {
     const auto at = [&](double y_mm, double z_mm, double radius_mm) {
         return SweepRing{{x_mm, knuckleY_mm + size * y_mm, kKnuckleZ_mm + size * z_mm}, size * radius_mm, 1.0};
@@ -74,7 +75,8 @@ void mirror(TriangleMesh& mesh) {
         vertex.normal[0] = -vertex.normal[0];
     }
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]); // outside stays outside
+        // Mirroring reversed the orientation of the triangles; this restores it.
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr double kMargin = 12.0;
-constexpr double kMostHigh = 0.45; // of the picture
+constexpr double kMostHigh = 0.45; // largest height, as a fraction of the picture's
 
 TriangleMesh unitSquare() {
     TriangleMesh mesh;

@@ -17,7 +17,7 @@ public:
     MapCard(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
-    /// The picture's size in device pixels, and device pixels a logical one.
+    /// The size of the picture in device pixels, and the device pixels per logical pixel.
     void setPicture(const QSize& size_px, double ratio);
     void show(const SceneState& state, bool shown);
 

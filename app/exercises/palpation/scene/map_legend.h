@@ -17,17 +17,17 @@ class QRectF;
 
 namespace chiron::scene3d {
 
-/// The card that says what the map on the tissue means, in newtons, with the share that was searched. Logical pixels at scale 1,
-/// from the upper left corner; the same in 3D and flat.
+/// The card that explains the map on the tissue, in newtons, with the searched share. Coordinates are logical
+/// pixels at scale 1 from the upper left corner; 3D and flat pictures use the same card.
 class MapLegend {
 public:
     MapLegend(const SceneSetup& setup, simulation::SurfaceMapKind kind, int percent);
-    /// What a state asks for; `percent` < 0: it does not say.
+    /// The legend for a state; `percent` < 0: the share is not shown.
     static MapLegend of(const SceneSetup& setup, const SceneState& state);
 
     void paint(QPainter& painter) const;
     QSizeF size() const;
-    /// Whether another one has to be painted.
+    /// Equal legends need no repainting.
     bool operator==(const MapLegend& other) const { return m_kind == other.m_kind && m_percent == other.m_percent; }
 
 private:

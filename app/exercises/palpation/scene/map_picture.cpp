@@ -25,7 +25,7 @@ QColor between(const QColor& from, const QColor& to, double share, double opacit
 
 QRgb plain(const QColor& colour) { return qRgba(colour.red(), colour.green(), colour.blue(), colour.alpha()); }
 
-/// One row of cells as bytes of steps, so that neighbours are compared without asking the map again.
+/// The step of every cell, so that neighbours can be compared without querying the map again.
 using Steps = std::array<std::array<MapBand, SurfaceMap::kColumns>, SurfaceMap::kRows>;
 
 Steps stepsOf(const SurfaceMap& map, const simulation::MapBands& bands) {
@@ -36,7 +36,8 @@ Steps stepsOf(const SurfaceMap& map, const simulation::MapBands& bands) {
     return steps;
 }
 
-/// Whether this pixel (x, y from the lower left) lies at the border between what was searched and what was not.
+/// True if this pixel (x, y from the lower left) lies at the border between the searched and the unsearched
+/// area.
 bool atBorder(const Steps& steps, int x, int y) {
     const int column = x / kMapPixels;
     const int row = y / kMapPixels;
@@ -91,7 +92,8 @@ QColor mapColour(const SceneColours& colours, SurfaceMapKind kind, MapBand band)
 }
 
 QColor mapHatch(const SceneColours& colours, bool over) {
-    QColor line = over ? colours.background : colours.highContrast ? QColor(Qt::black) : QColor(54, 20, 22); // on tissue
+    // Colours that are visible on tissue.
+    QColor line = over ? colours.background : colours.highContrast ? QColor(Qt::black) : QColor(54, 20, 22);
     line.setAlphaF(over ? 0.95F : 0.62F);
     return line;
 }

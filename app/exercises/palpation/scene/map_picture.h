@@ -11,19 +11,21 @@
 
 namespace chiron::scene3d {
 
-/// The level's edges of a map's steps.
+/// The boundaries between the steps of the level's map.
 simulation::MapBands mapBandsOf(const SceneSetup& setup);
 
-/// A step's colour over tissue, with its opacity: one hue from the background to the theme's accent.
+/// The colour of a step over the tissue, with its opacity: one hue from the background to the theme's accent.
 QColor mapColour(const SceneColours& colours, simulation::SurfaceMapKind kind, simulation::MapBand band);
 
-/// What was not searched is hatched (this line's colour), what was pressed too hard hatched the other way.
+/// The colour of the hatching: unsearched areas are hatched, and areas that were pressed too hard are hatched
+/// in the other direction.
 QColor mapHatch(const SceneColours& colours, bool over);
 
-inline constexpr int kMapPixels = 4; ///< a cell, each way
+inline constexpr int kMapPixels = 4; ///< pixels per cell in each direction
 
-/// The map as a translucent picture over the search area, x to the right, y up: steps, hatching, a line round what was searched,
-/// and faintly the regions. Not premultiplied. Pure; about 0.2 ms.
+/// The map as a translucent picture over the search area, x to the right, y up: steps, hatching, an outline
+/// of the searched area, and the regions as faint lines. The alpha is not premultiplied. Pure function; takes
+/// about 0.2 ms.
 QImage mapPicture(const simulation::SurfaceMap& map, const SceneSetup& setup, simulation::SurfaceMapKind kind);
 
 } // namespace chiron::scene3d

@@ -18,11 +18,12 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kElevation_rad = 57.0 * core::kPi / 180.0; // so steep that the area beyond a finger is seen
-constexpr double kOpening_m = 0.010;                        // of the drape beyond the field, as SceneStage has it
+constexpr double kElevation_rad = 57.0 * core::kPi / 180.0; // steep enough to show the area beyond a finger
+constexpr double kOpening_m = 0.010;                        // of the drape beyond the field, as in SceneStage
 constexpr double kUnderDrape_m = 0.0125;
 
-/// r, g, b of pale and deep places; pale.w: vessels, deep.w: wet; grain of the film.
+/// Colours (r, g, b) of pale and deep tissue; pale.w: vessels, deep.w: wetness; grain: roughness of the wet
+/// film.
 struct Paint {
     QVector4D pale;
     QVector4D deep;
@@ -190,7 +191,8 @@ void PalpationContent::showLumps(const SceneState& state) {
         const simulation::LumpCue& lump = state.exercise.of<simulation::PalpationCues>().lump[std::size_t(i)];
         const bool missed = (state.overlay.of<PalpationOverlay>().lumpsMissed >> i & 1) != 0;
         const core::Vec3 centre(lump.p_W[0], lump.p_W[1], lump.p_W[2]);
-        const core::Vec3 above = m_surface.nearest(centre, centre.head<2>()).p_W; // where it is felt and marked: drawn at its depth, it would be seen beside that place
+        // Where it is felt and marked: drawn at its own depth, it would appear beside that point.
+        const core::Vec3 above = m_surface.nearest(centre, centre.head<2>()).p_W;
         lumps[i / 3].setColumn(i % 3, QVector4D(toMillimetres(above), float((missed ? -1e3 : 1e3) * lump.radius_m)));
     }
     m_lumpsNear->setValue(lumps[0]);

@@ -12,7 +12,8 @@
 
 namespace chiron::scene3d {
 
-/// A tissue in the opening of the drape, the fingers that search it, what they reported, and what is known of where they were.
+/// A tissue in the opening of the drape, the fingers that search it, the findings, and the map of where the
+/// fingers were.
 class PalpationContent final : public ISceneContent {
 public:
     PalpationContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
@@ -61,8 +62,8 @@ private:
     FindingPins* m_pins;
     GhostFinger* m_ghost;
     std::array<Finger*, core::kMaxTools> m_fingers{};
-    int m_tools = 0; ///< fingers that throw a shadow
-    int m_lumps = 0; ///< that are drawn
+    int m_tools = 0; ///< number of fingers that cast a shadow
+    int m_lumps = 0; ///< number of lumps drawn
     bool m_mapShown = false;
     bool m_mapPainted = false;
     bool m_warm = false;

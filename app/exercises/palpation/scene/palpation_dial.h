@@ -6,7 +6,7 @@
 
 namespace chiron::scene3d {
 
-/// The force bar with how hard to press, where the level shows it. Pure.
+/// The force bar, with the target band if the level shows it. Pure function.
 inline GaugeDial forceDial(const SceneSetup& setup, const simulation::PalpationCues& cues) {
     GaugeDial dial = forceDial(setup);
     if (cues.present && cues.bandShown) {

@@ -12,13 +12,15 @@ class SurfaceMap;
 
 namespace chiron::scene3d {
 
-/// What a palpation's screens add to the scene: the map of what was searched and, looking back, what became of each finding.
+/// The additions of a palpation's screens to the scene: the map of the searched surface and, in review, the
+/// outcome of each finding.
 struct PalpationOverlay {
-    const simulation::SurfaceMap* map = nullptr; ///< where was pressed and how hard; owned by the caller, read during show()
-    std::uint32_t mapStep = 0;                   ///< changes whenever the map did
+    const simulation::SurfaceMap* map = nullptr; ///< where and how hard the tissue was pressed; owned by the
+                                                 ///< caller, read during show()
+    std::uint32_t mapStep = 0;                   ///< changes whenever the map changes
     simulation::SurfaceMapKind mapKind = simulation::SurfaceMapKind::coverage;
     std::array<simulation::FindingOutcome, simulation::kMaxFindings> outcome{}; ///< of each finding
-    std::uint8_t lumpsMissed = 0;                ///< one bit a lump of the cues that nobody found
+    std::uint8_t lumpsMissed = 0;                ///< one bit per lump of the cues that was not found
 };
 
 } // namespace chiron::scene3d

@@ -12,7 +12,7 @@ constexpr double kAreola_m = 0.017;
 
 TissueLook tissueLookOf(const simulation::TissueParameters& tissue) {
     const std::string first = tissue.layers.empty() ? std::string() : tissue.layers.front().name;
-    if (first == "skin" || first == "fat") // fat lies below skin
+    if (first == "skin" || first == "fat") // fat is covered by skin
         return TissueLook::skin;
     return first == "silicone" || tissue.shape.bumps.empty() ? TissueLook::pad : TissueLook::gland;
 }

@@ -11,9 +11,9 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr double kStep_m = 0.0016;
-constexpr double kLift_m = 0.00025;      // of a ribbon, so that it is never half below
-constexpr double kReachPerPad = 1.9;     // of a dent
-constexpr double kShadePerCurve_m = 0.003; // how much a hollow darkens
+constexpr double kLift_m = 0.00025;      // lift of a ribbon, so that no half of it lies below the surface
+constexpr double kReachPerPad = 1.9;     // radius of a dent, relative to that of the pad
+constexpr double kShadePerCurve_m = 0.003; // darkening of a hollow per curvature
 constexpr std::uint32_t kNone = 0xffffffffU;
 
 MeshVertex vertexOn(const simulation::TissueSurface& surface, const core::Vec2& xy_m, double lift_m) {
@@ -71,7 +71,9 @@ TriangleMesh areaMesh(const simulation::TissueSurface& surface, const core::Vec2
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
             mesh.vertices.push_back(vertexOn(surface, unit.cwiseProduct(half_m + out), kLift_m));
             mesh.vertices.push_back(vertexOn(surface, unit.cwiseProduct(half_m - out), kLift_m));
-            if (i > 0) // seen from above, counter-clockwise: outside is to the right of the way round
+            // Counter-clockwise as seen from above: the outer edge is to the right of the direction of
+            // travel.
+            if (i > 0)
                 for (const std::uint32_t index : {first - 2, first, first + 1, first - 2, first + 1, first - 1})
                     mesh.indices.push_back(index);
         }

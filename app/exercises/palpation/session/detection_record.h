@@ -11,30 +11,32 @@
 
 namespace chiron::session {
 
-/// Which sessions of palpation are pooled: completed ones of one person and device class, no familiarisation.
+/// The palpation sessions to pool: completed ones of one person and one device class, without
+/// familiarisation.
 struct DetectionQuery {
     database::PersonId person = 0;
-    int level = 0;            ///< 0: all levels, however hard, whose lumps are hidden
+    int level = 0;            ///< 0: all levels whose lumps are hidden, whatever their difficulty
     bool felt = true;         ///< device class: felt and shown are never pooled
-    std::string operatorName; ///< empty: the person's own hand
+    std::string operatorName; ///< empty: sessions done by the person's own hand
 };
 
-/// A person's detection over sessions.
+/// A person's detection results pooled over sessions.
 struct PooledDetection {
     int sessions = 0;
     int trials = 0;
-    int unjudged = 0; ///< trials whose recording does not tell all reports, or the truth: left out
+    int unjudged = 0; ///< trials left out because their recording lacks reports or the truth
     scoring::RatingCounts ratings;
 
     core::DetectionCounts counts() const noexcept { return ratings.counts(); }
 };
 
-/// Whether sessions of this level tell how well lumps are felt: not where a research control acts, and for `level` 0 not where the lumps
-/// are drawn. Pure.
+/// True if sessions of this level measure how well lumps are felt. False for levels with a research control,
+/// and, if `level` is 0, for levels that draw the lumps. Pure function.
 bool tellsDetection(const catalogue::ExerciseLevel& level, const DetectionQuery& query);
 
-/// Opens each session that `actor` may see and judges its trials from the recording (`scoring::judgePalpation`): about a second a
-/// session of ten minutes, so on a worker. Failure: the reader's; cancelled.
+/// Opens each session that `actor` may see and judges its trials from the recording
+/// (`scoring::judgePalpation`). Takes about one second for a session of ten minutes, so call it on a worker.
+/// Errors: those of the reader; cancelled.
 core::Result<PooledDetection> detectionOf(database::Connection& connection, const database::Actor& actor, const DetectionQuery& query,
                                           const ReadProgress& progress = {});
 

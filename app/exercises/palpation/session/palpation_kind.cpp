@@ -64,7 +64,7 @@ operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_v
     const auto& p = parametersOf(level);
     operators::PalpationBriefing briefing;
     briefing.surface = p.tissue.shape;
-    briefing.normal = p.tissue.regions; // the level's text says so
+    briefing.normal = p.tissue.regions; // the level's text names them
     briefing.areaHalf_m = p.areaHalf_m;
     briefing.hands = p.hands;
     briefing.fingers = p.fingers;
@@ -74,7 +74,7 @@ operators::PalpationBriefing briefingOf(const PalpationKind& kind, std::string_v
     briefing.asksSize = p.asksSize;
     briefing.asksHardness = p.asksHardness;
     briefing.asksConfidence = p.asksConfidence;
-    const bool oneArm = mechanism == kind.mechanism(); // of each hand, on which all its fingers are
+    const bool oneArm = mechanism == kind.mechanism(); // one arm per hand carries all its fingers
     for (int tool = 0; tool < p.tools(); ++tool)
         briefing.places.push_back(places[static_cast<std::size_t>(oneArm ? tool - tool % std::max(1, p.fingers) : tool)]);
     return briefing;
@@ -91,7 +91,7 @@ void addLump(const simulation::TissueSurface& surface, const simulation::Lump& l
     truth.push_back({name + "_hardness", static_cast<double>(hardness)});
 }
 
-/// Whether the control moved this trial's lumps: the scene said so.
+/// True if the research control moved this trial's lumps; the scene recorded this.
 bool wasMoved(const scoring::TrialTrace& trial) {
     for (const scoring::QuantityTrace& quantity : trial.quantities)
         if (quantity.id == "lumps_moved")
@@ -121,7 +121,7 @@ devices::WorkspaceMapping PalpationKind::toolPlace(const catalogue::ExerciseLeve
     return place;
 }
 
-// A finger that is about to palpate rests just above the skin.
+// A finger that is about to palpate starts just above the skin.
 std::optional<double> PalpationKind::pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const {
     constexpr double kAbove_m = 0.005;
     return simulation::TissueSurface(parametersOf(level).tissue.shape).pointAt({x_m, y_m}).z() + kAbove_m;
@@ -145,7 +145,7 @@ std::vector<core::QuantityDescription> PalpationKind::quantities(const catalogue
 
 std::unique_ptr<simulation::IScene> PalpationKind::makeScene(const SessionSetup& setup) const {
     simulation::PalpationParameters parameters = parametersOf(setup.level);
-    parameters.cues = cueWordsOf(setup.level, setup.felt()); // what cannot be felt is shown
+    parameters.cues = cueWordsOf(setup.level, setup.felt()); // if force cannot be felt, it is shown
     return std::make_unique<simulation::PalpationScene>(parameters, setup.seed);
 }
 
@@ -222,7 +222,8 @@ std::unique_ptr<TrialSurfaces> PalpationKind::makeSurfaces(const catalogue::Exer
 }
 
 core::Result<void> PalpationKind::addMarks(const SessionSetup&, const scoring::SessionTrace* trace, PlaybackTrack& track) const {
-    // Movement and force do not depend on what was found: where it cannot be told, the track goes without.
+    // Movement and force do not depend on the findings: if these cannot be read, the track is used without
+    // them.
     if (const auto outcomes = palpationOutcomes(*trace))
         addPalpationMarks(track, *outcomes);
     return {};
@@ -237,7 +238,8 @@ void PalpationKind::addAnswerEvents(const scoring::TrialTrace& trial, const data
         events.addFrom(answer.reports[report].t_s, "false_alarm",
                        "{\"trial\":" + std::to_string(trial.trial) + ",\"finding\":" + std::to_string(answer.reports[report].finding + 1) + "}");
     if (!trial.completed && !trial.timedOut)
-        return; // of a search that was broken off nobody knows what it would have found
+        // For an aborted search, it is unknown what it would have found.
+        return;
     for (std::size_t lump = 0; lump < answer.truth.lumps.size(); ++lump)
         if (scoring::foundBy(answer.matches, static_cast<int>(lump)) == nullptr)
             events.addAt(record.lastTick, "lump_missed", trial.trial);

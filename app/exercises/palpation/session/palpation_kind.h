@@ -5,21 +5,23 @@
 
 namespace chiron::session {
 
-/// Palpation: lumps to be found in a tissue (P3; models.md §3). One tool is one finger.
+/// Palpation: finding lumps in a tissue (P3; models.md §3). One tool is one finger.
 class PalpationKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "palpation"; }
     std::string_view mechanism() const noexcept override { return "fingertip_arm"; }
     std::vector<std::string_view> mechanisms() const override { return {"fingertip_arm", "gimbal_hprd"}; }
-    bool traceEndIsMark() const noexcept override { return false; } ///< a mark is one finding of several
+    bool traceEndIsMark() const noexcept override { return false; } ///< a mark is one of several findings
     FingersOfHand fingers(const catalogue::ExerciseLevel& level) const override;
-    double fingerJaw_rad(const catalogue::ExerciseLevel& level) const override; ///< where the level has a pinch
+    double fingerJaw_rad(const catalogue::ExerciseLevel& level) const override; ///< for levels with a pinch
     int toolCount(const catalogue::ExerciseLevel& level) const override;
-    /// Two hands come from the right (tool 0 on) and the left, over the middles of the two halves of the search area; a hand's
-    /// second finger is beside its first, along +x (a right hand's middle finger, a left hand's index); one hand is over the middle. On P3's arm both are on the first one's.
+    /// Two hands come from the right (tool 0 on) and from the left, over the middles of the two halves of the
+    /// search area; a single hand is over the middle. A hand's second finger is beside its first, along +x (a
+    /// right hand's middle finger, a left hand's index finger). On P3's arm both fingers of a hand are at the
+    /// position of the first one.
     devices::WorkspaceMapping toolPlace(const catalogue::ExerciseLevel& level, int tool) const override;
     std::optional<double> pointerStart_m(const catalogue::ExerciseLevel& level, double x_m, double y_m) const override;
-    /// As simulation::palpation_quantity.
+    /// In the order of simulation::palpation_quantity.
     std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
     bool recordsEnergy(const catalogue::ExerciseLevel&) const override { return true; }
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
@@ -36,18 +38,21 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// lumps, and of each lump_<i>_x_m, lump_<i>_y_m, lump_<i>_z_m (the surface point above it), lump_<i>_depth_m,
-    /// lump_<i>_radius_m, lump_<i>_hardness; area_half_x_m, area_half_y_m, region_columns, region_rows, hit_radius_m, band_low_N,
-    /// band_high_N, cover_force_N, asks_size, asks_hardness. Where a control moved the lumps (lumps_moved), their new places.
+    /// lumps, and for each lump lump_<i>_x_m, lump_<i>_y_m, lump_<i>_z_m (the surface point above it),
+    /// lump_<i>_depth_m, lump_<i>_radius_m, lump_<i>_hardness; area_half_x_m, area_half_y_m, region_columns,
+    /// region_rows, hit_radius_m, band_low_N, band_high_N, cover_force_N, asks_size, asks_hardness. If a
+    /// research control moved the lumps (lumps_moved), their new positions.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
-    /// The tissue's surface; the object of a trial is its lumps, in the middle of the search area.
+    /// The tissue's surface. The object of a trial is the set of its lumps, placed at the middle of the
+    /// search area.
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
     core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
-    /// "false_alarm" (where a finding was marked that found no lump; detail: finding, from 1) and "lump_missed" (at the end of a trial
-    /// that came to one).
+    /// "false_alarm" (at the time of a finding that matched no lump; detail: finding, from 1) and
+    /// "lump_missed" (at the end of a trial that was completed).
     void addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const override;
-    /// A session lasts ten minutes and more: nobody who learns does one, and no operator all levels.
+    /// A session lasts ten minutes or more, so the learning trainee does none, and no operator does all
+    /// levels.
     DemoPart demoPart(int level) const override { return {.ofWhoCan = level <= 2, .ofOperators = level <= 2}; }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;

@@ -19,14 +19,14 @@ PlaybackMark markAt(const PlaybackTrack& track, int trial, double t_s, PlaybackM
     return mark;
 }
 
-/// Whether the report begins a finding that stayed until the end and found nothing.
+/// True if the report started a finding that remained until the end and matched no lump.
 bool isFalseAlarm(const scoring::PalpationAnswer& answer, std::size_t report) {
     const int finding = answer.reports[report].finding;
     if (answer.reports[report].field != core::ReportField::found)
         return false;
     for (std::size_t later = report + 1; later < answer.reports.size(); ++later)
         if (answer.reports[later].finding == finding && answer.reports[later].field == core::ReportField::found)
-            return false; // taken back, and the number used again
+            return false; // taken back, and its number was reused
     return std::any_of(answer.matches.begin(), answer.matches.end(),
                        [finding](const scoring::FindingMatch& match) { return match.finding == finding && !match.hit(); });
 }
@@ -59,7 +59,7 @@ void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> o
         addReports(track, record);
         const PlaybackTrial* trial = track.trial(record.trial);
         if (trial == nullptr || !(record.completed || record.timedOut))
-            continue; // of a search that was broken off nobody knows what it would have found
+            continue; // for an aborted search, it is unknown what it would have found
         for (std::size_t lump = 0; lump < record.answer.truth.lumps.size(); ++lump)
             if (scoring::foundBy(record.answer.matches, static_cast<int>(lump)) == nullptr)
                 track.marks.push_back(markAt(track, record.trial, trial->end_s, PlaybackMarkKind::lumpMissed));

@@ -10,12 +10,13 @@
 
 namespace chiron::session {
 
-/// Which of a trial's reports, by index, began a finding that was there at the end and found no lump.
+/// Indices of the trial's reports that started a finding which existed at the end and matched no lump.
 std::vector<std::size_t> falseAlarmReports(const scoring::PalpationAnswer& answer);
 
-/// Adds to a track what happened in its palpations: findings marked and taken back, a finding that is there at the trial's end and
-/// found no lump as a false alarm where it was marked, and at the end of a trial that came to one each lump that was missed. The
-/// same list as the scores' (PalpationOutcome::answer). Marks stay in the order of time. Pure.
+/// Adds the events of the palpations to a track: findings marked and taken back; as a false alarm at the time
+/// of its mark, a finding that existed at the trial's end and matched no lump; and, at the end of a completed
+/// trial, each missed lump. Uses the same list as the scores (PalpationOutcome::answer). Marks stay in the
+/// order of time. Pure function.
 void addPalpationMarks(PlaybackTrack& track, std::span<const PalpationOutcome> outcomes);
 
 } // namespace chiron::session

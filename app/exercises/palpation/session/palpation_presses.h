@@ -13,8 +13,11 @@
 
 namespace chiron::session {
 
-/// Recorded poses and forces of the fingers -> the map of what was pressed, at the nearest surface points: the scene's own contact
-/// points under the contact law `anchored`, not under `p3_recast` (the ray's). One trial each. W, m, N.
+/// Builds the map of what was pressed from recorded poses and forces of the fingers. A press is entered at
+/// the surface point nearest to the finger, which is the scene's own contact point under the contact law
+/// `anchored`, but not under `p3_recast` (whose contact point is the ray's). Use one object per trial.
+/// Unit: m, N.
+/// Frame: W.
 class PalpationPresses {
 public:
     explicit PalpationPresses(const simulation::PalpationParameters& level)
@@ -23,7 +26,8 @@ public:
     void press(std::size_t finger, const core::Vec3& p_WT, const core::Vec3& tissue_N) {
         if (finger >= m_guess_m.size() || !p_WT.allFinite() || !tissue_N.allFinite())
             return;
-        if (tissue_N.squaredNorm() == 0.0) { // in the air: the next touch begins below it
+        // In the air: the search for the next contact starts below the finger.
+        if (tissue_N.squaredNorm() == 0.0) {
             m_guess_m[finger].reset();
             return;
         }
@@ -37,7 +41,7 @@ public:
 private:
     simulation::TissueSurface m_surface;
     simulation::SurfaceMap m_map;
-    std::array<std::optional<core::Vec2>, core::kMaxTools> m_guess_m; ///< where each finger touched last
+    std::array<std::optional<core::Vec2>, core::kMaxTools> m_guess_m; ///< last contact point of each finger
 };
 
 } // namespace chiron::session

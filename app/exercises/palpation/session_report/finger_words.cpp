@@ -21,7 +21,8 @@ EndWords palpationEnds() {
 }
 
 QString fingerName(int tool, int hands, int fingers) {
-    // A hand's second finger is on the right of its first (PalpationKind::toolPlace): of a left hand, palm down, that is the index.
+    // A hand's second finger is to the right of its first (PalpationKind::toolPlace); on a left hand, palm
+    // down, this is the index finger.
     const bool left = hands > 1 && tool / std::max(fingers, 1) > 0;
     const bool middle = fingers > 1 && (tool % fingers == 1) != left;
     if (hands < 2)

@@ -6,7 +6,7 @@
 namespace chiron::session_report {
 
 EndWords palpationEnds();
-/// Which finger tool `tool` is: "Right index finger"; of one alone "Finger".
+/// The name of the finger that tool `tool` is: "Right index finger"; "Finger" if there is only one.
 QString fingerName(int tool, int hands, int fingers);
 QString fingerNameOf(const catalogue::ExerciseLevel& level, int tool, int tools);
 

@@ -12,13 +12,13 @@
 
 namespace chiron::session_report {
 
-/// What a report tells of one trial of a palpation.
+/// The report's content for one palpation trial.
 report::PalpationTrialReport palpationTrialOf(const session::PalpationTrialRecord& record, const simulation::PalpationParameters& level);
 
-/// Nothing for other exercises, and where the recording does not tell what was reported: the metrics say so then.
+/// Empty for other exercises, and if the recording does not contain the reports; the metrics state this.
 std::optional<report::PalpationReport> palpationReportOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// The section of a report; null where palpationReportOf() gives nothing. Pure.
+/// The section of a report; null if palpationReportOf() is empty. Pure function.
 std::shared_ptr<const report::ReportSection> palpationSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
 } // namespace chiron::session_report

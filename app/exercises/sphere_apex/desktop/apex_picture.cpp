@@ -9,7 +9,7 @@
 namespace chiron::desktop {
 
 void ApexPicture::paint(QPainter& painter) const {
-    // The field is 130 mm wide; the picture shows the middle 100 of them.
+    // The field is 130 mm wide; the picture shows the middle 100 mm.
     const double perMetre = width() / 0.100;
     const double ball = m_ball.radius_m * perMetre;
     const QPointF centre(width() * 0.5, height() * 0.80);
@@ -23,7 +23,7 @@ void ApexPicture::paint(QPainter& painter) const {
 }
 
 void ApexPicture::paintBall(QPainter& painter, QPointF centre, double radius) const {
-    QPainterPath dome; // a hemisphere on the field, seen a little from above
+    QPainterPath dome; // a hemisphere on the field, seen slightly from above
     dome.moveTo(centre.x() - radius, centre.y());
     dome.arcTo(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius), 180, -180);
     dome.arcTo(QRectF(centre.x() - radius, centre.y() - radius * 0.22, 2 * radius, radius * 0.44), 0, -180);

@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-/// The ball in its true proportions, dashed where it is not shown, its dimple where it has one, and the instrument on its apex.
+/// The ball to scale (dashed if the level hides it), its dimple if it has one, and the instrument on its
+/// apex.
 class ApexPicture final : public LevelPicture {
 public:
     ApexPicture(const simulation::SphereApexParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_ball(level) {}

@@ -50,7 +50,8 @@ std::unique_ptr<LivePart> SphereApexFace::livePart(const catalogue::ExerciseLeve
     return std::make_unique<PointPart>(level, std::move(around));
 }
 
-// As a mark is scored: across, from the line through the ball's centre, and of one in contact alone.
+// Uses the same error as the scores: the lateral distance from the axis through the ball's centre, for marks
+// in contact only.
 QString SphereApexFace::markWords(const session::TrialObject& truth, const session::LiveSample& at, const QLocale& locale) const {
     const double beside_m =
         std::hypot(static_cast<double>(at.p_WT_m[0]) - truth.p_WObject.x(), static_cast<double>(at.p_WT_m[1]) - truth.p_WObject.y());

@@ -11,7 +11,7 @@ namespace chiron::report {
 
 namespace {
 
-constexpr int kLateShape = 2; // of addGroupMarkers: neither a mark's nor a miss's
+constexpr int kLateShape = 2; // group of addGroupMarkers for timeouts: different from marks and misses
 
 } // namespace
 

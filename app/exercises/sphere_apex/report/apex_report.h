@@ -14,20 +14,24 @@ class PlotView;
 
 /// Signed error of one mark, in % of the sphere's radius (models.md §2.3).
 struct ApexError {
-    int trial = 0; ///< 0-based; people see it 1-based
+    int trial = 0; ///< 0-based; displayed 1-based
     double x_percent = 0.0;
     double y_percent = 0.0;
-    bool miss = false; ///< marked out of contact or farther than R: kept, drawn differently
+    bool miss = false; ///< marked out of contact or farther away than R: kept, but drawn differently
     bool timedOut = false;
 };
 
-/// The errors of a session's marks. Each makes a new view (GUI thread); without errors an empty plot with a note.
-/// P2's figure 4, "% Error In Locating Virtual Spheres": where the marks lie within the sphere's outline ...
+/// The errors of a session's marks. Each function creates a new view; without errors it is an empty plot with
+/// a note.
+/// Thread: GUI.
+///
+/// P2's figure 4, "% Error In Locating Virtual Spheres": the positions of the marks within the sphere's
+/// outline.
 std::unique_ptr<PlotView> apexScatterPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
-/// ... and the signed error in x and y of each trial.
+/// The signed error in x and y of each trial.
 std::unique_ptr<PlotView> apexTrialPlot(const std::vector<ApexError>& errors, const PlotTheme& theme);
 
-/// How far each answer lay from the apex; without any, that no trial was marked.
+/// The distance of each answer from the apex; without answers, a statement that no trial was marked.
 class ApexSection final : public ReportSection {
 public:
     explicit ApexSection(std::vector<ApexError> errors) : m_errors(std::move(errors)) {}

@@ -14,7 +14,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// The cover: the drape's colour, a little lighter, so that field and cover are told apart.
+/// The cover has the drape's colour, slightly lighter, so that field and cover can be distinguished.
 QVector4D coverColour(const SceneColours& colours) {
     if (!colours.highContrast)
         return toTint(colours.field.lighter(108));
@@ -93,8 +93,8 @@ void ApexContent::showTips(const SceneState& state) {
             continue;
         const int column = tools++;
         tips.setColumn(column, QVector4D(toMillimetres(drawnTip(tool)), 1.0F));
-        // The surface gives way to the hand; where nothing is felt the tip stays on it and presses the blood
-        // away.
+        // The surface is dented by the hand. If no force is felt, the tip stays on the surface and blanches
+        // the tissue.
         const Dent dent = m_surface.dentUnder(tool);
         if (!tool.drawnAtSurface) {
             places.setColumn(column, QVector4D(toMillimetres(dent.p_WSurface), float(dent.depth_m * 1e3)));

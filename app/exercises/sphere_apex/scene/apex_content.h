@@ -8,8 +8,8 @@
 
 namespace chiron::scene3d {
 
-/// The hemisphere on its plane, or the cover over it: one entity, whose triangles change with the trial only;
-/// the tips move it in the vertex shader.
+/// The hemisphere on its plane, or the cover over it. It is one entity whose triangles change only with the
+/// trial; the vertex shader displaces it under the tips.
 class ApexContent final : public ISceneContent {
 public:
     ApexContent(const SceneSetup& setup, SharedLight& light, Qt3DCore::QEntity* parent);
@@ -37,9 +37,9 @@ private:
     Qt3DRender::QParameter* m_presses;
     Qt3DRender::QParameter* m_plain;
     SharedLight& m_light;
-    int m_tools = 0; ///< tips that are drawn
+    int m_tools = 0; ///< number of tips drawn
     Part* m_part = nullptr;
-    bool m_warm = false; ///< the look that is not shown is loaded too
+    bool m_warm = false; ///< the look that is not shown is loaded as well
 };
 
 } // namespace chiron::scene3d

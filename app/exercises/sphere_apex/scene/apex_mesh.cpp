@@ -15,7 +15,7 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr int kSpokes = 120;
 constexpr int kBallRings = 24;
 constexpr int kPlaneRings = 26;
-constexpr double kCreaseShade_m = 0.009; // how far the corner between ball and plane keeps light away
+constexpr double kCreaseShade_m = 0.009; // distance up to which the corner between ball and plane is shaded
 
 class MeshMaker {
 public:
@@ -48,7 +48,7 @@ private:
         m_mesh.vertices.push_back(v);
     }
 
-    /// Joins the ring that begins at `inner` with the one at `outer`.
+    /// Joins two rings of vertices, given by the index of their first vertex.
     void join(std::uint32_t inner, std::uint32_t outer) {
         for (std::uint32_t i = 0; i < kSpokes; ++i) {
             const std::uint32_t next = (i + 1) % kSpokes;
@@ -60,7 +60,8 @@ private:
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(m_mesh.vertices.size()); }
 
-    /// The texture runs along the surface from the apex, so that it is not stretched over the flank.
+    /// Texture coordinates are distances along the surface from the apex, so that the texture is not
+    /// stretched on the flank.
     core::Vec2 along(const core::Vec2& direction, double distance_m) const {
         return m_surface.ball.centre_m + distance_m * direction;
     }
@@ -85,10 +86,11 @@ private:
         }
     }
 
-    /// The triangles that are felt, turned and put in place; those under the plate and beyond the field are left out.
+    /// Adds the triangles that are felt, turned and moved into position, except those under the plate and
+    /// beyond the field.
     void dome() {
         const auto shape = simulation::makeMeshShape(*m_surface.mesh);
-        if (!shape) { // a level whose mesh cannot be made is refused by the catalogue
+        if (!shape) { // the catalogue refuses levels whose mesh cannot be made
             ball();
             return;
         }
@@ -142,14 +144,15 @@ private:
         return 1.0 - 0.55 * near * near;
     }
 
-    /// From the rim of the ball (or from the middle, under the cover) to the edge of the field.
+    /// Adds the plane from the rim of the ball (or from the middle, under the cover) to the edge of the
+    /// field.
     void plane() {
         const double rim_m = !m_surface.shown ? 0.0 : m_surface.mesh ? m_surface.mesh->plateRadius_m : m_surface.ball.radius_m;
         const core::Vec2 centre = m_surface.shown ? m_surface.ball.centre_m : core::Vec2(0.0, 0.0);
         std::uint32_t before = 0;
         for (int ring = 0; ring <= kPlaneRings; ++ring) {
             const double t = static_cast<double>(ring) / kPlaneRings;
-            const double share = 0.45 * t + 0.55 * t * t; // finer at the rim, where the tip is busy
+            const double share = 0.45 * t + 0.55 * t * t; // finer near the rim, where the tip works
             const std::uint32_t first = size();
             for (int i = 0; i < kSpokes; ++i) {
                 const core::Vec2 out = spoke(i);
@@ -166,7 +169,7 @@ private:
         }
     }
 
-    /// How far the edge of the field is from `from` in the unit direction `out`.
+    /// The distance from `from` to the edge of the field in the unit direction `out`.
     double toEdge(const core::Vec2& from, const core::Vec2& out) const {
         const double along = from.dot(out);
         const double rest = m_surface.fieldRadius_m * m_surface.fieldRadius_m - from.squaredNorm();

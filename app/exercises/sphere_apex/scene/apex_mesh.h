@@ -7,9 +7,9 @@
 
 namespace chiron::scene3d {
 
-/// The triangles of the surface: rings round the ball's axis, 1.3 mm apart on the ball, wider on the plane;
-/// every vertex lies on the felt surface. Hidden: the plain disc, the same for every state. Pure; allocates;
-/// about 1 ms.
+/// The triangles of the surface: rings round the ball's axis, 1.3 mm apart on the ball, wider on the plane.
+/// Every vertex lies on the felt surface. A hidden ball gives the plain disc, the same for every state. Pure
+/// function; allocates; takes about 1 ms.
 TriangleMesh apexMesh(const ApexSurface& surface);
 
 } // namespace chiron::scene3d

@@ -11,7 +11,7 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr double kMargin_m = 0.013; // tissue that shows round the workspace, and a little under the drape
+constexpr double kMargin_m = 0.013; // tissue visible round the workspace, and a little under the drape
 }
 
 ApexSurface ApexSurface::of(const simulation::SphereApexParameters& parameters, const SceneState& state) {
@@ -23,12 +23,13 @@ ApexSurface ApexSurface::of(const simulation::SphereApexParameters& parameters, 
     if (!state.objectShown)
         return surface;
     surface.ball.centre_m = state.p_WObject.head<2>();
-    // An object outside the workspace (another level's recording) is drawn all the same.
+    // An object outside the workspace (in a recording of another level) is drawn as well.
     surface.fieldRadius_m =
         std::max(surface.fieldRadius_m, surface.ball.centre_m.norm() + parameters.radius_m + 0.5 * kMargin_m);
     if (parameters.surface != simulation::ApexSurface::exact) {
         surface.mesh = simulation::apexDomeSource(parameters);
-        // The dome is shown as a body that can be turned: its bumps lie elsewhere in each trial.
+        // The scene publishes the dome as a body that can be turned, because its bumps lie elsewhere in each
+        // trial.
         const auto& q = state.exercise.of<core::LaparoscopyCues>().body[0].q_W;
         surface.turn_rad = 2.0 * std::atan2(q[3], q[0]);
     }
@@ -41,7 +42,7 @@ double ApexSurface::height_m(double x_m, double y_m) const {
     if (!shown)
         return ball.planeHeight_m;
     const double beside2 = (core::Vec2(x_m, y_m) - ball.centre_m).squaredNorm();
-    // The contact adds the micro-height to the depth: the surface is where distance = h.
+    // The contact adds the micro-height to the depth, so the surface is at distance = h.
     const double reach = ball.radius_m + dimple.sample(x_m, y_m).height_m;
     if (beside2 >= reach * reach)
         return ball.planeHeight_m;
@@ -53,7 +54,7 @@ core::Vec3 ApexSurface::pointOfBall(const core::Vec3& u) const {
     double reach = ball.radius_m;
     if (dimple.depth_m == 0.0)
         return centre + reach * u;
-    for (int i = 0; i < 24; ++i) // a contraction: the dimple is shallow
+    for (int i = 0; i < 24; ++i) // this iteration is a contraction because the dimple is shallow
         reach =
             ball.radius_m + dimple.sample(centre.x() + reach * u.x(), centre.y() + reach * u.y()).height_m;
     return centre + reach * u;

@@ -13,15 +13,18 @@
 
 namespace chiron::scene3d {
 
-/// The surface of sphere_apex as it is drawn: the felt one (HemisphereOnPlane with the level's dimple) where
-/// the level lets it be seen, else the bare plane, which tells nothing. Frame W, metres. Pure values, any
-/// thread.
+/// The surface of sphere_apex as it is drawn: the felt one (HemisphereOnPlane with the level's dimple) if the
+/// level shows it, else the bare plane, which reveals nothing. A plain value.
+/// Unit: m.
+/// Frame: W.
+/// Thread: any.
 struct ApexSurface {
     bool shown =
-        false; ///< false: a flat cover; ball and dimple then keep fixed values, whatever the state says
+        false; ///< false: a flat cover; ball and dimple then keep fixed values, independent of the state
     simulation::HemisphereOnPlane ball;
     simulation::Dimple dimple;
-    /// Levels on meshes: the generated dome that is felt, at rest, turned about the vertical; nothing where the ball is exact.
+    /// For levels on meshes: the generated dome that is felt, at rest, turned about the vertical; empty if
+    /// the ball is exact.
     std::optional<simulation::MeshSource> mesh;
     double turn_rad = 0.0;
     double fieldRadius_m = 0.080; ///< the surface is drawn in this disc round W's origin
@@ -34,10 +37,10 @@ struct ApexSurface {
     core::Vec3 pointOfBall(const core::Vec3& u) const;
     /// Outward unit normal of the drawn surface at a point of it.
     core::Vec3 normalAt(const core::Vec3& p_W) const;
-    /// How the surface gives way to a tip at this place, by the contact that is felt. No contact under a
+    /// The dent under a tip at this position, according to the felt contact. There is no contact under a
     /// cover.
     Dent dentUnder(const core::Vec3& p_WT) const;
-    /// The same of a tool as it is shown: on a mesh the scene says where it touches.
+    /// The same for a tool as it is shown; on a mesh, the scene provides the contact point.
     Dent dentUnder(const ToolView& tool) const;
 
     bool operator==(const ApexSurface& other) const;

@@ -12,7 +12,7 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr double kStep_m = 0.0004;
-// Tissue keeps its own colours in every theme.
+// Tissue has the same colours in every theme.
 constexpr QColor kTissue(206, 104, 98);
 constexpr QColor kTissueLight(228, 142, 130);
 constexpr QColor kTissueDeep(150, 62, 62);
@@ -23,7 +23,7 @@ QColor coverOf(const SceneColours& colours) {
     return colours.highContrast ? colours.background : colours.background.darker(106);
 }
 
-/// How hard tool i presses, 0..1 of the limit; 0 under a cover.
+/// The pressing force of tool i as a fraction 0..1 of the limit; 0 under a cover.
 double pressOf(const SceneSetup& setup, const ApexSurface& surface, const ToolView& tool) {
     if (!setup.cues.tool || !tool.present || surface.dentUnder(tool.p_WT).depth_m <= 0.0)
         return 0.0;
@@ -104,7 +104,7 @@ std::vector<core::Vec2> FlatApex::profile(const ApexSurface& surface, const Tool
     std::vector<double> across;
     for (double x = -surface.fieldRadius_m; x <= surface.fieldRadius_m; x += kStep_m)
         across.push_back(x);
-    if (dent.depth_m > 0.0) // the touched point itself, wherever the steps fall
+    if (dent.depth_m > 0.0) // the touched point itself, independent of the steps
         across.insert(std::upper_bound(across.begin(), across.end(), dent.p_WSurface.x()),
                       dent.p_WSurface.x());
     std::vector<core::Vec2> points;
@@ -120,7 +120,7 @@ std::vector<core::Vec2> FlatApex::profile(const ApexSurface& surface, const Tool
 void FlatApex::paintSide(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                          const SceneState& state, const ApexSurface& surface) const {
     const double plane = surface.ball.planeHeight_m * 1e3;
-    if (surface.shown) { // the whole ball, behind the cut
+    if (surface.shown) { // the whole ball behind the section
         const QPointF centre = panel.at(surface.ball.centre_m.x() * 1e3, plane);
         const double radius = panel.pixels(surface.ball.radius_m * 1e3);
         QColor behind = kTissueLight;

@@ -8,11 +8,12 @@
 
 namespace chiron::scene3d {
 
-/// The hemisphere from above, and the cut through the touched place from the side.
+/// The hemisphere from above, and from the side the section through the touched point.
 class FlatApex final : public IFlatContent {
 public:
     explicit FlatApex(const simulation::SphereApexParameters& parameters) : m_parameters(parameters) {}
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::SphereApexParameters& parameters, const MarkedScene& scene);
 
     QRectF rangeAbove_mm() const override;
@@ -21,8 +22,8 @@ public:
                const SceneState& state) const override;
     double groundHeight_m(const SceneState& state, double x_m, double y_m) const override;
 
-    /// The drawn outline of the cut, left to right: x, z in metres. It goes through the tip while the tip
-    /// presses.
+    /// The drawn outline of the section, left to right: x, z in metres. It passes through the tip while the
+    /// tip presses.
     static std::vector<core::Vec2> profile(const ApexSurface& surface, const ToolView& tool);
 
 private:

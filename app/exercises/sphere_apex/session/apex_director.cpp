@@ -27,17 +27,19 @@ void ApexDirector::direct(const core::HapticFrame& frame) {
     if (const auto answer = m_watch.take(fidelitySampleOf(frame), frame.tool[0]))
         record(*answer);
     const bool cancelled = m_parts.cancel && m_parts.cancel->load(std::memory_order_relaxed);
-    if (!m_over && (cancelled || m_ticks >= m_tickLimit)) // a hand that is stuck would go on for ever
+    if (!m_over && (cancelled || m_ticks >= m_tickLimit)) // otherwise a hand that is stuck would run for ever
         finish();
 }
 
 void ApexDirector::record(const StudyAnswer& answer) {
-    auto stored = m_parts.progress.record(answer); // without a mark the time was up: "time"
+    // If the trial has no mark, the time was up and its reason is "time".
+    auto stored = m_parts.progress.record(answer);
     if (!stored)
         m_recorded = tl::unexpected(stored.error());
     const bool kept = stored && m_parts.store(std::move(*stored));
     if (m_parts.progress.needsExperimenter())
-        m_parts.progress.experimenterSays(false); // nobody is there to help: the run stops
+        // Nobody is present to help, so the run stops.
+        m_parts.progress.experimenterSays(false);
     if (!kept || (m_parts.progress.done() && !m_watch.over()))
         finish();
 }

@@ -9,23 +9,28 @@
 
 namespace chiron::session {
 
-/// Watches a scripted session of the sphere-apex exercise and makes a study's trials of its marks (ApexWatch). The participant marks by
-/// itself: the director only listens, and ends the session where nothing more is to be presented.
+/// Watches a scripted session of the sphere-apex exercise and converts its marks to the trials of a study
+/// (ApexWatch). The participant marks without being prompted: the director only listens, and ends the session
+/// once there is nothing more to present.
 class ApexDirector final : public ITickDirector {
 public:
     struct Parts {
         StudyProgress& progress;
         const psychophysics::StudyDesign& design;
         const std::atomic<bool>* cancel = nullptr;
-        std::function<bool(database::StudyTrial)> store; ///< false ends the session: it could not be stored
+        std::function<bool(database::StudyTrial)> store; ///< false ends the session because the trial could
+                                                         ///< not be stored
     };
-    /// `level`: of "sphere_apex"; `seed`: the session's; `station` before it is used. Failure: badInput (a device without kinematics).
+    /// `level`: a level of "sphere_apex"; `seed`: the seed of the session; `station`: in its state before
+    /// use.
+    /// Errors: badInput (a device without kinematics).
     static core::Result<std::unique_ptr<ApexDirector>> create(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                                                               const Station& station, Parts parts);
     void connect(haptics::LiveInputs& inputs) noexcept override { m_inputs = &inputs; }
     bool tryPush(const core::HapticFrame& frame) noexcept override;
 
-    const core::Result<void>& recorded() const noexcept { return m_recorded; } ///< why the run's progress took a trial no more
+    /// The reason why the run's progress no longer accepted a trial.
+    const core::Result<void>& recorded() const noexcept { return m_recorded; }
 
 private:
     ApexDirector(Parts parts, ApexWatch watch) : m_parts(std::move(parts)), m_watch(std::move(watch)) {}

@@ -5,11 +5,13 @@
 
 namespace chiron::session {
 
-/// The study of the apex: sessions of "sphere_apex", a hidden sphere a trial at another place each, one mark each. A scripted trainee holds
-/// P2's simulated gimbal. Of a trial the error along x and y at the tick of the mark goes with its fidelity; their distance is its value.
+/// Sessions of "sphere_apex" for the study of the apex: in each trial a hidden sphere at another position,
+/// and one mark. A scripted trainee holds P2's simulated gimbal. The error along x and y at the tick of the
+/// mark is stored with the trial's fidelity; the distance is the value of the trial.
 class ApexSessions final : public MarkSessions {
 public:
-    /// Its technique is the plain one, neither the exercise's best nor its worst. It knows only what it feels.
+    /// The usual trainee has the plain technique, neither the best nor the worst of the exercise. It knows
+    /// only what it feels.
     static constexpr const char* kUsualTrainee = "intermediate";
 
     int trialsAtMost() const noexcept override;

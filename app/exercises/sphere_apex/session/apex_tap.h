@@ -9,14 +9,16 @@
 
 namespace chiron::session {
 
-/// A tick as ApexWatch takes it: where a mark lies comes from the tool's own counts.
+/// A tick as input of ApexWatch, with the tool's own counts, from which the position of a mark is computed.
 struct ApexTick {
     FidelitySample sample;
     core::ToolFrame tool;
-    bool lost = false; ///< ticks before it found the ring full: where a mark among them lay is not known
+    bool lost = false; ///< earlier ticks were lost because the ring was full, so the position of a mark among
+                       ///< them is unknown
 };
 
-/// As SampleTap, with the tool. Threads: tryPush() haptic, ring() one other.
+/// Like SampleTap, with the tool.
+/// Thread: tryPush() haptic, ring() one other.
 class ApexTap final : public core::IFrameSink {
 public:
     static constexpr std::size_t kTicks = 8192;
@@ -34,7 +36,7 @@ public:
 
 private:
     realtime::SpscRing<ApexTick, kTicks> m_ring;
-    std::uint32_t m_missed = 0; ///< haptic thread's, as m_lost
+    std::uint32_t m_missed = 0; ///< belongs to the haptic thread, as does m_lost
     bool m_lost = false;
 };
 

@@ -10,7 +10,7 @@ namespace chiron::session {
 
 namespace {
 
-/// The meter's one place holds the sphere's stiffness.
+/// The single place of the meter has the sphere's stiffness.
 FidelityMeter meterOf(const psychophysics::StudyDesign& design, bool shown) {
     simulation::ComparisonParameters place;
     place.attribute = simulation::ComparedAttribute::stiffness;
@@ -70,7 +70,8 @@ void ApexWatch::explore(const FidelitySample& tick, const core::Vec3& p_WT) {
     m_at = (m_at + 1) % kWindow;
     m_inContact = contact.inContact;
     m_touched = static_cast<std::uint8_t>(m_touched | (contact.inContact ? 1u : 0u));
-    FidelitySample felt = tick; // its quantities are those of a comparison: all zero here
+    // The quantities of the sample are those of a comparison, which are all zero here.
+    FidelitySample felt = tick;
     felt.place = contact.inContact ? 1 : 0;
     felt.touched = m_touched;
     felt.depth_m = felt.displacement_m = contact.depth_m;

@@ -16,26 +16,32 @@
 
 namespace chiron::session {
 
-/// Makes a study's trials of the ticks of a session of the sphere-apex exercise, in their order: error by the stored counts at the tick of
-/// the mark, as scores take it; fidelity by FidelityMeter, whose one place is the surface that is touched (|f| = k d). Any one thread.
+/// Converts the ticks of a session of the sphere-apex exercise, in their order, to the trials of a study. The
+/// error is computed from the stored counts at the tick of the mark, as in the scores. The fidelity comes
+/// from a FidelityMeter whose single place is the touched surface (|f| = k d).
+/// Thread: any one.
 class ApexWatch {
 public:
-    /// `level`: of "sphere_apex"; `seed`: the session's; `station` before it is used. Failure: badInput (a device without kinematics).
+    /// `level`: a level of "sphere_apex"; `seed`: the seed of the session; `station`: in its state before
+    /// use.
+    /// Errors: badInput (a device without kinematics).
     static core::Result<ApexWatch> create(const catalogue::ExerciseLevel& level, std::uint64_t seed, const Station& station,
                                           const psychophysics::StudyDesign& design);
 
-    /// What became of a trial, with the tick that ends it. Without a mark (the time was up) there is no answer.
+    /// Returns the outcome of a trial at the tick that ends it. There is no answer without a mark (when the
+    /// time was up).
     std::optional<StudyAnswer> take(const FidelitySample& tick, const core::ToolFrame& tool);
-    /// Of the trial at hand, as far as it went: without an answer.
+    /// The current trial as far as it went, without an answer.
     StudyAnswer soFar() const;
 
     bool inTrial() const noexcept { return m_inTrial; }
     bool touched() const noexcept { return m_touched != 0; } ///< in this trial
     bool over() const noexcept { return m_ended == m_plan.size(); } ///< every trial of the session has ended
-    const TrialClock& clock() const noexcept { return m_clock; } ///< of the trial at hand
+    const TrialClock& clock() const noexcept { return m_clock; } ///< of the current trial
 
 private:
-    static constexpr std::size_t kWindow = 20; ///< ticks over which a speed is taken: counts are too coarse for one
+    static constexpr std::size_t kWindow = 20; ///< ticks over which a speed is computed: counts are too
+                                               ///< coarse for one tick
 
     explicit ApexWatch(FidelityMeter meter) : m_meter(std::move(meter)) {}
     void begin(const FidelitySample& tick, const core::Vec3& p_WT);

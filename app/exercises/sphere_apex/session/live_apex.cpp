@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a sitting of the apex is begun, and what a window asks of it. What it does from tick to tick: live_apex_state.cpp.
+// The start of a run of the apex study, and the interface for the window. live_apex_state.cpp has the
+// processing of ticks.
 #include "app/exercises/sphere_apex/session/live_apex_state.h"
 
 #include "app/exercises/sphere_apex/session/apex_sessions.h"
@@ -12,7 +13,8 @@ namespace chiron::session {
 
 namespace {
 
-/// The stiffest sphere of a condition; where experimenters are blind of all of them, as what is refused would tell which it is.
+/// The stiffest sphere of a condition. If the experimenter is blind, the stiffest of all conditions, because
+/// a refusal would otherwise reveal the condition.
 core::Result<double> stiffest(const OpenedStudy& study, const psychophysics::Condition& condition) {
     double stiffness = 0.0;
     for (const psychophysics::Condition& each : study.design.conditions) {
@@ -57,7 +59,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     const psychophysics::Condition& condition = *sitting.condition();
     const RenderingLimits limits = limitsAt(request.station.tools.front().device->descriptor(), request.measuredDelay_s);
     if (auto possible = renderable(study, condition, limits); !possible)
-        return tl::unexpected(possible.error()); // before a run is begun
+        return tl::unexpected(possible.error()); // before a run begins
     const LimitedTable table = study.blind() ? blindTable(study.design, condition, limits) : limitedTable(condition, limits);
     auto begun = beginOrGoOn(database, actor, sitting, table.limit);
     if (!begun)
@@ -74,7 +76,7 @@ SittingResult<std::unique_ptr<LiveApex::State>> LiveApex::State::conducted(datab
     state->view.task = state->condition->task;
     state->view.places = 1;
     state->summarise();
-    if (sitting.run.trials.empty() && state->nextStation) // it takes a session of its own
+    if (sitting.run.trials.empty() && state->nextStation) // the free minute takes a session of its own
         state->tryFor_s = request.freeMinute_s;
     if (auto first = state->beginSession(std::move(request.station)); !first)
         return tl::unexpected(first.error());
@@ -123,7 +125,7 @@ core::Result<void> LiveApex::answer(int answer, std::optional<double>) {
     return {};
 }
 
-void LiveApex::beginAnswer() {} // a mark is one press
+void LiveApex::beginAnswer() {} // a mark is a single press
 
 void LiveApex::takeBack() {
     State& s = *m_state;
@@ -174,17 +176,18 @@ void LiveApex::experimenterSays(bool goOn) {
     if (goOn)
         m_state->progress.experimenterSays(true);
     else
-        stop(); // the run stays open: another sitting may go on with it
+        stop(); // the run stays open and can be resumed later
 }
 
 void LiveApex::stop() {
     State& s = *m_state;
     if (s.done || s.stopping)
         return;
-    s.drain(); // a mark that was set already counts
+    s.drain(); // a mark already set counts
     s.storePending();
     s.stopping = true;
-    if (!s.done && !s.tries && s.watch->inTrial()) { // what was explored is not presented again
+    // A sphere that was already explored is not presented again.
+    if (!s.done && !s.tries && s.watch->inTrial()) {
         s.spoiled = "stopped";
         s.record(s.watch->soFar());
     }

@@ -7,13 +7,15 @@ namespace chiron::session {
 
 struct ConductedSitting;
 
-/// The study of the apex, in the scene of the exercise "sphere_apex": a hidden sphere a trial, at another place each time, one mark each.
-/// Sessions as the command line's: as many trials as are left, and a further session for those that were spoiled. The exercise goes from
-/// trial to trial by itself; a break, the experimenter's word or feedback hold it between two. A trial at hand when the sitting is stopped
-/// is stored as spoiled and comes again elsewhere.
+/// The study of the apex in the scene of the exercise "sphere_apex": in each trial a hidden sphere at another
+/// position, and one mark. As on the command line, a session has as many trials as are left, and a further
+/// session repeats those that were spoiled. The exercise proceeds from trial to trial by itself; a break, the
+/// experimenter or feedback can hold it between two. If the run is stopped during a trial, this trial is
+/// stored as spoiled and repeated at another position.
 class LiveApex final : public LiveSitting {
 public:
-    /// Of a condition that looks for an apex. Failure: as LiveSitting::start.
+    /// For a condition in which participants look for an apex.
+    /// Errors: those of LiveSitting::start.
     static SittingResult<std::unique_ptr<LiveApex>> start(database::Database& database, const database::Actor& actor,
                                                    const ConductedSitting& sitting, LiveStudyRequest request);
     ~LiveApex() override;
@@ -27,9 +29,10 @@ public:
     LiveTraining& training() override;
     int sessions() const override;
 
-    /// Answer 0: "here it is", a mark where the tool is. A device's own button marks as well.
+    /// Answer 0 means "here it is": a mark at the tool's position. The device's own button marks as well.
     core::Result<void> answer(int answer, std::optional<double> value = std::nullopt) override;
-    /// The trial at hand does not count: it ends with the mark, as only the participant or the clock ends one here.
+    /// The trial then does not count: it ends with the mark, because here only the participant or the clock
+    /// can end a trial.
     void beginAnswer() override;
     void takeBack() override;
     void goOn() override;

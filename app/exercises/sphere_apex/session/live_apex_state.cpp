@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sitting of the apex from tick to tick, and from session to session.
+// A run of the apex study from tick to tick and from session to session.
 #include "app/exercises/sphere_apex/session/live_apex_state.h"
 
 #include "curriculum/exercises/sphere_apex/catalogue/apex_study_content.h"
@@ -17,12 +17,13 @@ using core::CommandKind;
 using core::TrialPhase;
 
 namespace {
-constexpr double kFeedback_s = 2.0; // a distance takes longer to read than "right"
-constexpr int kTriedSpheres = 10; // more than anybody marks in a minute
-constexpr std::uint64_t kSummarySeed = 1; // of intervals alone
+constexpr double kFeedback_s = 2.0; // reading a distance takes longer than reading "right"
+constexpr int kTriedSpheres = 10; // more than anybody can mark in a minute
+constexpr std::uint64_t kSummarySeed = 1; // used only for intervals
 } // namespace
 
-/// As the command line's: the places of a session follow from the run's seed and the presentations before it.
+/// Begins a session as the command line does: the positions of its spheres follow from the run's seed and the
+/// number of earlier presentations.
 core::Result<void> LiveApex::State::beginSession(Station station) {
     const bool free = tryFor_s > 0.0;
     const int wanted = free ? kTriedSpheres : std::clamp(progress.toCome(), 1, catalogue::kApexTrialsAtMost);
@@ -72,12 +73,13 @@ void LiveApex::State::take(const ApexTick& tick) {
         lost = false;
     lost = lost || tick.lost;
     if (stopping)
-        return; // the trial at hand was stored as stopped
+        return; // the current trial was already stored as stopped
     if ((tick.sample.events & core::event_bits::kTrialStarted) != 0)
         notes.beginTrial();
     auto answer = watch->take(tick.sample, tick.tool);
     if (answer && tries)
-        tried_s += watch->clock().exploration_s(); // of the free minute: of no trial
+        // Belongs to the free minute, not to a trial.
+        tried_s += watch->clock().exploration_s();
     else if (answer)
         record(std::move(*answer));
 }
@@ -146,7 +148,7 @@ bool LiveApex::State::heldBetween() const {
     return view.beside_m.has_value() || pending.has_value() || (!watch->inTrial() && (waitsToCount || progress.breakDue() || progress.needsExperimenter()));
 }
 
-/// The exercise goes from trial to trial by itself: what holds it, and what ends it.
+/// The exercise proceeds from trial to trial by itself; this function holds it and ends it.
 void LiveApex::State::goOn() {
     if (pending && feedbackOver())
         storePending();
@@ -158,7 +160,8 @@ void LiveApex::State::goOn() {
     if (watch->over())
         control.hold(false);
     if (stopping || watch->over())
-        control.letGo(); // a paused scene would never come to its end
+        // A paused scene would never reach its end.
+        control.letGo();
     if (tries && triedSoFar_s() >= tryFor_s)
         control.letGo();
     if ((stopping || progress.done() || (tries && triedSoFar_s() >= tryFor_s)) && !watch->over())
@@ -175,16 +178,18 @@ void LiveApex::State::fail(const core::Error& error) {
     stopping = true;
 }
 
-/// A session is stored: the run is done, the sitting is, or another session follows.
+/// A session has been stored: the study's run is complete, the person stops, or another session follows.
 void LiveApex::State::sessionEnded() {
-    drain(); // what came with the last ticks
+    drain(); // the samples of the last ticks
     const bool tried = std::exchange(tries, false);
     tryFor_s = tried ? 0.0 : tryFor_s;
-    waitsForReady = tried && !readySaid && !stopping; // no clock of a trial starts under a hand that still tries
+    // No trial's clock starts while the hand is still trying the controls.
+    waitsForReady = tried && !readySaid && !stopping;
     if (!training->result())
         result = tl::unexpected(training->result().error());
     const bool failed = !result && result.error().code != core::ErrorCode::wrongUse;
-    const bool further = !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried); // none: stuck, another would be, too
+    // Without any presentation the session was stuck, and another one would be as well.
+    const bool further = !failed && training->result() && !stopping && !progress.done() && (presented > 0 || tried);
     if (!further)
         return conclude();
     waits = true;
@@ -210,7 +215,7 @@ void LiveApex::State::conclude() {
     storePending();
     done = true;
     if (!result && result.error().code != core::ErrorCode::wrongUse)
-        return; // a trial could not be stored, a session not be run
+        return; // a trial could not be stored, or a session could not be run
     LiveStudyResult ended{run, training->sessionId(), progress.done() && !progress.gaveUp()};
     if (ended.completed)
         if (auto closed = finishRun(database, actor, study, run); !closed) {
@@ -265,7 +270,7 @@ LiveStudyView::State LiveApex::State::where() const {
     if (waits || stopping || training->sessionId() == 0)
         return View::starting;
     if (last.paused != 0)
-        return View::arming; // it goes on: force comes back first
+        return View::arming; // resuming: force is armed first
     if (tries && last.phase == TrialPhase::running)
         return View::trying;
     if (last.phase == TrialPhase::running)

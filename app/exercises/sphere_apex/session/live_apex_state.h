@@ -13,7 +13,8 @@
 
 namespace chiron::session {
 
-/// What a sitting of the apex is at, between two looks of the window. GUI thread.
+/// The state of a run of the apex study between two polls by the window.
+/// Thread: GUI.
 struct LiveApex::State {
     using Clock = std::chrono::steady_clock;
 
@@ -29,7 +30,7 @@ struct LiveApex::State {
     std::string sealedCode;
     database::Blinding blinding;
     StudyProgress progress;
-    std::vector<database::StudyTrial> trials; ///< all of the run, as stored
+    std::vector<database::StudyTrial> trials; ///< all trials of the run, as stored
     SittingNotes notes;
     const psychophysics::Condition* condition = nullptr;
     std::function<core::Result<Station>()> nextStation;
@@ -38,24 +39,26 @@ struct LiveApex::State {
     catalogue::ExerciseLevel level;
     std::optional<ApexWatch> watch;
     std::unique_ptr<ApexTap> tap;
-    std::unique_ptr<LiveTraining> training;                ///< after the tap: it uses it
+    std::unique_ptr<LiveTraining> training;                ///< declared after the tap because it uses it
     std::unique_ptr<ApexTap> tapBefore;
-    std::unique_ptr<LiveTraining> before;                  ///< the session before, until the window has let go of its pointer
+    std::unique_ptr<LiveTraining> before;                  ///< the previous session, kept until the window no
+                                                           ///< longer uses its pointer
     int sessions = 0;
-    std::size_t presented = 0;                             ///< in the present session
+    std::size_t presented = 0;                             ///< in the current session
 
     SittingControl control;
     LiveStudyView view;
     LiveStudyNumbers numbers;
     FidelitySample last;
-    bool lost = false;      ///< ticks of the trial at hand
+    bool lost = false;      ///< ticks of the current trial were lost
     bool stopping = false, ending = false, waits = false, done = false;
     std::string spoiled;
-    std::optional<StudyAnswer> pending; ///< as LiveStudy::State's
+    std::optional<StudyAnswer> pending; ///< duration of the free minute, if the current session is the one;
+                                        ///< 0: it is not
     bool enough = false;
-    double tryFor_s = 0.0; ///< the session at hand is the free minute, so long
+    double tryFor_s = 0.0; ///< duration of the free practice minute, if the current session is one
     double tried_s = 0.0;
-    bool tries = false;    ///< in this session
+    bool tries = false;    ///< in this session, the free minute is running
     bool readySaid = false, waitsForReady = false; ///< at the end of the free minute
     bool waitsAfterPractice = false, waitsToCount = false; ///< between practice and the trials that count
     Clock::time_point feedbackSince, breakSince;
@@ -82,10 +85,10 @@ struct LiveApex::State {
     bool heldBetween() const;
     void describe();
     LiveStudyView::State where() const;
-    /// A sitting of this run, under way.
+    /// Creates the state of a run that has begun.
     static SittingResult<std::unique_ptr<State>> conducted(database::Database& database, const database::Actor& actor, const ConductedSitting& sitting,
                                                           LiveStudyRequest request);
-    /// Whether forces and felt values would tell a blind experimenter which condition this is.
+    /// True if forces and felt values would reveal the condition to a blind experimenter.
     bool forcesTell() const { return blinding.on && !blinding.oneStimulus; }
 };
 

@@ -65,10 +65,11 @@ public:
 private:
     std::vector<TrialObject> m_objects;
     std::vector<simulation::HemisphereContact> m_contacts;
-    std::unique_ptr<simulation::TouchedDome> m_dome; ///< of a level on meshes: in its rest shape
+    std::unique_ptr<simulation::TouchedDome> m_dome; ///< for a level on meshes: the dome in its rest shape
 };
 
-/// An answer beside the sphere, or in the air, is a miss (as apex_misses counts it): said right after its mark.
+/// An answer beside the sphere or in the air is a miss (as apex_misses counts it); its mark follows the mark
+/// of the answer.
 void noteMisses(PlaybackTrack& track) {
     std::vector<PlaybackMark> marks;
     for (const PlaybackMark& mark : track.marks) {
@@ -150,8 +151,8 @@ core::Result<void> SphereApexKind::addMarks(const SessionSetup&, const scoring::
 
 void SphereApexKind::addAnswerEvents(const scoring::TrialTrace& trial, const database::TrialRecord& record, AnswerEvents& events) const {
     if (!trial.apex || !trial.marked || trial.tools.empty())
-        return; // what was not marked is an event already
-    scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
+        return; // a trial without a mark already has an event
+    scoring::PreparedTrial prepared; // the answer reads only position and truth from it
     prepared.trial = &trial;
     prepared.tool = &trial.tools.front();
     if (const auto answer = scoring::apexAnswer(prepared); answer && answer->miss)

@@ -18,8 +18,10 @@ public:
     int trialCount(const catalogue::ExerciseLevel& level) const override;
     double forceLimit_N(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override; ///< of an organ at two rates
-    bool recordsEnergy(const catalogue::ExerciseLevel& level) const override; ///< on meshes: their law is not conservative
+    /// For an organ computed at two rates.
+    std::vector<core::QuantityDescription> quantities(const catalogue::ExerciseLevel& level) const override;
+    /// For levels on meshes, whose law is not conservative.
+    bool recordsEnergy(const catalogue::ExerciseLevel& level) const override;
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed,
                   scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level,
@@ -30,7 +32,7 @@ public:
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override; ///< apex_x_m, apex_y_m, radius_m
     void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< the target
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
-    /// Who can do it has done the organs (levels from 5 on) as well.
+    /// The skilled trainee also does the organs (levels from 5 on).
     DemoPart demoPart(int level) const override { return {level == 1, level <= 2 || level >= 5, level <= 2}; }
     Demonstration demonstration() const override;
     std::vector<MomentRule> momentRules() const override;

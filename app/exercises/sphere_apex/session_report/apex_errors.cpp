@@ -10,7 +10,7 @@ std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace) 
     for (const scoring::TrialTrace& trial : trace.trials) {
         if (trial.unfinished || !trial.apex || trial.tools.empty() || trial.tools[0].p_WT_m.empty())
             continue;
-        scoring::PreparedTrial prepared; // of which the answer reads position and truth alone
+        scoring::PreparedTrial prepared; // the answer reads only position and truth from it
         prepared.trial = &trial;
         prepared.tool = &trial.tools.front();
         const auto answer = scoring::apexAnswer(prepared);

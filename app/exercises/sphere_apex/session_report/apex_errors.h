@@ -12,13 +12,14 @@
 
 namespace chiron::session_report {
 
-/// Where each trial's answer lay, % of the radius: what the scores count; without a mark, where the tool stood at the end. Pure.
+/// The position of each trial's answer, % of the radius, as the scores count it; without a mark, the tool's
+/// position at the end. Pure function.
 std::vector<report::ApexError> apexErrorsOf(const scoring::SessionTrace& trace);
 
-/// The section of a report. Pure.
+/// The section of a report. Pure function.
 std::shared_ptr<const report::ReportSection> apexSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// What the end of a trial, and damage, are called.
+/// The words for the end of a trial and for damage.
 EndWords apexEnds();
 
 } // namespace chiron::session_report

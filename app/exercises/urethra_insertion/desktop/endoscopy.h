@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// The level's parameters where it is done with an endoscope; null where it is not.
+/// The parameters of a level that is done with an endoscope; null for other levels.
 inline const simulation::UrethraInsertionParameters* endoscopyOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.find<simulation::UrethraInsertionParameters>();
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kDepthOfField[] = "depth_of_field";
 
-/// The procedure at a moment, as far as a recording tells it.
+/// The state of the procedure at a moment, as far as the recording contains it.
 simulation::EndoscopeCues endoscopeOf(const session::PlaybackInsertion& insertion, const session::PlaybackInsertionMoment& moment, double t_s) {
     simulation::EndoscopeCues cues;
     cues.present = true;
@@ -49,7 +49,7 @@ void InsertionLayer::showIn(scene3d::SceneState& state, const session::PlaybackT
     const auto moment = session::insertionAt(track, t_s);
     if (!moment)
         return;
-    state.objectShown = true; // the endoscope's picture
+    state.objectShown = true; // the object is the endoscope's picture
     state.exercise.own<simulation::EndoscopeCues>() = endoscopeOf(*track.of<session::PlaybackInsertion>(), *moment, t_s);
 }
 

@@ -5,10 +5,11 @@
 
 namespace chiron::desktop {
 
-/// An endoscope played back: its picture, the stage of the procedure, and how it kept to the canal.
+/// The playback of an endoscope: its picture, the stage of the procedure, and its distance from the canal's
+/// centre-line.
 class InsertionLayer final : public PlaybackLayer {
 public:
-    /// `depthOfField`: as the level has it.
+    /// `depthOfField`: as set by the level.
     explicit InsertionLayer(bool depthOfField) : m_depthOfField(depthOfField) {}
 
     std::vector<PlaybackSwitch> switches() const override;

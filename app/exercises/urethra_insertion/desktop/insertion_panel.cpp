@@ -17,12 +17,13 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times a second: digits that can be read
-constexpr double kAxialTorqueLimit_Nm = 0.010; // about the endoscope's axis: P1's device
+constexpr int kNumbersEvery_frames = 6; // ten times per second, so that the digits can be read
+constexpr double kAxialTorqueLimit_Nm = 0.010; // about the endoscope's axis: limit of P1's device
 constexpr double kOffsetAxis_mm = 3.0;
 constexpr double kAlignmentAxis_deg = 20.0;
 constexpr double kPlotsSideBySide_px = 330;
-constexpr double kPlotHeight_px = 64; // at least: all four are seen in a small window, and grow with a larger one
+// Minimum height: all four plots are visible in a small window, and grow with a larger one.
+constexpr double kPlotHeight_px = 64;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 core::Vec3 vec(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -70,7 +71,7 @@ void InsertionPanel::addStage() {
         m_progress->setTextVisible(false);
         m_progress->setRange(0, 100);
         QSizePolicy stays = m_progress->sizePolicy();
-        stays.setRetainSizeWhenHidden(true); // nothing below it jumps
+        stays.setRetainSizeWhenHidden(true); // so that nothing below it moves when it is hidden
         m_progress->setSizePolicy(stays);
         m_column->addWidget(m_progress);
     }
@@ -218,7 +219,8 @@ void InsertionPanel::showNumbers(const InsertionValues& values) {
     const std::array<double, 6> numbers{values.tip_A_m.x() * 1e3, values.tip_A_m.y() * 1e3, values.tip_A_m.z() * 1e3,
                                         values.depth_m * 1e3,     values.offset_m * 1e3,    values.alignment_rad * kDegrees};
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        m_numbers[i]->setText(m_locale.toString(std::round(numbers[i] * 10.0) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
+        // Adding 0 removes the minus sign of -0.0.
+        m_numbers[i]->setText(m_locale.toString(std::round(numbers[i] * 10.0) / 10.0 + 0.0, 'f', 1));
     for (std::size_t i = 0; i < 3; ++i) {
         m_force[i]->speak();
         m_torque[i]->speak();

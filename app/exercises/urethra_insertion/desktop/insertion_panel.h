@@ -18,8 +18,9 @@ class ForceBar;
 class LivePlot;
 class SignedBar;
 
-/// P1's Info window for an endoscope: stage, elapsed time, forces and torques against their limits, tip coordinates, and the
-/// last ten seconds, as far as the level allows each. GUI thread.
+/// P1's Info window for an endoscope: stage, elapsed time, forces and torques against their limits, tip
+/// coordinates, and the last ten seconds, each as far as the level allows it.
+/// Thread: GUI.
 class InsertionPanel final : public InfoView {
     Q_OBJECT
 public:

@@ -8,13 +8,15 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr double kBeyondNeck_m = 0.010; // models.md §1.3: the goal of a level that names none lies this far past C
+// models.md §1.3: the default goal of a level lies this far past C.
+constexpr double kBeyondNeck_m = 0.010;
 
-/// The wrench's torque as P1's three (docstring of InsertionValues::torque_Nm).
+/// Splits the wrench's torque into P1's three torques (see InsertionValues::torque_Nm).
 core::Vec3 torquesOf(const core::Vec3& torque_A, const core::Vec3& axis_A) {
     const double along = std::hypot(axis_A.y(), axis_A.z()); // cos φ_y
     if (along < 1e-9)
-        return {torque_A.x(), 0.0, torque_A.dot(axis_A)}; // looks straight along x̂: y′ has no direction
+        // The endoscope points along x̂, so y′ is undefined.
+        return {torque_A.x(), 0.0, torque_A.dot(axis_A)};
     const core::Vec3 y(0.0, axis_A.z() / along, -axis_A.y() / along); // z″ × x̂
     const double z_Nm = torque_A.dot(axis_A);
     return {torque_A.x() - z_Nm * axis_A.x(), torque_A.dot(y), z_Nm};
@@ -32,7 +34,7 @@ InsertionValues InsertionGauge::at(const core::Vec3& p_WT, const core::Quat& q_W
     const simulation::CentrelineFoot foot = m_centreline.foot(values.tip_A_m);
     values.depth_m = foot.at.s_m;
     values.offset_m = std::hypot(foot.ex_m, foot.en_m);
-    const core::Vec3 axis_A = m_pose.vectorToA(q_WT * core::Vec3(0.0, 0.0, -1.0)); // it looks along −z of T
+    const core::Vec3 axis_A = m_pose.vectorToA(q_WT * core::Vec3(0.0, 0.0, -1.0)); // it points along −z of T
     const core::Vec3& t_A = foot.at.t_A;
     values.alignment_rad = std::atan2(axis_A.cross(t_A).norm(), axis_A.dot(t_A));
     values.force_A_N = m_pose.vectorToA(wrench_W.force);

@@ -8,23 +8,24 @@
 
 namespace chiron::desktop {
 
-/// Where an endoscopic procedure stands, in words. Pure.
+/// The stage of an endoscopic procedure, in words. All functions of this header are pure.
 QString stageTitle(core::ProcedureStage stage); ///< "Insertion"
 
-/// What a level lets be told beside the stage itself.
+/// The facts beside the stage itself that a level allows to be shown.
 struct StageTelling {
-    bool numbers = false;  ///< how far in, of how far
+    bool numbers = false;  ///< the depth reached and the depth to reach
     bool guidance = false; ///< how long a landmark has been held
     double goal_m = 0.0;   ///< depth that ends the insertion
-    double clear_m = 0.0;  ///< how far the tip has to be outside to end the withdrawal: its beak is out as well
+    double clear_m = 0.0;  ///< distance outside at which the tip ends the withdrawal, since its beak must be
+                           ///< out as well
 };
 
 /// One sentence about what to do now; "Insertion: 32 of 97 mm" where numbers are shown.
 QString stageText(const simulation::EndoscopeCues& cues, const StageTelling& telling, const QLocale& locale);
 
-/// How much of the stage is done, 0..1; below 0 where nothing of it may be told or the stage has no measure.
+/// The completed share of the stage, 0..1; negative if the level hides it or the stage has no measure.
 double stageProgress(const simulation::EndoscopeCues& cues, const StageTelling& telling);
 
-int landmarksSeen(const simulation::EndoscopeCues& cues); ///< how many
+int landmarksSeen(const simulation::EndoscopeCues& cues); ///< number of landmarks seen
 
 } // namespace chiron::desktop

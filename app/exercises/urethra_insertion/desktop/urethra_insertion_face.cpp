@@ -29,7 +29,8 @@ public:
     InfoView* makePanel() override { return new InsertionPanel(around().theme, around().locale, around().cues, m_level); }
     double panelWidth_px() const override { return kWidePanel_px; }
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample>, scene3d::SceneState& drawn) override {
-        drawn.objectShown = state.exercise.of<simulation::EndoscopeCues>().present && around().cues.object; // what it looks at is its picture
+        // The object of an endoscope is its picture.
+        drawn.objectShown = state.exercise.of<simulation::EndoscopeCues>().present && around().cues.object;
     }
 
 private:

@@ -11,7 +11,8 @@
 
 namespace chiron::desktop {
 
-/// From the side, as in the overview: z of the anatomy to the right, y up. Three times as thick as it is, to be seen.
+/// From the side, as in the overview: z of the anatomy to the right, y up. Thickness is exaggerated three
+/// times so that it is visible.
 void UrethraPicture::paint(QPainter& painter) const {
     const simulation::UrethraAnatomy& anatomy = m_level.anatomy;
     const simulation::UrethraCentreline line(anatomy);

@@ -6,7 +6,8 @@
 
 namespace chiron::desktop {
 
-/// The urethra from the side with its narrow places, the bladder with its landmarks, and the endoscope before it.
+/// The urethra from the side with its strictures, the bladder with its landmarks, and the endoscope in front
+/// of it.
 class UrethraPicture final : public LevelPicture {
 public:
     UrethraPicture(const simulation::UrethraInsertionParameters& level, const PictureFrame& frame) : LevelPicture(frame), m_level(level) {}

@@ -14,7 +14,7 @@ namespace chiron::report {
 
 namespace {
 
-/// One quantity over depth: in and out.
+/// One quantity over depth, on the way in and on the way out.
 std::unique_ptr<PlotView> depthPlot(const QString& title, const QString& axis, const InsertionProfile& profile,
                                     const std::vector<double>& in, const std::vector<double>& out, const PlotTheme& theme) {
     auto view = std::make_unique<PlotView>(theme);

@@ -12,25 +12,26 @@ namespace chiron::report {
 
 class PlotView;
 
-/// How an endoscope kept to its canal, by depth: the largest value in each millimetre, on the way in and on the way out. What
-/// was not passed is not a number. mm and degrees, as people read them.
+/// The deviation of an endoscope from its canal, by depth: the largest value in each millimetre, on the way
+/// in and on the way out. Depths that were not passed hold NaN. Units are mm and degrees, as displayed.
 struct InsertionProfile {
     std::vector<double> depth_mm; ///< middle of each millimetre, ascending
     std::vector<double> offsetIn_mm, offsetOut_mm;       ///< distance from the centre-line
     std::vector<double> alignmentIn_deg, alignmentOut_deg; ///< between the instrument and the canal
-    double bend_mm = 0.0; ///< where the orientation has to change
-    double neck_mm = 0.0; ///< the canal's end
+    double bend_mm = 0.0; ///< depth at which the orientation has to change
+    double neck_mm = 0.0; ///< end of the canal
     double goal_mm = 0.0; ///< depth that ends the insertion
-    int landmarks = 0;    ///< to be seen
+    int landmarks = 0;    ///< number of landmarks to be seen
     int landmarksSeen = 0;
 };
 
-/// An endoscope in its canal over depth, in and out, with the bend and the bladder neck marked: distance from the centre-line, angle to it.
-/// Each makes a new view (GUI thread).
+/// Plots of an endoscope in its canal over depth, in and out, with the bend and the bladder neck marked:
+/// distance from the centre-line, and angle to it. Each function creates a new view.
+/// Thread: GUI.
 std::unique_ptr<PlotView> offsetDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
 std::unique_ptr<PlotView> alignmentDepthPlot(const InsertionProfile& profile, const PlotTheme& theme);
 
-/// How the endoscope kept to its canal, by depth.
+/// The deviation of the endoscope from its canal, by depth.
 class InsertionSection final : public ReportSection {
 public:
     explicit InsertionSection(InsertionProfile profile) : m_profile(std::move(profile)) {}

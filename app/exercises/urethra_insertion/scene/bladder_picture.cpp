@@ -21,7 +21,8 @@ Direction directionOf(float polar, float azimuth) {
     return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
 }
 
-/// The sphere's wall unrolled; every painting below measures on the sphere, so that nothing is squeezed at the poles.
+/// The sphere's wall, unrolled. Every painting function below measures on the sphere, so that nothing is
+/// distorted at the poles.
 class Unrolled {
 public:
     Unrolled() : m_values(std::size_t(kWide_px) * kHigh_px, 0.0F) {}
@@ -32,7 +33,7 @@ public:
         return directionOf((float(y) + 0.5F) / kHigh_px * kPi, (float(x) + 0.5F) / kWide_px * 2.0F * kPi);
     }
 
-    /// Calls paint(value, angle) for every pixel within `reach` radians of this place.
+    /// Calls paint(value, angle) for every pixel within `reach` radians of this direction.
     template <class Paint> void around(const Direction& middle, float reach, Paint paint) {
         const float polar = std::acos(std::clamp(middle.z(), -1.0F, 1.0F));
         const int top = std::max(0, int((polar - reach) / kPi * kHigh_px) - 1);
@@ -142,7 +143,7 @@ void paintWall(Sheets& sheets) {
         }
 }
 
-/// The smooth triangle between two ureters and the neck, with the ridge between the ureters.
+/// Paints the smooth triangle between two ureters and the neck, with the ridge between the ureters.
 void paintTrigone(Sheets& sheets, const Direction& one, const Direction& other) {
     const Direction neck(0.0F, 0.0F, -1.0F);
     const Direction corners[3] = {one, other, neck};
@@ -163,7 +164,7 @@ void paintTrigone(Sheets& sheets, const Direction& one, const Direction& other) 
         }
 }
 
-/// A slit on a mound, along the ridge.
+/// Paints a slit on a mound, along the ridge.
 void paintOrifice(Sheets& sheets, const Direction& at, const Direction& along) {
     const Direction tangent = (along - along.dot(at) * at).normalized();
     const Direction beside = at.cross(tangent);
@@ -217,7 +218,7 @@ LiningPicture bladderPicture(const std::vector<simulation::BladderLandmark>& lan
     LiningPicture picture{kWide_px, kHigh_px, {}};
     picture.bytes.reserve(std::size_t(kWide_px) * kHigh_px * 4);
     for (int y = 0; y < kHigh_px; ++y) {
-        const float down = 2.0F * kPi / kHigh_px; // two rows
+        const float down = 2.0F * kPi / kHigh_px; // spacing of two rows
         const float round = std::max(0.02F, std::sin((float(y) + 0.5F) / kHigh_px * kPi)) * 4.0F * kPi / kWide_px;
         for (int x = 0; x < kWide_px; ++x) {
             const float across = (sheets.height.at(x - 1, y) - sheets.height.at(x + 1, y)) / round;

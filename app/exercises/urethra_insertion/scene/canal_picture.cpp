@@ -11,7 +11,7 @@ namespace {
 constexpr int kWide_px = 512;
 constexpr int kHigh_px = 1024;
 
-/// Along the canal, most of them; every branch finds its own way.
+/// Most vessels run along the canal; every branch takes a direction of its own.
 Sheet canalVessels() {
     Sheet sheet(kWide_px, kHigh_px);
     Dice dice(20261121U);

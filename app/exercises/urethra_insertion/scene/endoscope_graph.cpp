@@ -167,7 +167,7 @@ void EndoscopeGraph::place(const EndoscopeLayout& layout, const QSize& window_px
     setDisc(m_smallDisc, small, 0.0, 0.0);
 }
 
-/// gl_FragCoord counts from the lower left corner of what is drawn into.
+/// gl_FragCoord counts from the lower left corner of the render target.
 void EndoscopeGraph::setDisc(QParameter* disc, double side, double left, double bottom) {
     const double unit = 2.0 / side;
     disc->setValue(QVector4D(float(unit), float(unit), float(-1.0 - unit * left), float(-1.0 - unit * bottom)));

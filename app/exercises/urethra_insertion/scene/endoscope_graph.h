@@ -17,10 +17,12 @@
 
 namespace chiron::scene3d {
 
-/// In which order and into what the endoscopic stage is drawn. Without depth of field the camera's picture goes straight to
-/// the window. With it: pass 1 draws it small into a colour texture (its opacity says how sharp a place is) with a depth
-/// texture, pass 2 blurs that by the circle of confusion, pass 3 draws it into the window, each place mixed with its blurred
-/// self. Then marks, overview and bar. The nodes belong to the root entity.
+/// The frame graph of the endoscopic stage: in which order and into which targets it is drawn. Without depth
+/// of field, the camera's picture goes straight to the window. With depth of field, pass 1 draws the picture
+/// at reduced size into a colour texture (its opacity holds the sharpness of each pixel) with a depth
+/// texture, pass 2 blurs that by the circle of confusion, and pass 3 draws the picture into the window and
+/// mixes each pixel with its blurred value. Marks, overview and bar follow. The nodes belong to the root
+/// entity.
 class EndoscopeGraph {
 public:
     EndoscopeGraph(Qt3DCore::QEntity* root, QObject* surface);
@@ -29,22 +31,24 @@ public:
     void setOverviewShown(bool shown);
     void place(const EndoscopeLayout& layout, const QSize& window_px);
 
-    // What is drawn when; add to the entities.
-    Qt3DRender::QLayer* mask() const { return m_layers[0]; }     ///< black round the picture; spares what lies behind
-    Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< what the camera at the tip sees
+    // Layers that determine when an entity is drawn; add them to the entities.
+    /// The black round the picture; leaves the area behind it untouched.
+    Qt3DRender::QLayer* mask() const { return m_layers[0]; }
+    Qt3DRender::QLayer* inside() const { return m_layers[1]; }   ///< view of the camera at the tip
     Qt3DRender::QLayer* blur() const { return m_layers[2]; }     ///< pass 2
-    Qt3DRender::QLayer* marks() const { return m_layers[3]; }    ///< over the camera's picture, in its own coordinates
+    /// Over the camera's picture, in the picture's coordinates.
+    Qt3DRender::QLayer* marks() const { return m_layers[3]; }
     Qt3DRender::QLayer* outside() const { return m_layers[4]; }  ///< the overview
-    Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over it, translucent
-    Qt3DRender::QLayer* outsideOver() const { return m_layers[6]; } ///< over that: the arrow
-    Qt3DRender::QLayer* over() const { return m_layers[7]; }     ///< the window's own coordinates: the bar
+    Qt3DRender::QLayer* glass() const { return m_layers[5]; }    ///< over the overview, translucent
+    Qt3DRender::QLayer* outsideOver() const { return m_layers[6]; } ///< over those: the arrow
+    Qt3DRender::QLayer* over() const { return m_layers[7]; }     ///< in the window's coordinates: the bar
 
     Qt3DRender::QCamera* scope() const { return m_scope; }
     Qt3DRender::QCamera* bystander() const { return m_bystander; }
     Qt3DRender::QTexture2D* seen() const { return m_seen; }
     Qt3DRender::QTexture2D* blurred() const { return m_blurred; }
 
-    /// Side of passes 1 and 2 to that of the picture.
+    /// The side of passes 1 and 2 relative to that of the picture.
     static constexpr double kSmall = 0.33;
 
 private:
@@ -60,8 +64,8 @@ private:
                                            Qt3DRender::QTexture2D* depth);
 
     std::array<Qt3DRender::QLayer*, 8> m_layers{};
-    Qt3DRender::QParameter* m_disc;      ///< where the picture lies in the window, for its shaders
-    Qt3DRender::QParameter* m_smallDisc; ///< and in the textures
+    Qt3DRender::QParameter* m_disc;      ///< position of the picture in the window, for its shaders
+    Qt3DRender::QParameter* m_smallDisc; ///< position of the picture in the textures
     Qt3DRender::QCamera* m_scope;
     Qt3DRender::QCamera* m_bystander;
     Qt3DRender::QTexture2D* m_seen;

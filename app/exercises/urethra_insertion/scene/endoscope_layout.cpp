@@ -6,9 +6,9 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr double kOverviewShare = 0.30; // of the longer side, at least
-constexpr double kMostShare = 0.48;     // and at most
-constexpr double kTallest = 1.5;        // height to width: more of it would be empty
+constexpr double kOverviewShare = 0.30; // smallest fraction of the longer side
+constexpr double kMostShare = 0.48;     // largest fraction
+constexpr double kTallest = 1.5;        // height to width; a taller overview would be empty
 } // namespace
 
 EndoscopeLayout EndoscopeLayout::of(const QSize& window_px, int bar_px, bool overview) {
@@ -19,7 +19,7 @@ EndoscopeLayout EndoscopeLayout::of(const QSize& window_px, int bar_px, bool ove
     QRect room(0, 0, wide, high);
     if (overview) {
         const int longer = beside ? wide : high;
-        const int left = longer - (beside ? high : wide); // what the largest round picture leaves
+        const int left = longer - (beside ? high : wide); // the space beside the largest round picture
         const int taken = std::clamp(left, int(kOverviewShare * longer), int(kMostShare * longer));
         if (beside) {
             const int tall = std::min(high, int(kTallest * taken));

@@ -6,13 +6,15 @@
 
 namespace chiron::scene3d {
 
-/// Where the pictures of an endoscopic scene lie in the window, in device pixels from its upper left corner.
+/// The positions of the pictures of an endoscopic scene in the window, in device pixels from its upper left
+/// corner.
 struct EndoscopeLayout {
     QRect picture;  ///< square; the round picture fills it
-    QRect overview; ///< empty where the level has none
+    QRect overview; ///< empty if the level has none
 
-    /// `bar_px`: width at the right edge that the force bar takes. Wide windows have the overview beside the picture, high
-    /// ones below it; the round picture gets what is left, and at least half of the shorter side. Pure.
+    /// `bar_px`: width of the force bar at the right edge. Wide windows have the overview beside the picture,
+    /// high ones below it. The round picture gets the remaining space, and at least half of the shorter side.
+    /// Pure function.
     static EndoscopeLayout of(const QSize& window_px, int bar_px, bool overview);
 };
 

@@ -15,8 +15,8 @@
 
 namespace chiron::scene3d {
 
-/// The endoscopic stage: the round picture of the camera at the tip of tool 0, marks over it, the overview from outside where
-/// the level has one, and the force bar.
+/// The endoscopic stage: the round picture of the camera at the tip of tool 0, marks over it, the overview
+/// from outside if the level has one, and the force bar.
 class EndoscopeStage final : public IStage {
 public:
     EndoscopeStage(const SceneSetup& setup, QObject* surface);
@@ -33,7 +33,7 @@ private:
     SceneSetup m_setup;
     QSize m_size_px{1024, 768};
     double m_ratio = 1.0;
-    Qt3DCore::QEntity* m_root; ///< the engine deletes it, and all below
+    Qt3DCore::QEntity* m_root; ///< the engine deletes it and everything below it
     SharedLight m_light;
     EndoscopeGraph m_graph;
     UrethraModel m_model;

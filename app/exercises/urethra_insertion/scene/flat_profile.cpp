@@ -15,7 +15,7 @@ namespace chiron::scene3d {
 namespace {
 
 constexpr int kSections = 140;
-constexpr double kAnchored_m = 0.015; // of the canal before the neck, as in the overview in 3D
+constexpr double kAnchored_m = 0.015; // length of canal before the neck, as in the overview in 3D
 constexpr QColor kTissue(206, 104, 98);
 constexpr QColor kEdge(104, 34, 38);
 constexpr QColor kBladder(228, 168, 148);

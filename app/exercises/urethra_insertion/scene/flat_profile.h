@@ -9,15 +9,15 @@
 
 namespace chiron::scene3d {
 
-/// The canal from the side, cut in the plane of symmetry: its outline with the opened part, the bladder, the shaft and the
-/// force on its tip.
+/// The canal from the side, cut in the plane of symmetry: its outline with the opened part, the bladder, the
+/// shaft and the force on its tip.
 class FlatProfile {
 public:
     FlatProfile(const UrethraDrawing& drawing, const SceneSetup& setup) : m_drawing(drawing), m_setup(setup) {}
 
     void paint(QPainter& painter, const QRectF& room, const SceneState& state) const;
 
-    /// The canal's two edges from A to C as they are drawn (metres, W): behind the tip it lies round the shaft.
+    /// The canal's two drawn edges from A to C (metres, W). Behind the tip the canal encloses the shaft.
     struct Edges {
         std::vector<core::Vec3> low;
         std::vector<core::Vec3> high;

@@ -26,7 +26,7 @@ QColor lit(const QColor& colour, double share) {
     return {part(colour.red()), part(colour.green()), part(colour.blue())};
 }
 
-/// Where a point of A lies in the picture; false behind or beside the camera.
+/// Projects a point of A into the picture; returns false for points behind or beside the camera.
 struct Eye {
     core::Vec3 tip_A;
     core::Mat3 axes_A;
@@ -75,7 +75,7 @@ void FlatScopePicture::paintCanal(QPainter& painter, const ToolView& tool) const
     const double tip = m_drawing.centreline().foot(m_drawing.tip_A(tool)).at.s_m;
     const double end = std::min(m_drawing.centreline().length_m(), std::max(0.0, tip) + kFarthest_m);
     painter.fillRect(QRectF(-1.0, -1.0, 2.0, 2.0), lit(kWall, 1.0));
-    QPainterPath open; // what can be seen through all sections so far
+    QPainterPath open; // the area visible through all sections so far
     open.addRect(QRectF(-1.0, -1.0, 2.0, 2.0));
     for (double s = std::max(0.0, tip + kStep_m); s <= end && !open.isEmpty(); s += kStep_m) {
         const QPainterPath outline = section(tool, s);
@@ -137,7 +137,7 @@ void FlatScopePicture::paintMarks(QPainter& painter, const ScopeMarks& marks) co
         path.lineTo(at);
         const QPointF way = (at - target) / std::max(1e-6, (marks.lumen - marks.target).norm());
         const QPointF aside(-way.y(), way.x());
-        if (marks.beyond) { // an arrow's head at the rim
+        if (marks.beyond) { // an arrowhead at the rim
             path.moveTo(at + 0.06 * aside);
             path.lineTo(at + 0.11 * way);
             path.lineTo(at - 0.06 * aside);
@@ -151,7 +151,7 @@ void FlatScopePicture::paintMarks(QPainter& painter, const ScopeMarks& marks) co
     if (marks.dwell > 0.0) {
         QPainterPath arc;
         const QRectF round(-0.155, -0.155, 0.31, 0.31);
-        arc.arcMoveTo(round, -90.0); // y runs up here: this is the top
+        arc.arcMoveTo(round, -90.0); // y points up here, so this is the top
         arc.arcTo(round, -90.0, 360.0 * marks.dwell);
         stroke(painter, arc, guide, 0.028);
     }
@@ -172,7 +172,7 @@ void FlatScopePicture::paintForce(QPainter& painter, const ScopeMarks& marks) co
     path.moveTo(to - head * (way - 0.6 * aside));
     path.lineTo(to);
     path.lineTo(to - head * (way + 0.6 * aside));
-    for (int i = 1; marks.over && i <= 3; ++i) { // rungs over the limit
+    for (int i = 1; marks.over && i <= 3; ++i) { // crossbars on an arrow over the limit
         const QPointF rung = from + 0.2 * i * length * way;
         path.moveTo(rung - 0.04 * aside);
         path.lineTo(rung + 0.04 * aside);

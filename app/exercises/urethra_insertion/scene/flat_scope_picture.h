@@ -11,16 +11,17 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// What the camera at the tip sees, as outlines: sections of the canal one behind the other, darker with distance, each seen
-/// through those before it; in the bladder its wall with the landmarks. And the marks over it.
+/// The view of the camera at the tip, as outlines: sections of the canal one behind the other, darker with
+/// distance, each visible through the nearer ones; in the bladder its wall with the landmarks. The marks are
+/// drawn over it.
 class FlatScopePicture {
 public:
     FlatScopePicture(const UrethraDrawing& drawing, const SceneSetup& setup) : m_drawing(drawing), m_setup(setup) {}
 
     void paint(QPainter& painter, const QRectF& square, const SceneState& state) const;
 
-    /// Outline of the canal's section at s as this tool sees it, in the picture's own coordinates (radius 1, y up); empty where
-    /// part of it lies beside or behind the camera.
+    /// Outline of the canal's section at s as seen from this tool, in the picture's own coordinates (radius
+    /// 1, y up); empty if part of it lies beside or behind the camera.
     QPainterPath section(const ToolView& tool, double s_m) const;
 
 private:

@@ -29,7 +29,7 @@ bool FlatUrethra::paintWhole(QPainter& painter, const QRectF& room, const SceneS
 }
 
 std::vector<std::string> FlatUrethra::marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene) {
-    std::vector<std::string> marks; // the picture has no stage round it
+    std::vector<std::string> marks; // the picture has no surrounding stage
     if (scene.setup.cues.object && scene.setup.cues.guidance) {
         marks.push_back("lumen_ring");
         if (!parameters.landmarks.empty())

@@ -7,12 +7,13 @@
 
 namespace chiron::scene3d {
 
-/// The endoscope's view without OpenGL: its round picture as outlines of the canal one behind the other, and, where the level
-/// has an overview, the canal from the side. Same cues and marks as in 3D.
+/// The endoscope's view without OpenGL: its round picture as outlines of the canal one behind the other, and
+/// the canal from the side if the level has an overview. It shows the same cues and marks as the 3D view.
 class FlatUrethra final : public IFlatContent {
 public:
     explicit FlatUrethra(const simulation::UrethraInsertionParameters& parameters) : m_drawing(parameters) {}
-    /// Names of what it draws beside the things themselves (marksOf), 3D and flat alike. Pure.
+    /// Names of the marks that it draws in addition to the objects (marksOf), the same in 3D and flat. Pure
+    /// function.
     static std::vector<std::string> marks(const simulation::UrethraInsertionParameters& parameters, const MarkedScene& scene);
 
     bool paintWhole(QPainter& painter, const QRectF& room, const SceneSetup& setup,

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kRadius_mm = 4.2;
 constexpr double kHalf_mm = 0.28;
-constexpr double kEdge_mm = 0.22;   // of the black round the bright line
-constexpr float kInwards_mm = 1.2F; // before the wall, which is not flat
+constexpr double kEdge_mm = 0.22;   // width of the black border of the bright line
+constexpr float kInwards_mm = 1.2F; // in front of the wall, which is not flat
 
 Qt3DRender::QParameter* uniform(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QLatin1String(name), value, parent);
@@ -33,7 +33,7 @@ void LandmarkMarks::add(const UrethraDrawing& drawing, const simulation::Bladder
     auto* place = new Qt3DCore::QEntity(m_entity);
     auto* transform = new Qt3DCore::QTransform(place);
     const core::Vec3 in = -drawing.bladderDirection_A(landmark.polar_rad, landmark.azimuth_rad);
-    // Upright as seen from the neck: y of the mark is n at the neck, laid on the wall.
+    // Upright as seen from the neck: y of the mark is the direction n at the neck, projected onto the wall.
     core::Vec3 up = drawing.bladderDirection_A(0.5 * core::kPi, 0.5 * core::kPi);
     up -= up.dot(in) * in;
     if (!(up.norm() > 1e-3))

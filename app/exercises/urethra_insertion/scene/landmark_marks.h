@@ -8,11 +8,11 @@
 
 namespace chiron::scene3d {
 
-/// A ring round each landmark on the bladder's wall, with a tick once it was seen; where the level guides. They lie on the
-/// wall, so what hides the wall hides them, and stay sharp.
+/// A ring round each landmark on the bladder's wall, with a tick mark once it was seen; only if the level
+/// gives guidance. The rings lie on the wall, so whatever hides the wall hides them too, and they stay sharp.
 class LandmarkMarks {
 public:
-    /// `anatomy`: the entity that stands where A is.
+    /// `anatomy`: the entity placed at the origin of frame A.
     LandmarkMarks(const UrethraDrawing& drawing, EffectShelf& effects, Qt3DCore::QEntity* anatomy);
 
     void change(const SceneSetup& setup);

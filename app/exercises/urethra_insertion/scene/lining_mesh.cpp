@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kBladderRows = 26;
 constexpr int kSkirtRows = 9;
-constexpr double kGlansRadius_m = 0.014;   // of the rounded head; assumption, for the picture alone
-constexpr double kGlansReach_m = 0.013;    // how far from the axis it is drawn
-constexpr double kLip_m = 0.0012;          // the opening's edge is rounded over this
+constexpr double kGlansRadius_m = 0.014;   // radius of the rounded head; assumption, for the picture alone
+constexpr double kGlansReach_m = 0.013;    // distance from the axis up to which it is drawn
+constexpr double kLip_m = 0.0012;          // length over which the opening's edge is rounded
 
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -32,7 +32,8 @@ void addVertex(TriangleMesh& mesh, const core::Vec3& p, const core::Vec3& normal
     mesh.vertices.push_back(vertex);
 }
 
-/// Rows of `columns` + 1 vertices, the last a copy of the first; seen from the side of the normals.
+/// Joins rows of `columns` + 1 vertices, of which the last is a copy of the first; the front is on the side
+/// of the normals.
 void addRows(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t columns) {
     for (std::uint32_t row = 0; row + 1 < rows; ++row)
         for (std::uint32_t i = 0; i < columns; ++i) {
@@ -94,7 +95,8 @@ TriangleMesh LiningMesh::neck(const std::vector<core::Vec3>& last) const {
         for (std::size_t i = 0; i <= columns; ++i) {
             const Place place = neckAt(i, way, last);
             const core::Vec3 inwards = -m_drawing.bladderDirection_A(core::kPi - m_brim_rad, azimuth(i));
-            // The lip is shaded round: at the ring the normal turns from the bladder's to the canal's.
+            // The lip is shaded as rounded: towards the ring, the normal turns from the bladder's to the
+            // canal's.
             core::Vec3 toAxis = -(place.p - m_drawing.bladderCentre_A());
             toAxis -= axis * axis.dot(toAxis);
             const double lip = smooth((way - 0.45) / 0.55);
@@ -110,12 +112,12 @@ LiningMesh::Place LiningMesh::glansAt(std::size_t column, double way, const std:
     const std::size_t i = column % m_first.size();
     const double rest = std::max(1e-6, m_first[i].head<2>().norm());
     const core::Vec3 out(m_first[i].x() / rest, m_first[i].y() / rest, 0.0);
-    const double radius = rest + (kGlansReach_m - rest) * way * way; // close rows at the lip
+    const double radius = rest + (kGlansReach_m - rest) * way * way; // denser rows at the lip
     const double lip = std::exp(-(radius - rest) / kLip_m);
     const double rounded = kGlansRadius_m - std::sqrt(std::max(0.0, kGlansRadius_m * kGlansRadius_m - radius * radius));
     const double slope = radius / std::sqrt(kGlansRadius_m * kGlansRadius_m - radius * radius);
     Place place;
-    // A raised lip round the opening; the ring itself stays where the urethra ends.
+    // A raised lip round the opening; the ring itself stays at the urethra's end.
     place.p = radius * out + core::Vec3(0.0, 0.0, (rounded - 1.6 * kLip_m * lip * (1.0 - lip)));
     place.p += (1.0 - smooth(way * 1.6)) * (first[i] - m_first[i]) +
                lip * core::Vec3(0.0, 0.0, m_first[i].z() - rest * rest / (2.0 * kGlansRadius_m));

@@ -8,19 +8,21 @@
 
 namespace chiron::scene3d {
 
-/// What joins the urethra's two open ends: the bladder behind the neck C, the glans round the meatus A. Millimetres, A;
-/// normals towards the side that is seen; texture: x = turns round the axis, y = share of the way from dome to neck (bladder)
-/// or of the way outwards (glans).
+/// The surfaces that close the urethra's two open ends: the bladder behind the neck C, and the glans round
+/// the meatus A. The normals point to the visible side. Texture: x = turns round the axis, y = fraction of
+/// the way from dome to neck (bladder) or of the way outwards (glans).
+/// Unit: mm.
+/// Frame: A.
 class LiningMesh {
 public:
     /// `first`, `last`: the urethra's end rings at rest, metres, A.
     LiningMesh(const UrethraDrawing& drawing, std::vector<core::Vec3> first, std::vector<core::Vec3> last);
 
-    /// The sphere up to where the neck begins to give way.
+    /// The sphere up to the circle at which the neck starts to deform.
     TriangleMesh bladder() const;
-    /// From there to the urethra's last ring as it is now; it gives way with the ring.
+    /// The part from that circle to the urethra's current last ring; it deforms with the ring.
     TriangleMesh neck(const std::vector<core::Vec3>& last) const;
-    /// The glans, from the urethra's first ring as it is now.
+    /// The glans, from the urethra's current first ring.
     TriangleMesh glans(const std::vector<core::Vec3>& first) const;
 
 private:
@@ -36,8 +38,8 @@ private:
     const UrethraDrawing& m_drawing;
     std::vector<core::Vec3> m_first;
     std::vector<core::Vec3> m_last;
-    std::vector<double> m_azimuths; ///< of the last ring's points round t(C)
-    double m_brim_rad;              ///< polar angle from the neck where the sphere is no longer moved
+    std::vector<double> m_azimuths; ///< of the last ring's points, about t(C)
+    double m_brim_rad;              ///< polar angle from the neck from which on the sphere does not move
 };
 
 } // namespace chiron::scene3d

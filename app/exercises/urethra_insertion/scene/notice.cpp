@@ -12,11 +12,11 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr double kWide = 0.76; // of the round picture
+constexpr double kWide = 0.76; // width, as a fraction of the round picture's
 constexpr double kHigh = 0.40;
 } // namespace
 
-/// The sentence as a texture, painted once a size or language.
+/// The sentence as a texture, painted once per size or language.
 class NoticeFace final : public Qt3DRender::QPaintedTextureImage {
 public:
     explicit NoticeFace(Qt3DCore::QNode* parent) : QPaintedTextureImage(parent) {}

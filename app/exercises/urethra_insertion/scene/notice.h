@@ -10,13 +10,13 @@ namespace chiron::scene3d {
 
 class NoticeFace;
 
-/// The sentence in place of the endoscope's picture.
+/// The sentence shown in place of the endoscope's picture.
 class Notice {
 public:
     Notice(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3DCore::QEntity* root);
 
     void change(const SceneSetup& setup);
-    /// Side of the square picture in device pixels, and device pixels a logical one.
+    /// Side of the square picture in device pixels, and device pixels per logical pixel.
     void setPicture(int side_px, double ratio);
     void show(bool shown) { m_part->setEnabled(shown); }
 

@@ -18,7 +18,7 @@ void NoticePainter::paint(QPainter& painter, const QRectF& room, double unit) co
     QFont font(m_setup.family);
     const QString text = sentence();
     constexpr int kFlags = Qt::AlignCenter | Qt::TextWordWrap;
-    double size = 18.0 * m_setup.scale * unit; // smaller where the room asks for it
+    double size = 18.0 * m_setup.scale * unit; // reduced below if the room is too small
     for (; size > 8.0; size -= 1.0) {
         font.setPixelSize(std::max(1, int(size)));
         painter.setFont(font);

@@ -9,13 +9,13 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Why the endoscope's picture is black: one sentence, as large as its room allows, light on black in every theme. In 3D a
-/// texture shows it, since no widget may lie over a native window.
+/// Explains why the endoscope's picture is black, in one sentence that is as large as the room allows, light
+/// on black in every theme. In 3D a texture shows it, because no widget can lie over a native window.
 class NoticePainter {
 public:
     explicit NoticePainter(const SceneSetup& setup) : m_setup(setup) {}
 
-    /// Fills the room with black and writes into it. `unit`: pixels a logical one.
+    /// Fills the room with black and writes the sentence into it. `unit`: device pixels per logical pixel.
     void paint(QPainter& painter, const QRectF& room, double unit) const;
     static QString sentence();
 

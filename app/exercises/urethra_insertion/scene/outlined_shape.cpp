@@ -6,7 +6,7 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr float kGround = -0.9985F; // before the black round the picture
+constexpr float kGround = -0.9985F; // depth in front of the black round the picture
 constexpr float kShape = -0.9990F;
 } // namespace
 

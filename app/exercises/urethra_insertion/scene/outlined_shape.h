@@ -5,17 +5,18 @@
 
 namespace chiron::scene3d {
 
-/// A flat mark that shows on light and on dark ground: a bright shape over the same one, a little larger, in black. In the
-/// picture's own coordinates.
+/// A flat mark that is visible on light and on dark backgrounds: a bright shape over a slightly larger black
+/// one, in the picture's own coordinates.
 class OutlinedShape {
 public:
-    /// `inner`, `outer`: the shape and its black ground.
+    /// `inner`: the bright shape; `outer`: its black background.
     OutlinedShape(EffectShelf& effects, const TriangleMesh& inner, const TriangleMesh& outer, Qt3DCore::QEntity* parent);
 
     void show(bool shown) { m_entity->setEnabled(shown); }
     void setColour(const QColor& colour) { m_tint->setValue(toTint(colour)); }
-    void setShare(double turn) { m_share->setValue(float(turn)); } ///< of a round shape, from the top
-    /// Moved, turned (radians, counter-clockwise) and stretched along its own x.
+    /// Fraction of a round shape that is drawn, from the top.
+    void setShare(double turn) { m_share->setValue(float(turn)); }
+    /// Sets position, rotation (radians, counter-clockwise) and stretch along its own x axis.
     void place(double x, double y, double turn_rad = 0.0, double along = 1.0, double size = 1.0);
 
 private:

@@ -17,8 +17,8 @@ namespace {
 const QVector4D kCanal(0.86F, 0.42F, 0.38F, 0.10F);
 const QVector4D kBladder(0.88F, 0.56F, 0.48F, 0.06F);
 const QVector4D kGlans(0.86F, 0.60F, 0.54F, 0.30F);
-constexpr double kAnchored_m = 0.015; // of the canal before the neck, which the pelvis holds
-constexpr double kRule_mm = 10.0; // a line across the canal every so much
+constexpr double kAnchored_m = 0.015; // length of canal before the neck that the pelvis holds in place
+constexpr double kRule_mm = 10.0; // spacing of the lines across the canal
 
 Qt3DRender::QParameter* tintOf(Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QStringLiteral("tint"), QVector4D(0, 0, 0, 1), parent);

@@ -8,8 +8,8 @@
 
 namespace chiron::scene3d {
 
-/// The second picture, from outside: the canal and the bladder cut open (the near half is glass), shaft and tip, the other
-/// session's shaft, and the force on the tip as an arrow.
+/// The second picture, from outside: the canal and the bladder cut open (the near half is translucent), shaft
+/// and tip, the other session's shaft, and the force on the tip as an arrow.
 class Overview {
 public:
     Overview(const UrethraModel& model, SharedLight& light, EndoscopeGraph& graph, Qt3DCore::QEntity* root);

@@ -11,10 +11,11 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kShown_m = 0.030; // of the shaft before the entrance
-constexpr double kEdge = 0.95;     // of the half picture
+constexpr double kShown_m = 0.030; // length of the shaft shown before the entrance
+constexpr double kEdge = 0.95;     // usable fraction of half the picture
 
-/// What must be seen, W.
+/// The points that must be visible.
+/// Frame: W.
 std::vector<core::Vec3> corners(const UrethraDrawing& drawing) {
     const simulation::UrethraInsertionParameters& p = drawing.parameters();
     std::vector<core::Vec3> points{p.pose.pointToW({0.0, 0.0, -kShown_m})};
@@ -32,7 +33,7 @@ std::vector<core::Vec3> corners(const UrethraDrawing& drawing) {
     return points;
 }
 
-/// Half way between the farthest points each way, on this axis through W's origin.
+/// The midpoint between the extreme points along this axis, on the axis through W's origin.
 core::Vec3 middleAlong(const std::vector<core::Vec3>& points, const core::Vec3& axis) {
     double low = 1e9, high = -1e9;
     for (const core::Vec3& q : points) {
@@ -48,7 +49,8 @@ OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect) {
     const simulation::UrethraInsertionParameters& p = drawing.parameters();
     const std::vector<core::Vec3> points = corners(drawing);
     OverviewFit fit;
-    // From −x_A's side (the patient's, +x_W in the usual pose), a little from the trainee and from above.
+    // From the side of −x_A (the patient's side at +x_W in the usual pose), slightly from the trainee's side
+    // and from above.
     const core::Vec3 back = p.pose.vectorToW(core::Vec3(-1.0, 0.26, -0.22).normalized());
     fit.up_W = p.pose.vectorToW(core::Vec3::UnitY());
     const core::Vec3 right = fit.up_W.cross(back).normalized();
@@ -56,7 +58,8 @@ OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect) {
     const double tangent = kEdge * std::tan(0.5 * fit.fieldOfView_deg * core::kPi / 180.0);
     core::Vec3 middle = middleAlong(points, right) + middleAlong(points, up);
     double distance = 0.05;
-    for (int pass = 0; pass < 2; ++pass) { // the second time about the picture's middle as perspective moved it
+    // The second pass uses the picture's middle after the shift by perspective.
+    for (int pass = 0; pass < 2; ++pass) {
         double left = 1e9, rightmost = -1e9, bottom = 1e9, top = -1e9;
         distance = 0.05;
         for (const core::Vec3& q : points) {

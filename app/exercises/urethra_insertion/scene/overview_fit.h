@@ -5,7 +5,7 @@
 
 namespace chiron::scene3d {
 
-/// Where the overview is seen from: beside the patient, so that the way in runs from left to right and up.
+/// The camera of the overview: beside the patient, so that the way in runs from left to right and up.
 struct OverviewFit {
     core::Vec3 p_WEye = core::Vec3::Zero();    ///< m
     core::Vec3 p_WTarget = core::Vec3::Zero(); ///< m
@@ -13,8 +13,8 @@ struct OverviewFit {
     double fieldOfView_deg = 24.0; ///< vertical
 };
 
-/// The nearest such place from which canal, bladder and the last part of the shaft outside are seen. `aspect` =
-/// width/height > 0. Pure.
+/// The nearest such camera position from which canal, bladder and the last part of the shaft outside are
+/// visible. `aspect` = width/height > 0. Pure function.
 OverviewFit fitOverview(const UrethraDrawing& drawing, double aspect);
 
 } // namespace chiron::scene3d

@@ -11,11 +11,11 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kEdge = 0.007;       // of the black round each shape
+constexpr double kEdge = 0.007;       // width of the black border of each shape
 constexpr double kRing = 0.085;       // radius of the lumen's ring
-constexpr double kFrom = 0.56;        // where the force's arrow begins
-constexpr double kLimitLength = 0.24; // of the arrow at the limit
-// Bright on mucosa and on the dark of the lumen, in every theme; the shapes differ too.
+constexpr double kFrom = 0.56;        // distance of the arrow's start from the middle
+constexpr double kLimitLength = 0.24; // length of the arrow at the limit
+// Bright against mucosa and against the dark lumen, in every theme; the marks also differ in shape.
 const QColor kGuide(140, 240, 255);
 const QColor kForce(255, 255, 255);
 const QColor kOver(255, 226, 60);
@@ -26,7 +26,7 @@ TriangleMesh moved(TriangleMesh mesh, double x) {
     return mesh;
 }
 
-TriangleMesh across(double half, double thick) { // a bar across the way
+TriangleMesh across(double half, double thick) { // a bar across the direction of the arrow
     TriangleMesh mesh = flatBar(half);
     for (MeshVertex& v : mesh.vertices)
         v.position_mm[0] = float((v.position_mm[0] - 0.5F) * float(2.0 * thick));

@@ -10,8 +10,9 @@
 
 namespace chiron::scene3d {
 
-/// ScopeMarks over the round picture: the ring at the middle of the lumen with the way to it from where it is to come, the turn that fills while a
-/// landmark is held in view, and the force across the shaft as an arrow with the limit's bar.
+/// ScopeMarks over the round picture: the ring at the middle of the lumen with the line from it to its target
+/// position, the arc that fills while a landmark is held in view, and the force across the shaft as an arrow
+/// with the bar of its limit.
 class PictureMarks {
 public:
     PictureMarks(EffectShelf& effects, Qt3DRender::QLayer* layer, Qt3DCore::QEntity* root);

@@ -9,7 +9,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// In the picture; far outside where it lies beside or behind the camera.
+/// The position in the picture; far outside if the point lies beside or behind the camera.
 core::Vec2 placeOf(const core::Vec3& way_T, double fieldOfView_rad) {
     const double ahead = -way_T.z();
     const double wide = std::tan(0.5 * fieldOfView_rad);
@@ -21,7 +21,7 @@ core::Vec2 withinRim(const core::Vec2& place) {
     return place.norm() > ScopeMarks::kRim ? core::Vec2(place * (ScopeMarks::kRim / place.norm())) : place;
 }
 
-/// The same way, seen by an endoscope that has turned into the direction of the canal at its tip.
+/// The same direction as seen by an endoscope turned parallel to the canal at its tip.
 core::Vec3 seenAligned(const core::Vec3& way_T, const UrethraDrawing& drawing, const ToolView& tool) {
     const core::Vec3 tip_A = drawing.parameters().pose.pointToA(tool.p_WT);
     const core::Vec3 along_T = drawing.axes_A(tool).transpose() * drawing.centreline().foot(tip_A).at.t_A;
@@ -31,7 +31,8 @@ core::Vec3 seenAligned(const core::Vec3& way_T, const UrethraDrawing& drawing, c
 void addGuidance(ScopeMarks& marks, const simulation::EndoscopeCues& cues, const UrethraDrawing& drawing, const ToolView& tool) {
     const core::Vec3 way(cues.toLumen_T[0], cues.toLumen_T[1], cues.toLumen_T[2]);
     marks.dwell = std::clamp(cues.dwell, 0.0, 1.0);
-    if (!(way.squaredNorm() > 0.25)) // a unit vector, or zero where no lumen is seen
+    // It is a unit vector, or zero if no lumen is visible.
+    if (!(way.squaredNorm() > 0.25))
         return;
     marks.guided = true;
     const double field_rad = drawing.parameters().endoscope.fieldOfView_rad;

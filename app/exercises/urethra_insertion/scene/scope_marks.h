@@ -7,32 +7,37 @@
 
 namespace chiron::scene3d {
 
-/// What is marked over the endoscope's round picture, in its own coordinates (radius 1, y up): the same in 3D and in the flat
-/// view. Nothing of it where the level hides it.
+/// The marks over the endoscope's round picture, in its own coordinates (radius 1, y up), the same in 3D and
+/// in the flat view. Marks that the level hides are off.
 struct ScopeMarks {
     bool pictureShown = false; ///< the camera's picture is on
 
-    bool guided = false;         ///< the middle of the lumen is known and the level marks it
-    core::Vec2 lumen{0.0, 0.0};  ///< where its ring lies; within kRim
-    /// Where the ring lies once the endoscope points the way the canal runs at its tip: in a bend beside the middle of the picture, for an
-    /// endoscope with the lumen in the middle looks ahead of the bend and would cut its corner. So the ring asks for what is measured and judged.
+    bool guided = false;         ///< the position of the lumen is known and the level marks it
+    core::Vec2 lumen{0.0, 0.0};  ///< position of the ring; within kRim
+    /// The ring's position once the endoscope points along the canal at its tip. In a bend this is beside the
+    /// middle of the picture: an endoscope with the lumen in the middle looks ahead of the bend and would cut
+    /// its corner. The ring therefore asks for the alignment that is measured and assessed.
     core::Vec2 target{0.0, 0.0};
-    bool beyond = false;         ///< it lies outside the picture: the ring is an arrow's point at the rim
-    bool aligned = false;        ///< it lies on its target: the ring is double
+    bool beyond = false;         ///< the lumen lies outside the picture: the ring becomes an arrowhead at the
+                                 ///< rim
+    bool aligned = false;        ///< the ring is on its target: it is drawn double
 
-    double dwell = 0.0; ///< 0..1: the landmark in view has had this much of its holding time; with guidance only
+    /// 0..1: elapsed fraction of the holding time of the landmark in view; only with guidance.
+    double dwell = 0.0;
 
     bool force = false;            ///< the force across the shaft is drawn
-    core::Vec2 forceWay{1.0, 0.0}; ///< unit: which way it pushes the tip
-    double forceShare = 0.0;       ///< of the limit
+    core::Vec2 forceWay{1.0, 0.0}; ///< unit vector of the direction in which it pushes the tip
+    double forceShare = 0.0;       ///< fraction of the limit
     bool over = false;
 
     static ScopeMarks of(const SceneSetup& setup, const UrethraDrawing& drawing, const SceneState& state);
 
-    static constexpr double kRim = 0.80;      ///< the ring's place is held within this
-    static constexpr double kAligned = 0.07;  ///< nearer to its target than this, 2.8° with the usual camera: aligned
-    static constexpr double kLongest = 1.4;   ///< of the limit's length; beyond, the bar tells
-    static constexpr double kLeast_N = 0.02;  ///< below, no arrow
+    static constexpr double kRim = 0.80;      ///< the ring stays within this radius
+    /// Within this distance from its target (2.8° with the usual camera) the ring counts as aligned.
+    static constexpr double kAligned = 0.07;
+    /// Longest arrow, relative to that of the limit; the bar shows larger forces.
+    static constexpr double kLongest = 1.4;
+    static constexpr double kLeast_N = 0.02;  ///< no arrow below this force
 };
 
 } // namespace chiron::scene3d

@@ -14,7 +14,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-// Colours of mucosa in white light; after photographs of cystoscopies, ours.
+// Colours of mucosa in white light, chosen by us after photographs of cystoscopies.
 const QVector3D kCanalPale(0.90F, 0.56F, 0.50F);
 const QVector3D kCanalRed(0.74F, 0.26F, 0.23F);
 const QVector3D kBladderPale(0.93F, 0.66F, 0.56F);
@@ -24,9 +24,11 @@ const QVector3D kSkinRed(0.76F, 0.42F, 0.38F);
 const QVector3D kBlood(0.46F, 0.05F, 0.06F);
 constexpr float kNearest_mm = 0.35F;
 constexpr float kFarthest_mm = 260.0F;
-constexpr double kGlansSeen_m = 0.004;   // arc length up to which a turned camera may see the glans
-constexpr double kBladderSeen_m = 0.070; // before the neck; farther off the light does not reach it
-constexpr double kGain = 0.66; // of the lamp, so that a wall seen straight on at the metered distance is neither white nor dark
+constexpr double kGlansSeen_m = 0.004;   // arc length up to which a turned camera can see the glans
+// Distance before the neck; from farther away the light does not reach it.
+constexpr double kBladderSeen_m = 0.070;
+// Of the lamp, so that a wall seen head-on at the metered distance is neither white nor dark.
+constexpr double kGain = 0.66;
 
 Qt3DRender::QParameter* parameter(const char* name, const QVariant& value, Qt3DCore::QNode* parent) {
     return new Qt3DRender::QParameter(QLatin1String(name), value, parent);

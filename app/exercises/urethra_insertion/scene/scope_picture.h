@@ -9,18 +9,19 @@
 
 namespace chiron::scene3d {
 
-/// What the camera at the tip of tool 0 sees: the walls in its own light, the black round the picture, and what the depth of
-/// field needs.
+/// The view of the camera at the tip of tool 0: the walls in its own light, the black round the picture, and
+/// the passes for the depth of field.
 class ScopePicture {
 public:
     ScopePicture(const UrethraModel& model, EffectShelf& effects, EndoscopeGraph& graph, Qt3DCore::QEntity* root);
 
     void change(const SceneSetup& setup);
-    /// `shown` false: black.
+    /// `shown` false: a black picture.
     void show(const ToolView& tool, bool shown);
-    /// Side of the square that it fills, device pixels.
+    /// Side of the square that the picture fills, device pixels.
     void place(int side_px);
-    /// Stands where A is and is drawn while the bladder is; marks on its wall go below it.
+    /// The entity at the origin of A that is drawn while the bladder is visible; marks on the bladder's wall
+    /// are its children.
     Qt3DCore::QEntity* bladder() const { return m_bladder; }
 
 private:
@@ -35,7 +36,7 @@ private:
     EndoscopeGraph& m_graph;
     Qt3DCore::QEntity* m_root;
     Qt3DCore::QEntity* m_anatomy;
-    Qt3DCore::QEntity* m_bladder; ///< with the neck; drawn where it may be seen, as is the glans
+    Qt3DCore::QEntity* m_bladder; ///< includes the neck; drawn when it can be visible, like the glans
     Qt3DCore::QEntity* m_glans;
     Qt3DRender::QParameter* m_lamp;
     Qt3DRender::QParameter* m_sharpness;

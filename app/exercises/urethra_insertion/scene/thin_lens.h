@@ -5,15 +5,16 @@
 
 namespace chiron::scene3d {
 
-/// Which distances an endoscope shows sharp. With aperture A, focus distance s and an object at distance d (along the axis)
-/// a thin lens makes a circle of confusion of A·f·s/(s−f)·|1/s − 1/d| on its sensor, f the focal length; the sensor stands at
-/// v = f·s/(s−f) behind the lens and a picture of angle φ is 2·v·tan(φ/2) wide, so that in a picture P pixels wide
+/// The depth of field of an endoscope. With aperture A, focus distance s and an object at distance d (along
+/// the axis), a thin lens makes a circle of confusion of A·f·s/(s−f)·|1/s − 1/d| on its sensor, where f is
+/// the focal length. The sensor is at v = f·s/(s−f) behind the lens, and a picture of angle φ is 2·v·tan(φ/2)
+/// wide, so that in a picture P pixels wide
 ///     c = P·A·|1/s − 1/d| / (2·tan(φ/2)),
-/// whatever f is. The aperture is an assumption: about that of a rod-lens cystoscope.
+/// independently of f. The aperture is an assumption: about that of a rod-lens cystoscope.
 struct ThinLens {
     double aperture_mm = 0.30;
 
-    /// What |1/s − 1/d| (1/mm) is multiplied with: pixels · mm.
+    /// The factor of |1/s − 1/d| (1/mm): pixels · mm.
     double strength_px_mm(double picture_px, double fieldOfView_rad) const {
         return picture_px * aperture_mm / (2.0 * std::tan(0.5 * fieldOfView_rad));
     }
@@ -22,7 +23,8 @@ struct ThinLens {
         return strength_px_mm(picture_px, fieldOfView_rad) * std::abs(1.0 / focus_mm - 1.0 / distance_mm);
     }
 
-    static constexpr double kLargest_px = 18.0; ///< of the diameter, in a picture 700 pixels wide; larger ones are cut there
+    /// Largest diameter, in a picture 700 pixels wide; larger ones are limited to it.
+    static constexpr double kLargest_px = 18.0;
 };
 
 } // namespace chiron::scene3d

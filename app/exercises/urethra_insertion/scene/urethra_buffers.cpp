@@ -32,7 +32,8 @@ std::vector<float> placesOf(const simulation::UrethraSurface& surface) {
     return places;
 }
 
-/// Turns round the canal: j/N, but on the seam's triangles the first point of a ring is a whole turn.
+/// The texture coordinate round the canal: j/N, except that on the seam's triangles the first point of a ring
+/// is a whole turn.
 std::vector<float> turnsOf(const simulation::UrethraSurface& surface, bool seam) {
     const std::size_t ring = surface.ringSize();
     std::vector<float> turns(surface.vertexCount());
@@ -66,7 +67,7 @@ std::vector<std::uint32_t> trianglesOf(const simulation::UrethraSurface& surface
     return sorted;
 }
 
-/// How many of these indices, which are sorted by ring, lie before each ring's; one more at the end.
+/// For each ring, the number of these indices (sorted by ring) before it; with one more entry at the end.
 std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& triangles, std::size_t ringSize, std::size_t rings) {
     std::vector<std::uint32_t> starts;
     std::size_t t = 0;
@@ -79,8 +80,8 @@ std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& triangles,
     return starts;
 }
 
-/// Every second ring and every second point of it (rings and points as README.md of the surface lays them out), the last ring
-/// always.
+/// Triangles of every second ring and every second point of it (the README.md of the surface describes the
+/// layout of rings and points); the last ring is always included.
 std::vector<std::uint32_t> coarseTriangles(const simulation::UrethraSurface& surface) {
     const std::uint32_t ring = std::uint32_t(surface.ringSize());
     const std::uint32_t last = std::uint32_t(surface.vertexCount()) / ring - 1;
@@ -124,7 +125,8 @@ Qt3DRender::QGeometryRenderer* UrethraBuffers::renderer(const simulation::Urethr
     };
     for (std::size_t i = 0; i < kNames.size(); ++i)
         add(m_planes[i], kNames[i]);
-    // The engine measures every shape by its positions, and complains of one without: it gets those at rest.
+    // The engine measures every shape by its positions and reports an error for a shape without them, so it
+    // gets those at rest.
     auto* rest = new Qt3DCore::QBuffer(geometry);
     rest->setData(bytesOf(std::span<const float>(placesOf(surface))));
     auto* places = new QAttribute(rest, QAttribute::defaultPositionAttributeName(), QAttribute::Float, 3, count, 0,
@@ -153,7 +155,8 @@ void UrethraBuffers::cut(Qt3DRender::QGeometryRenderer* part, const std::vector<
 void UrethraBuffers::showFrom(const simulation::UrethraSurface& surface, double from_s_m) {
     const std::span<const float> arc = surface.arcLength_m();
     const std::size_t ring = surface.ringSize();
-    const std::size_t last = surface.vertexCount() / ring - 2; // always one strip: an empty shape would be drawn whole
+    // At least one strip is kept, because an empty range would be drawn whole.
+    const std::size_t last = surface.vertexCount() / ring - 2;
     std::size_t from = 0;
     while (from < last && double(arc[(from + 1) * ring]) < from_s_m)
         ++from;
@@ -167,7 +170,8 @@ void UrethraBuffers::update(const simulation::UrethraSurface& surface,
                             std::span<const simulation::VertexRange> changed) {
     if (changed.empty())
         return;
-    // One range a picture: a buffer keeps only the newest of several updates, and the rings that change lie together.
+    // One range per picture: a buffer keeps only the newest of several updates, and the rings that change are
+    // adjacent.
     const std::size_t first = changed.front().first;
     const std::size_t count = changed.back().first + changed.back().count - first;
     for (int i = 0; i < kPlanes; ++i)

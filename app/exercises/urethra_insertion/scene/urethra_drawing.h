@@ -7,8 +7,11 @@
 
 namespace chiron::scene3d {
 
-/// Where things are in the pictures of the urethra, from the same anatomy as the forces (models.md §1). Frame A, metres.
-/// Pure after construction; any thread.
+/// The positions of everything in the pictures of the urethra, from the same anatomy as the forces
+/// (models.md §1). Pure after construction.
+/// Unit: m.
+/// Frame: A.
+/// Thread: any.
 class UrethraDrawing {
 public:
     explicit UrethraDrawing(const simulation::UrethraInsertionParameters& parameters);
@@ -16,26 +19,28 @@ public:
     const simulation::UrethraInsertionParameters& parameters() const { return m_parameters; }
     const simulation::UrethraCentreline& centreline() const { return m_centreline; }
 
-    /// How the drawn tip opens and moves the wall; at rest while no tool is there or its beak is outside.
+    /// The deformation of the wall under the drawn tip; at rest while there is no tool or its beak is
+    /// outside.
     simulation::UrethraDeformation deformationOf(const ToolView& tool) const;
     core::Vec3 tip_A(const ToolView& tool) const;
     /// Axes of T in A as columns: x to the right of the picture, y up, looking along −z.
     core::Mat3 axes_A(const ToolView& tool) const;
-    /// How far the wall in the middle of the picture is taken to be, for the camera's gain and focus: kNear_m in the canal,
-    /// the bladder's wall along the axis when inside it, smoothly between over kBlend_m past the neck.
+    /// The distance at which the camera's gain and focus are set: kNear_m in the canal, the distance of the
+    /// bladder's wall along the axis inside the bladder, with a smooth transition over kBlend_m past the
+    /// neck.
     double meteredDistance_m(const ToolView& tool) const;
 
     core::Vec3 bladderCentre_A() const { return m_bladderCentre_A; }
     /// A point of the bladder's wall: polar angle from t(C) (0 = dome, π = neck), azimuth about it from x̂ towards n.
     core::Vec3 bladderWall_A(double polar_rad, double azimuth_rad) const;
     core::Vec3 bladderDirection_A(double polar_rad, double azimuth_rad) const;
-    /// How much of a landmark is hidden is for the picture to say; this is where it lies.
+    /// The position of a landmark; whether anything hides it is up to the picture.
     core::Vec3 landmark_A(const simulation::BladderLandmark& landmark) const {
         return bladderWall_A(landmark.polar_rad, landmark.azimuth_rad);
     }
 
     static constexpr double kNear_m = 0.012;  ///< working distance in the canal
-    static constexpr double kBlend_m = 0.008; ///< past the neck
+    static constexpr double kBlend_m = 0.008; ///< length of the transition past the neck
 
 private:
     simulation::UrethraInsertionParameters m_parameters;

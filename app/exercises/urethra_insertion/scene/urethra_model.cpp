@@ -7,13 +7,14 @@ namespace chiron::scene3d {
 
 namespace {
 
-/// At most 4 × 4 a patch: at 8 × 8 nothing more is seen, and a software rasteriser works on four times the vertices.
+/// At most 4 × 4 per patch: 8 × 8 brings no visible improvement, and a software rasteriser would process four
+/// times as many vertices.
 simulation::UrethraMeshSettings drawnMesh(simulation::UrethraMeshSettings mesh) {
     mesh.perPatch = std::min(mesh.perPatch, 4);
     return mesh;
 }
 
-constexpr double kBehind_m = 0.015; // of the canal behind the tip, that a camera turned to the side may see
+constexpr double kBehind_m = 0.015; // length of canal behind the tip that a camera turned to the side can see
 
 void addEntity(Qt3DRender::QGeometryRenderer* shape, Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) {
     auto* entity = new Qt3DCore::QEntity(parent);

@@ -10,7 +10,8 @@
 
 namespace chiron::scene3d {
 
-/// The shapes that the camera's picture and the overview share: urethra, bladder, neck, glans. They follow the drawn tip.
+/// The meshes that the camera's picture and the overview share: urethra, bladder, neck, glans. They follow
+/// the drawn tip.
 class UrethraModel {
 public:
     UrethraModel(const simulation::UrethraInsertionParameters& parameters, Qt3DCore::QNode* owner);
@@ -18,8 +19,8 @@ public:
     void show(const ToolView& tool);
     const UrethraDrawing& drawing() const { return m_drawing; }
 
-    /// Entities with these shapes below `parent`, which stands where A is: the canal with one material, bladder and neck with
-    /// another, the glans with a third. The coarse canal is for the overview.
+    /// Adds entities with these meshes below `parent`, which is placed at the origin of A: the canal with one
+    /// material, bladder and neck with another, the glans with a third. The coarse canal is for the overview.
     void addCoarseCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;
     void addCanal(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;
     void addBladder(Qt3DRender::QMaterial* material, Qt3DCore::QEntity* parent) const;

@@ -19,7 +19,7 @@ double tipCount_m(const devices::DeviceDescriptor& device) {
     }
     double largest = 0.0;
     for (std::size_t i = 0; i < device.axes.size(); ++i) {
-        devices::AxisValues oneCount{}; // a second: m/s are metres a count
+        devices::AxisValues oneCount{}; // one count per second, so that m/s equal metres per count
         oneCount[i] = 1.0;
         core::Vec3 v_DT = core::Vec3::Zero();
         core::Vec3 w_DT = core::Vec3::Zero();

@@ -13,7 +13,7 @@ namespace chiron::session {
 
 namespace {
 
-/// The tick's event and its sample may stand a packet apart.
+/// The event of a tick and its sample can differ in time by one packet.
 constexpr double kNear_s = 0.002;
 
 void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
@@ -31,8 +31,9 @@ void addEvents(PlaybackTrack& track, int trial, PlaybackMarkKind kind,
     }
 }
 
-/// The words of the stages that a trial went through, where it waits outside and the end left out: one for each stageChanged mark.
-/// Before its first sample every trial is outside; one that begins with the beak in changes at that very sample.
+/// The words of the stages that a trial went through, without waiting outside and without the end: one for
+/// each stageChanged mark. Every trial is outside before its first sample; a trial that begins with the beak
+/// inside changes its stage at that sample.
 std::vector<std::string> stagesOf(const scoring::InsertionSeries& series) {
     std::vector<std::string> stages;
     auto last = core::ProcedureStage::outside;
@@ -69,7 +70,7 @@ void completeMarks(PlaybackTrack& track, int trial, const scoring::InsertionSeri
     }
 }
 
-/// Tissue that gave way under a trauma that is an error is that one error.
+/// Tissue that gave way during a trauma that is already a critical error does not count as a second error.
 void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::InsertionEvent>& trauma) {
     for (PlaybackMark& mark : track.marks)
         if (mark.kind == PlaybackMarkKind::yielded && mark.trial == trial)
@@ -78,7 +79,7 @@ void countOnce(PlaybackTrack& track, int trial, const std::vector<scoring::Inser
             });
 }
 
-/// Only what a sample alone can exceed: a mean over the trial has no moment.
+/// Handles only gates that a single sample can exceed: a mean over the trial has no moment.
 void addStretches(PlaybackTrack& track, const scoring::TrialTrace& trial, std::span<const scoring::Gate> gates) {
     for (const scoring::Gate& gate : gates) {
         if (!gate.maximum)

@@ -10,12 +10,14 @@
 
 namespace chiron::session {
 
-/// Adds to a track what the scores of an insertion count, from the same list (scoring/insertion_events.h), so that each
-/// penalty can be looked at: trauma events, reversals and the stretches beyond what the level's gates on offset_max and
-/// torque_max allow, with their ends and sizes. Notes each trial's largest offset, misalignment and torque. Tells the marks that are there already
-/// which stage began and how many landmarks had been seen. Marks stay in the order of time; nothing changes where no trial
-/// has an insertion series. Failure: a trace that cannot be scored (trace_grid.h).
-/// `traumaIsCritical`: the session's critical_errors counts trauma that is long or hard (scoring::isCritical), and its marks say so.
+/// Adds to a track the events that the scores of an insertion count, from the same list
+/// (scoring/insertion_events.h), so that each penalty can be reviewed: trauma events, reversals, and the
+/// intervals beyond the level's gates on offset_max and torque_max, with their ends and sizes. Records each
+/// trial's largest offset, misalignment and torque. Adds to the existing marks which stage began and how many
+/// landmarks had been seen. Marks stay in the order of time. The track is unchanged if no trial has an
+/// insertion series. `traumaIsCritical`: the session's critical_errors counts trauma that is long or hard
+/// (scoring::isCritical), and its marks state this.
+/// Errors: a trace that cannot be scored (trace_grid.h).
 core::Result<void> addInsertionMarks(PlaybackTrack& track, const scoring::SessionTrace& trace,
                                      std::span<const scoring::Gate> gates, bool traumaIsCritical = false);
 

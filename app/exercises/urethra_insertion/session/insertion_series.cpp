@@ -13,7 +13,7 @@ namespace {
 
 using simulation::CentrelineFoot;
 
-constexpr std::uint64_t kTick_us = 1000; // the scene's
+constexpr std::uint64_t kTick_us = 1000; // the scene's tick
 
 class SeriesBuilder {
 public:

@@ -8,13 +8,17 @@
 
 namespace chiron::session {
 
-/// What tool 0 of a trial did with respect to the urethra, sample by sample, from its stored poses and tissue wrench:
+/// The motion of tool 0 of a trial relative to the urethra, sample by sample, from its stored poses and
+/// tissue wrench:
 ///   s, offset: of the tip's foot on the centre-line;  alignment: angle between the endoscope's axis and the tangent there;
-///   lateral: ‖f − (f·t) t‖;  axial torque: |τ·a|;  stage and landmarks: a ProcedureTracker stepped once for every running tick
-///   that the recording has for the sample (ToolTrace::heldTicks), exactly as the scene steps it: what live counted as seen is seen, also where
-///   the device's clock is not the tick's or its packets are slower. A trace without ticks: one step a sample that was not paused, by its time.
-///   The stage of a sample is the one when the next came; a landmark is seen at the time of the sample that was held.
-/// Nothing where the trace has no orientations. Pure; any thread.
+///   lateral: ‖f − (f·t) t‖;  axial torque: |τ·a|;  stage and landmarks: a ProcedureTracker stepped once for every
+///   running tick that the recording has for the sample (ToolTrace::heldTicks), exactly as the scene steps it.
+/// A landmark that counted as seen during the session therefore counts as seen here, even if the device's
+/// clock differs from the tick's or its packets are slower. Without ticks in the trace, the tracker makes one
+/// step per sample that was not paused, by the sample's time. The stage of a sample is the one at the arrival
+/// of the next sample; a landmark is seen at the time of the sample that was held. Empty if the trace has no
+/// orientations. Pure function.
+/// Thread: any.
 std::optional<scoring::InsertionSeries> insertionSeries(const simulation::UrethraInsertionParameters& parameters,
                                                         const scoring::TrialTrace& trial);
 

@@ -9,7 +9,7 @@ namespace chiron::session {
 
 namespace {
 
-constexpr double kSameTime_s = 0.6e-6; // traces hold whole microseconds, tracks do not
+constexpr double kSameTime_s = 0.6e-6; // traces have times in whole microseconds, tracks do not
 
 void addFacts(PlaybackInsertion& insertion, const scoring::InsertionSeries& series) {
     insertion.length_m = series.length_m;
@@ -18,7 +18,7 @@ void addFacts(PlaybackInsertion& insertion, const scoring::InsertionSeries& seri
     insertion.landmarkSeen_s = series.landmarkSeen_s;
 }
 
-/// The series at `t_s`: its last sample not later than that.
+/// The values of the series at `t_s`: those of its last sample that is not later.
 void addMoment(PlaybackInsertionMoment& moment, const scoring::TrialTrace& trial, double t_s) {
     const std::vector<double>& times_s = trial.tools.front().t_s;
     const scoring::InsertionSeries& series = *trial.insertion;
@@ -28,7 +28,8 @@ void addMoment(PlaybackInsertionMoment& moment, const scoring::TrialTrace& trial
     const auto i = static_cast<std::size_t>(after - times_s.begin()) - 1;
     moment.stage = static_cast<core::ProcedureStage>(series.stage[i]);
     if (after == times_s.end() && t_s > times_s.back() + kSameTime_s)
-        return; // the trial is over: it stands where it ended, and nothing is measured
+        // The trial is over: its last stage remains, and nothing is measured.
+        return;
     moment.depth_m = series.s_m[i];
     moment.offset_m = series.offset_m[i];
     moment.alignment_rad = series.alignment_rad[i];
@@ -39,7 +40,7 @@ void addMoment(PlaybackInsertionMoment& moment, const scoring::TrialTrace& trial
 std::uint32_t PlaybackInsertion::landmarksSeenAt(double t_s) const noexcept {
     std::uint32_t seen = 0;
     for (std::size_t i = 0; i < landmarkSeen_s.size() && i < 32; ++i)
-        seen |= landmarkSeen_s[i] <= t_s ? 1u << i : 0u; // not a number: never
+        seen |= landmarkSeen_s[i] <= t_s ? 1u << i : 0u; // NaN: never
     return seen;
 }
 

@@ -13,35 +13,42 @@
 
 namespace chiron::session {
 
-/// An endoscope in its canal at one sample of a track: what scoring saw (scoring::InsertionSeries). SI.
+/// The position of an endoscope in its canal at one sample of a track, as the scoring used it
+/// (scoring::InsertionSeries).
+/// Unit: SI.
 struct PlaybackInsertionMoment {
-    double depth_m = std::numeric_limits<double>::quiet_NaN(); ///< arc length of the tip's foot; not a number before the trial
+    /// Arc length of the tip's foot; NaN before the trial.
+    double depth_m = std::numeric_limits<double>::quiet_NaN();
     double offset_m = std::numeric_limits<double>::quiet_NaN();
     double alignment_rad = std::numeric_limits<double>::quiet_NaN();
     core::ProcedureStage stage = core::ProcedureStage::outside;
 };
 
-/// The way of an endoscope through a canal over a track's time: what a track has as its own (PlaybackTrack::of). A value; any one thread.
+/// The course of an endoscope through a canal over a track's time: the exercise-specific data of the track
+/// (PlaybackTrack::of). A plain value.
+/// Thread: any one.
 struct PlaybackInsertion final : PlaybackOfExercise {
-    double length_m = 0.0; ///< L
-    double bend_m = 0.0;   ///< s_B
+    double length_m = 0.0; ///< L: length of the canal
+    double bend_m = 0.0;   ///< s_B: arc length of the bend
     double goal_m = 0.0;   ///< depth that ends the insertion
-    std::vector<double> landmarkSeen_s; ///< on the track's time, not a number where it was not seen; empty: none to be seen
-    std::vector<PlaybackInsertionMoment> moments; ///< one a moment of the track
+    /// Track time at which each landmark was seen, NaN if it was not; empty if there are no landmarks.
+    std::vector<double> landmarkSeen_s;
+    std::vector<PlaybackInsertionMoment> moments; ///< one per moment of the track
 
-    std::uint32_t landmarksSeenAt(double t_s) const noexcept; ///< one bit each
-    int landmarksSeen() const noexcept;                       ///< in all
+    std::uint32_t landmarksSeenAt(double t_s) const noexcept; ///< one bit per landmark
+    int landmarksSeen() const noexcept;                       ///< total
 };
 
-/// Of a session's trials, at the times of a track. Where several trials have a series, facts are the first one's. A time before
-/// a trial's first sample holds nothing, one after its last sample that sample's stage. Pure.
+/// The insertion data of a session's trials at the times of a track. If several trials have a series, the
+/// fixed values (length, bend, goal, landmarks) are those of the first one. A time before a trial's first
+/// sample holds nothing, one after its last sample that sample's stage. Pure function.
 PlaybackInsertion playbackInsertionOf(const scoring::SessionTrace& trace, std::span<const double> times_s);
 
-/// Puts it into a track with moments, as its own and as its canal. Nothing where no trial has a series: the device could not be turned, or
-/// nothing was begun.
+/// Adds the insertion data to a track that has moments, as its exercise-specific data and as its canal. Does
+/// nothing if no trial has a series, because the device could not be turned or no trial was started.
 void addInsertion(PlaybackTrack& track, const scoring::SessionTrace& trace);
 
-/// At a time of the track, clamped to it; nothing where it has none.
+/// The insertion data at a time of the track, clamped to it; empty if the track has none.
 std::optional<PlaybackInsertionMoment> insertionAt(const PlaybackTrack& track, double t_s);
 
 } // namespace chiron::session

@@ -25,8 +25,8 @@ namespace chiron::session {
 
 namespace {
 
-constexpr int kCystoscopyLevel = 3;     // P1's procedure, whole, in normal tissue
-constexpr double kBendMark_deg = 15.0; // of the levels that have a bend (content/README.md)
+constexpr int kCystoscopyLevel = 3;     // P1's whole procedure in normal tissue
+constexpr double kBendMark_deg = 15.0; // pass mark of the levels that have a bend (content/README.md)
 
 const simulation::UrethraInsertionParameters& parametersOf(const catalogue::ExerciseLevel& level) {
     return level.parameters.as<simulation::UrethraInsertionParameters>();
@@ -35,7 +35,7 @@ const simulation::UrethraInsertionParameters& parametersOf(const catalogue::Exer
 /// Arming takes 2 s and a person may first have to move out of contact; beyond this a scripted run is stuck.
 constexpr double kArmingAllowance_s = 20.0;
 
-/// The canal has no object of its own to be found; what playback needs is where the tip was drawn.
+/// The canal has no object that has to be found; playback only needs the drawn position of the tip.
 class UrethraInsertionSurfaces final : public TrialSurfaces {
 public:
     explicit UrethraInsertionSurfaces(const simulation::UrethraInsertionParameters& p) : m_drawn(p) {}
@@ -140,7 +140,7 @@ void UrethraInsertionKind::fillRowOfTrial(const scoring::TrialTrace& trial, scor
         scoring::setTrialOfCanal(row.insertion, trial);
 }
 
-// By its time: the series has a value for each sample that is scored.
+// Finds the sample by its time: the series has a value for each sample that is scored.
 void UrethraInsertionKind::fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const {
     if (!trial.insertion || row.tool != 0 || trial.tools.empty())
         return;

@@ -5,16 +5,17 @@
 
 namespace chiron::session {
 
-/// Urethra insertion (models.md §1).
+/// The exercise of urethra insertion (models.md §1).
 class UrethraInsertionKind final : public ExerciseKind {
 public:
     std::string_view id() const noexcept override { return "urethra_insertion"; }
     std::string_view mechanism() const noexcept override { return "five_bar_spherical"; }
-    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling: at the cap of 4 N 3.7 N are felt, up to 3.2 N all.
+    /// A stricture is stiffer (4 kN/m) than a hand can press without trembling. With this knee and a cap of 4
+    /// N, forces up to 3.2 N are rendered unchanged, and a force of 4 N as 3.7 N.
     double capKnee() const noexcept override { return 0.2; }
     PointerTool pointerTool() const noexcept override { return PointerTool::endoscope; }
-    core::Vec3 endoscopeStart_W() const noexcept override; ///< on the straight line before the entrance
-    /// Friction sets in as slowly as the first tool's device needs it (device_friction.h).
+    core::Vec3 endoscopeStart_W() const noexcept override; ///< on the straight line in front of the entrance
+    /// Friction sets in as gradually as the first tool's device requires (device_friction.h).
     std::unique_ptr<simulation::IScene> makeScene(const SessionSetup& setup) const override;
     simulation::YieldLaw yieldLaw(const catalogue::ExerciseLevel& level) const override;
     core::Result<ScriptedTrainee> makeOperator(const catalogue::ExerciseLevel& level, const std::string& name,
@@ -25,15 +26,18 @@ public:
     std::vector<std::pair<std::string_view, double>> otherLimits_N(const catalogue::ExerciseLevel& level) const override;
     double torqueLimit_Nm(const catalogue::ExerciseLevel& level) const override;
     std::uint64_t tickLimit(const catalogue::ExerciseLevel& level) const override;
-    /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry: what was near, aligned and in
-    /// which stage follows from stored channels alone. Left out where the trace has no orientation.
+    /// Fills `trial.insertion` from tool 0's poses and tissue wrench with the level's own geometry, so that
+    /// proximity, alignment and stage follow from stored channels alone. Left empty if the trace has no
+    /// orientation.
     void addTruth(const catalogue::ExerciseLevel& level, std::uint64_t seed, scoring::TrialTrace& trial) const override;
     std::unique_ptr<TrialSurfaces> makeSurfaces(const catalogue::ExerciseLevel& level, std::uint64_t seed) const override;
     bool marksFromTrace() const noexcept override { return true; }
     core::Result<void> addMarks(const SessionSetup& setup, const scoring::SessionTrace* trace, PlaybackTrack& track) const override;
-    /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for those that were not seen.
+    /// completed, length_m, bend_m, goal_m, lateral_limit_N, landmarks_seen_s: null for landmarks that were
+    /// not seen.
     void storeTruth(const scoring::TrialTrace& trial, QJsonObject& truth) const override;
-    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override; ///< of the canal
+    /// Columns of the canal.
+    void addColumns(std::span<const scoring::TrialTrace> trials, scoring::TraceColumns& columns) const override;
     void fillRowOfTrial(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     void fillRowOfSample(const scoring::TrialTrace& trial, scoring::TraceRow& row) const override;
     Demonstration demonstration() const override;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr int kBefore_mm = 10; // the beak of an endoscope
+constexpr int kBefore_mm = 10; // length of the beak of an endoscope
 
 void raise(double& most, double value) {
     if (!(most >= value))
         most = value;
 }
 
-/// Adds samples up to the largest of each millimetre.
+/// Collects samples into the largest value of each millimetre.
 class ProfileMaker {
 public:
     void add(core::ProcedureStage stage, double depth_m, double offset_m, double alignment_rad) {

@@ -13,15 +13,16 @@
 
 namespace chiron::session_report {
 
-/// How an endoscope kept to its canal, by depth: the largest distance and angle in each millimetre from one centimetre before the
-/// entrance on, in the stages before the goal and in the withdrawal. Pauses do not count. Nothing for exercises without a canal. Pure.
+/// The deviation of an endoscope from its canal, by depth: the largest distance and angle in each millimetre,
+/// beginning one centimetre before the entrance, for the stages before the goal and for the withdrawal.
+/// Pauses do not count. Empty for exercises without a canal. Pure function.
 std::optional<report::InsertionProfile> insertionProfileOf(const scoring::SessionTrace& trace);
 std::optional<report::InsertionProfile> insertionProfileOf(const session::PlaybackTrack& track);
 
-/// The section of a report; null without a canal. Pure.
+/// The section of a report; null without a canal. Pure function.
 std::shared_ptr<const report::ReportSection> insertionSectionOf(const scoring::SessionTrace& trace, const catalogue::ExerciseLevel& level);
 
-/// What the end of a trial, and damage, are called.
+/// The words for the end of a trial and for damage.
 EndWords insertionEnds();
 
 } // namespace chiron::session_report
