@@ -18,8 +18,8 @@ using core::Vec3;
 
 constexpr std::array<double, 6> kSpeeds_m_per_s{0.001, 0.010, 0.020, 0.050, 0.100, 0.150};
 constexpr double kArming_s = 3.0, kHeld_s = 2.0, kTurn_s = 0.5;
-constexpr double kSettled = 0.4; ///< fraction of a half that is left out at its start; at its end, 0.1 is
-                                 ///< left out
+constexpr double kSettling = 0.4; ///< fraction of a half that is left out at its start
+constexpr double kBraking = 0.1;  ///< fraction that is left out at its end
 
 /// Half the length of a stroke: the distance covered in one second, limited to 4 to 45 mm.
 double halfOf(double speed_m_per_s) { return std::clamp(speed_m_per_s, 0.004, 0.045); }
@@ -106,10 +106,10 @@ private:
         wanted.v_DDesired = v * way_m * s.direction;
         const double along_N = seen.f_T_D.dot(s.direction);
         const double progress = (in - turned) / (2.0 * half); // progress of the movement back, 0..1
-        if (progress > kSettled && progress < 1.0 - 0.1)
+        if (progress > kSettling && progress < 1.0 - kBraking)
             noted.back_N += along_N, ++noted.back;
         const double out = in < half ? in / half : (in - back) / half;
-        if ((in < half || in >= back) && out > kSettled && out < 1.0 - 0.1)
+        if ((in < half || in >= back) && out > kSettling && out < 1.0 - kBraking)
             noted.there_N -= along_N, ++noted.there;
     }
     Vec3 m_centre_D;
