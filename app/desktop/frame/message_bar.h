@@ -32,7 +32,7 @@ public:
     static int roomHeight(const Theme& theme);
 
 protected:
-    /// Follows size and position of parent and room
+    /// Follows size and position of parent and room.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
