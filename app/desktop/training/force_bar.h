@@ -8,20 +8,21 @@
 
 namespace chiron::desktop {
 
-/// A level between nothing and a quarter more than the limit, with the limit as a line; above it the bar is hatched and
-/// says so in words. Shows its number only where the level allows numbers. GUI thread.
+/// A bar from zero to a quarter above the limit, with the limit as a line. Above the limit it is hatched and
+/// says so in words. It shows the number only if the level allows numbers.
+/// Thread: GUI.
 class ForceBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
         QString name;        ///< "Force"
         QString unit;        ///< "N"
-        double limit = 4.0;  ///< in that unit
+        double limit = 4.0;  ///< In that unit
         int decimals = 2;
     };
     ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
 
-    void setValue(double value); ///< in the quantity's unit, from 0
+    void setValue(double value); ///< In the quantity's unit, ≥ 0
     bool isOver() const noexcept { return m_value > m_quantity.limit; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
