@@ -26,7 +26,7 @@ namespace chiron::desktop {
 /// The depth-of-field setting of a level whose instrument has a lens.
 struct DepthOfField {
     bool on = false;
-    bool fixed = false; ///< The level does not let the person change it
+    bool fixed = false; ///< the level does not let the person change it
 
     /// `wanted` is the person's own choice, if they made one.
     bool shown(std::optional<bool> wanted) const { return fixed ? on : wanted.value_or(on); }

@@ -17,8 +17,8 @@ struct ScreenEntry {
     const char* id;
     const char* title; ///< source text in context "Screens"; translated when shown
     const char* icon;  ///< Breeze name
-    std::vector<database::Role> roles; ///< Roles whose navigation shows it; empty: none
-    bool framed = true;                ///< False: it fills the whole window (login, first start)
+    std::vector<database::Role> roles; ///< roles whose navigation shows it; empty: none
+    bool framed = true;                ///< false: it fills the whole window (login, first start)
     Screen* (*make)(AppContext& context, const Place& place);
     /// A training session or study session runs here: nothing else may use the computer.
     bool sitting = false;

@@ -61,7 +61,7 @@ private:
     NoticeArea* m_passwordNotice = nullptr;
     QPushButton* m_changePassword = nullptr;
     WaitCountdown* m_wait = nullptr;
-    QLabel* m_recoveryState = nullptr; ///< Shown to administrators only, like the button
+    QLabel* m_recoveryState = nullptr; ///< shown to administrators only, like the button
     QPushButton* m_recovery = nullptr;
     bool m_hasRecoveryCode = false;
     QString m_storedName;

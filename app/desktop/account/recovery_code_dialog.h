@@ -24,7 +24,7 @@ public:
     /// `hasOne`: an earlier code exists, which the new one replaces.
     RecoveryCodeDialog(AppContext& context, bool hasOne, QWidget* parent);
 
-    void reject() override; ///< Warns once if the code has not been written down
+    void reject() override; ///< warns once if the code has not been written down
 
 private:
     void renew();

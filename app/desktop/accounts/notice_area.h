@@ -17,8 +17,8 @@ class NoticeArea : public QWidget {
     Q_OBJECT
 public:
     enum class Room {
-        kept, ///< Room for two lines, or for the longest notice so far
-        none  ///< No reserved room, for a form with nothing below the notice
+        kept, ///< room for two lines, or for the longest notice so far
+        none  ///< no reserved room, for a form with nothing below the notice
     };
     explicit NoticeArea(const Theme& theme, Room room = Room::kept, QWidget* parent = nullptr);
 

@@ -21,7 +21,7 @@ public:
     /// Object names are "<prefix>.password" and "<prefix>.repeat".
     PasswordFields(const Theme& theme, const QString& prefix, QWidget* parent = nullptr);
 
-    void setLoginName(const QString& name); ///< The password must differ from this name
+    void setLoginName(const QString& name); ///< the password must differ from this name
     bool isGood() const { return m_good; }
     std::string password() const;
     void focusFirst();

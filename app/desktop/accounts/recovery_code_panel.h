@@ -23,7 +23,7 @@ public:
     bool isConfirmed() const;
 
 signals:
-    void finished(); ///< The person ticked the box and went on
+    void finished(); ///< the person ticked the box and went on
 
 private:
     void print();

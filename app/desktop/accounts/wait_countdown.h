@@ -15,11 +15,11 @@ class WaitCountdown : public QObject {
     Q_OBJECT
 public:
     explicit WaitCountdown(QObject* parent = nullptr);
-    void start(std::int64_t wait_ns); ///< Does nothing if `wait_ns` is 0
+    void start(std::int64_t wait_ns); ///< does nothing if `wait_ns` is 0
     bool isRunning() const { return m_timer.isActive(); }
 
 signals:
-    void changed(int seconds); ///< Whole seconds left; the first signal comes from start()
+    void changed(int seconds); ///< whole seconds left; the first signal comes from start()
     void finished();
 
 private:

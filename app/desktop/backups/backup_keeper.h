@@ -27,7 +27,7 @@ public:
 
     BackupKeeper(AppContext& context, QObject* parent);
 
-    void look(); ///< Checks now instead of at the next half minute
+    void look(); ///< checks now instead of at the next half minute
     bool isRunning() const { return m_token != nullptr; }
     void setQuiet(int ms) { m_quiet_ms = ms; }
     /// Sets the function that gives the waiting time after a number of consecutive failures.
@@ -45,11 +45,11 @@ private:
     AppContext& m_context;
     QTimer m_timer;
     QElapsedTimer m_sinceTouch;
-    QElapsedTimer m_sinceFailure; ///< Monotonic, so that setting the clock does not matter
+    QElapsedTimer m_sinceFailure; ///< monotonic, so that setting the clock does not matter
     int m_quiet_ms = kQuiet_ms;
-    int m_failures = 0; ///< Consecutive failures
+    int m_failures = 0; ///< consecutive failures
     std::function<std::chrono::milliseconds(int)> m_waits;
-    std::shared_ptr<WorkToken> m_token; ///< Of the backup in progress
+    std::shared_ptr<WorkToken> m_token; ///< of the backup in progress
 };
 
 } // namespace chiron::desktop

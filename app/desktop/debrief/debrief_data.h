@@ -20,14 +20,14 @@ namespace chiron::desktop {
 
 /// The part of a debrief that is shown at once. It comes from stored rows alone; no recording is read for it.
 struct DebriefHead {
-    database::SessionRecord record; ///< With the person's name as the screens show it
+    database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
-    const ExerciseFace* face = nullptr; ///< Of its exercise; never null once loaded
-    report::ReportData report; ///< Facts and metrics, without samples
+    const ExerciseFace* face = nullptr; ///< of its exercise; never null once loaded
+    report::ReportData report; ///< facts and metrics, without samples
     /// Values by metric of the same person's previous attempt at this level, on a device of the same class.
     /// Empty if there was none.
     std::map<std::string, double> before;
-    std::vector<NamedComment> comments; ///< In order of writing; available even without a recording
+    std::vector<NamedComment> comments; ///< in order of writing; available even without a recording
     /// Names of those who voided the session or took that back
     std::map<database::PersonId, std::string> deciders;
 };
@@ -41,12 +41,12 @@ struct CommentAtMoment {
 
 /// The part of a debrief that has to be read from the recording, which takes some tenths of a second longer.
 struct DebriefDetails {
-    DebriefReading part; ///< Specific to this exercise; if it could not be read, the rest still holds
+    DebriefReading part; ///< specific to this exercise; if it could not be read, the rest still holds
     report::ForceFacts force;
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
-    std::vector<CommentAtMoment> comments; ///< By time, those on the whole session first
-    std::vector<session::PlaybackTrial> trials; ///< To say in which trial a comment lies
+    std::vector<CommentAtMoment> comments; ///< by time, those on the whole session first
+    std::vector<session::PlaybackTrial> trials; ///< to say in which trial a comment lies
 };
 
 /// Key of the person's setting (Settings::ofPerson) for the number of comments on a session that they have

@@ -29,7 +29,7 @@ public:
 
 /// Why the part could not be read although the rest of the recording is intact.
 struct DebriefPartLost {
-    QString words; ///< Text for the user
+    QString words; ///< text for the user
     core::Error why;
 };
 

@@ -47,36 +47,36 @@ private:
     void showWorst(const session::WorstMoment& worst);
     void showForce(const report::ForceFacts& force);
     void showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments);
-    QWidget* replyButton(const database::SessionComment& comment); ///< Null if this person may not reply
+    QWidget* replyButton(const database::SessionComment& comment); ///< null if this person may not reply
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
-    QWidget* decisionsBox(); ///< Null if the session was never voided or counted again
+    QWidget* decisionsBox(); ///< null if the session was never voided or counted again
     QWidget* actionRow();
-    QWidget* headlineRow(); ///< Null if no metric is judged
+    QWidget* headlineRow(); ///< null if no metric is judged
     QWidget* forceBox();
     QWidget* answersBox();
     void askReport();
     void openPlayback(QVariantMap at = {});
-    void openWorst(); ///< Opens the playback some seconds before the worst moment
+    void openWorst(); ///< opens the playback some seconds before the worst moment
     void openComment(double at_s, const QString& words);
     void openSetup(int level);
     void openResults();
-    std::vector<MetricAdvice> adviceNow() const; ///< From the exercise, in the person's language
+    std::vector<MetricAdvice> adviceNow() const; ///< from the exercise, in the person's language
     bool isMine() const;
-    bool mayTryNow() const;       ///< True for a scripted demonstration: the viewer may try it now
-    std::optional<TrainingPlan> demonstration() const; ///< The plan of a demonstration of this level
+    bool mayTryNow() const;       ///< true for a scripted demonstration: the viewer may try it now
+    std::optional<TrainingPlan> demonstration() const; ///< the plan of a demonstration of this level
     bool hasNextLevel() const;
 
     StatePanel* m_panel = nullptr;
-    QVBoxLayout* m_column = nullptr; ///< Column of the page inside m_panel
+    QVBoxLayout* m_column = nullptr; ///< column of the page inside m_panel
     StatePanel* m_answers = nullptr;
-    QLabel* m_force = nullptr;  ///< Share of the tissue's force that was felt
-    QLabel* m_beyond = nullptr; ///< Warns that the force law left its valid range
+    QLabel* m_force = nullptr;  ///< share of the tissue's force that was felt
+    QLabel* m_beyond = nullptr; ///< warns that the force law left its valid range
     QPushButton* m_worst = nullptr;
-    QVBoxLayout* m_comments = nullptr; ///< The column that contains m_commentBox
-    QWidget* m_commentBox = nullptr;   ///< The comments on the session; null if there are none
-    QLabel* m_worstText = nullptr; ///< Describes the worst moment and where it is
+    QVBoxLayout* m_comments = nullptr; ///< the column that contains m_commentBox
+    QWidget* m_commentBox = nullptr;   ///< the comments on the session; null if there are none
+    QLabel* m_worstText = nullptr; ///< describes the worst moment and where it is
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;
     std::optional<session::WorstMoment> m_worstMoment;

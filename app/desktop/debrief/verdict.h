@@ -11,12 +11,12 @@ namespace chiron::desktop {
 
 /// The outcome of a session in words, shown at the top of a debrief.
 struct Verdict {
-    const char* kind = "info"; ///< Kind of the box: good, warning, bad, info
-    QString icon;              ///< Name of a Breeze icon
+    const char* kind = "info"; ///< kind of the box: good, warning, bad, info
+    QString icon;              ///< name of a Breeze icon
     QString title;             ///< "Passed"
-    QString text;              ///< What the outcome means and what was kept
-    QStringList reasons{};     ///< The pass marks that were not met, and by how much
-    QStringList advice{};      ///< Parallel to `reasons`: advice from the exercise's content; may be empty
+    QString text;              ///< what the outcome means and what was kept
+    QStringList reasons{};     ///< the pass marks that were not met, and by how much
+    QStringList advice{};      ///< parallel to `reasons`: advice from the exercise's content; may be empty
 };
 
 /// Advice for a person who missed the pass mark of a metric.

@@ -33,9 +33,9 @@ public:
     /// Sets the number of instruments of the chosen level. A trace must contain as many, so a chosen trace is
     /// read again if the number changes.
     void setTools(int tools);
-    void setPlan(const TrainingPlan& plan); ///< Adopts device, operator and trace of the plan
+    void setPlan(const TrainingPlan& plan); ///< adopts device, operator and trace of the plan
     void fillPlan(TrainingPlan& plan) const;
-    bool ready() const; ///< True if training can start with this choice
+    bool ready() const; ///< true if training can start with this choice
 
 signals:
     void changed();
@@ -56,12 +56,12 @@ private:
 
     AppContext& m_context;
     session::PointerTool m_tool = session::PointerTool::point;
-    int m_tools = 1; ///< Number of instruments of the chosen level
-    std::vector<const devices::Driver*> m_drivers; ///< One tile per driver, in this order
+    int m_tools = 1; ///< number of instruments of the chosen level
+    std::vector<const devices::Driver*> m_drivers; ///< one tile per driver, in this order
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;
-    QComboBox* m_forceMap = nullptr; ///< Null if the exercise does not use the gimbal
+    QComboBox* m_forceMap = nullptr; ///< null if the exercise does not use the gimbal
     QLabel* m_traceName = nullptr;
     QLabel* m_traceWords = nullptr;
     QString m_traceFile;

@@ -30,7 +30,7 @@ public:
     std::vector<ScreenCommand> commands() override;
     QString help() const override;
 
-    TrainingPlan plan() const; ///< The plan as chosen now
+    TrainingPlan plan() const; ///< the plan as chosen now
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -56,9 +56,9 @@ private:
     bool m_levelChosen = false;
     StatePanel* m_panel = nullptr;
     QBoxLayout* m_columns = nullptr;
-    QBoxLayout* m_picture = nullptr; ///< Layout that holds the level's picture
+    QBoxLayout* m_picture = nullptr; ///< layout that holds the level's picture
     QLabel* m_objective = nullptr;
-    QLabel* m_facts = nullptr; ///< Hidden if the objective says everything
+    QLabel* m_facts = nullptr; ///< hidden if the objective says everything
     QLabel* m_measured = nullptr;
     QLabel* m_gates = nullptr;
     QLabel* m_note = nullptr;
@@ -68,7 +68,7 @@ private:
     QCheckBox* m_familiarisation = nullptr;
     QLabel* m_standing = nullptr;
     QLabel* m_summary = nullptr;
-    QPushButton* m_watch = nullptr; ///< Starts a demonstration by the scripted expert
+    QPushButton* m_watch = nullptr; ///< starts a demonstration by the scripted expert
     QPushButton* m_start = nullptr;
 };
 

@@ -29,7 +29,7 @@ public:
     void setStandings(std::span<const session::LevelStanding> standings, int next);
 
 signals:
-    void chosen(int level); ///< By the person, not by setLevel()
+    void chosen(int level); ///< by the person, not by setLevel()
 
 private:
     QButtonGroup* m_group;

@@ -22,7 +22,7 @@ class AdministratorPage final : public QWidget {
 public:
     explicit AdministratorPage(const Theme& theme, QWidget* parent = nullptr);
     void focusFirst();
-    void setWorking(bool working); ///< True while the site is being created
+    void setWorking(bool working); ///< true while the site is being created
     void showProblem(const QString& text);
 
 signals:

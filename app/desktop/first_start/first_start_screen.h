@@ -23,7 +23,7 @@ class FirstStartScreen final : public Screen {
     Q_OBJECT
 public:
     FirstStartScreen(AppContext& context, const Place& place);
-    ~FirstStartScreen() override; ///< Cancels a demonstration that is being made
+    ~FirstStartScreen() override; ///< cancels a demonstration that is being made
 
     QString title() const override;
     QString help() const override;
@@ -45,7 +45,7 @@ private:
     void siteMade(const AdministratorRequest& request, core::Result<MadeSite> made);
     void demonstrationMade(core::Result<MadeSite> made);
 
-    std::shared_ptr<WorkToken> m_work; ///< Of the demonstration being made
+    std::shared_ptr<WorkToken> m_work; ///< of the demonstration being made
     QComboBox* m_language;
     ScrollPage* m_scroll;
     QVBoxLayout* m_room = nullptr;
@@ -53,7 +53,7 @@ private:
     QPointer<AdministratorPage> m_administrator;
     QPointer<RecoveryCodePanel> m_code;
     QPointer<StatePanel> m_progress;
-    QPointer<QWidget> m_back; ///< Shown if the demonstration failed
+    QPointer<QWidget> m_back; ///< shown if the demonstration failed
     database::Actor m_actor = database::Actor::anonymous();
 };
 

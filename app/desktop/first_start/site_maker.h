@@ -23,7 +23,7 @@ struct AdministratorRequest {
 
 /// A site that was just created, or opened for the first time.
 struct MadeSite {
-    std::unique_ptr<database::Database> database; ///< Empty if the database was already open
+    std::unique_ptr<database::Database> database; ///< empty if the database was already open
     catalogue::Catalogue catalogue;
     database::Actor actor = database::Actor::anonymous();
     std::string recoveryCode; ///< of the first administrator

@@ -58,7 +58,7 @@ class Background : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
-    ~Background() override; ///< Waits for all work to end
+    ~Background() override; ///< waits for all work to end
 
     template <class Work, class Done>
     std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
@@ -69,7 +69,7 @@ public:
         QPointer<QObject> alive(owner);
         m_pool.start([this, alive, token, work = std::move(work), done = std::move(done)]() mutable {
             using T = std::invoke_result_t<Work, WorkToken&>;
-            auto result = std::make_shared<T>(work(*token)); // shared: posted closures must be copyable
+            auto result = std::make_shared<T>(work(*token)); // shared, because posted closures must be copyable
             QMetaObject::invokeMethod(this, [this, alive, result, done = std::move(done)]() mutable {
                 --m_underWay;
                 if (alive)
@@ -87,7 +87,7 @@ public:
 private:
     QThreadPool m_pool;
     std::vector<std::weak_ptr<WorkToken>> m_tokens;
-    int m_underWay = 0; ///< Started, result not yet delivered; GUI thread only
+    int m_underWay = 0; ///< started, result not yet delivered; GUI thread only
 };
 
 } // namespace chiron::desktop

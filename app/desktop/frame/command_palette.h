@@ -31,7 +31,7 @@ public:
     void say(const QString& words);
 
 signals:
-    void typed(const QString& text); ///< Emitted after the matching commands are shown
+    void typed(const QString& text); ///< emitted after the matching commands are shown
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -47,12 +47,12 @@ private:
 
     const Theme& m_theme;
     std::vector<CommandGroup> m_groups;
-    std::vector<CommandGroup> m_found; ///< For the current text
+    std::vector<CommandGroup> m_found; ///< for the current text
     QLineEdit* m_field;
     QListWidget* m_list;
     QLabel* m_nothing;
     QLabel* m_words;
-    bool m_stepped = false; ///< The person moved the selection since the last letter
+    bool m_stepped = false; ///< the person moved the selection since the last letter
 };
 
 } // namespace chiron::desktop

@@ -28,12 +28,12 @@ private:
     bool canTake(const QWidget* control) const;
 
     QWidget& m_window;
-    QPointer<QWidget> m_before;  ///< Had the focus before m_place
-    QPointer<QWidget> m_place;   ///< Has the focus now
-    QPointer<QWidget> m_list;    ///< The list that last had the focus
-    QPointer<QWidget> m_hidden;  ///< Hidden or disabled with the focus; Qt moves the focus next
-    QPointer<QWidget> m_waiting; ///< Lost the focus and gets it back
-    bool m_justMoved = false;    ///< The focus moved in this turn of the event loop
+    QPointer<QWidget> m_before;  ///< had the focus before m_place
+    QPointer<QWidget> m_place;   ///< has the focus now
+    QPointer<QWidget> m_list;    ///< the list that last had the focus
+    QPointer<QWidget> m_hidden;  ///< hidden or disabled with the focus; Qt moves the focus next
+    QPointer<QWidget> m_waiting; ///< lost the focus and gets it back
+    bool m_justMoved = false;    ///< the focus moved in this turn of the event loop
     /// It moved as by Tab, which is also how Qt moves it away from a control that goes
     bool m_movedOn = false;
 };

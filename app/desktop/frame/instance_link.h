@@ -19,7 +19,7 @@ class InstanceLink final : public QObject {
     Q_OBJECT
 public:
     explicit InstanceLink(const QString& databaseFile, QObject* parent = nullptr);
-    ~InstanceLink() override; ///< Removes the socket's name
+    ~InstanceLink() override; ///< removes the socket's name
 
     /// Only the holder of the database's lock may call this. A socket name left over by a crash is replaced.
     /// Errors: storage; nothing else depends on it.

@@ -30,7 +30,7 @@ public:
     Screen* screen() const { return m_screen; }
 
 signals:
-    void firstPainted(); ///< Emitted once; slow loading may start now
+    void firstPainted(); ///< emitted once; slow loading may start now
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -50,11 +50,11 @@ private:
     AppContext& m_context;
     WindowActions m_actions;
     PaletteFinder* m_finder = nullptr;
-    QObject* m_shortcuts = nullptr; ///< Parent of the active shortcuts
+    QObject* m_shortcuts = nullptr; ///< parent of the active shortcuts
     QWidget* m_frame = nullptr;
-    SideBar* m_sideBar = nullptr;     ///< Null before login
+    SideBar* m_sideBar = nullptr;     ///< null before login
     QVBoxLayout* m_column = nullptr;
-    QWidget* m_banner = nullptr;      ///< Created when first needed, like the messages
+    QWidget* m_banner = nullptr;      ///< created when first needed, like the messages
     MessageBar* m_messages = nullptr;
     /// Lies below the screen, so that a message neither covers a control nor moves one.
     QWidget* m_messageRoom = nullptr;

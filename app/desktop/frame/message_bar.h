@@ -52,7 +52,7 @@ private:
     QPushButton* m_action = nullptr;
     QPushButton* m_close = nullptr;
     QTimer* m_timer = nullptr;
-    QTimer* m_watch = nullptr; ///< Runs while the bar floats, because controls may appear below it
+    QTimer* m_watch = nullptr; ///< runs while the bar floats, because controls may appear below it
     QString m_whole;
     std::function<void()> m_act;
 };

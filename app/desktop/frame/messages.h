@@ -12,9 +12,9 @@ namespace chiron::desktop {
 /// What the program was doing when an error occurred. The message must not say that something was saved if it
 /// was only being read.
 enum class Tried {
-    saving,  ///< Also changing, making or running something
-    reading, ///< Reading stored data
-    opening, ///< Opening the site itself
+    saving,  ///< also changing, making or running something
+    reading, ///< reading stored data
+    opening, ///< opening the site itself
 };
 
 enum class MessageKind { done, information, warning, error };
@@ -24,7 +24,7 @@ enum class MessageKind { done, information, warning, error };
 struct Message {
     MessageKind kind = MessageKind::information;
     QString text;
-    QString actionText; ///< For example "Undo"; empty if there is no action
+    QString actionText; ///< for example "Undo"; empty if there is no action
     std::function<void()> action;
 };
 

@@ -22,11 +22,11 @@ class WorkToken;
 class PaletteFinder final : public QObject {
     Q_OBJECT
 public:
-    static constexpr int kMost = 6; ///< Results shown per kind
+    static constexpr int kMost = 6; ///< results shown per kind
 
     PaletteFinder(AppContext& context, QObject* parent);
 
-    void serve(CommandPalette& palette); ///< Until the palette closes
+    void serve(CommandPalette& palette); ///< until the palette closes
 
 private:
     void forget();
@@ -44,12 +44,12 @@ private:
 
     AppContext& m_context;
     QPointer<CommandPalette> m_palette;
-    QTimer m_pause; ///< Delays the search until typing pauses
+    QTimer m_pause; ///< delays the search until typing pauses
     QString m_typed;
     std::shared_ptr<const SearchIndex> m_index;
     std::shared_ptr<WorkToken> m_work;
     QStringList m_toCollect;
-    std::vector<Elsewhere> m_elsewhere; ///< For the current person and language
+    std::vector<Elsewhere> m_elsewhere; ///< for the current person and language
     bool m_collected = false;
 };
 

@@ -19,7 +19,7 @@ enum class ThingKind { person, exercise, session, study, count };
 /// One such item, and the place that it leads to.
 struct NamedThing {
     QString text;
-    QString folded; ///< As forSearch() returns it
+    QString folded; ///< as forSearch() returns it
     Place place;
 };
 
@@ -31,7 +31,7 @@ QString forSearch(const QString& text);
 struct SearchIndex {
     /// Sessions: newest first
     std::array<std::vector<NamedThing>, static_cast<std::size_t>(ThingKind::count)> things;
-    std::vector<core::Error> problems; ///< Reading errors; a denied permission is not one
+    std::vector<core::Error> problems; ///< reading errors; a denied permission is not one
 };
 
 /// Who searches, and in which language.

@@ -16,10 +16,10 @@ class AppContext;
 /// A command of a screen, reachable from the command palette (Ctrl+K), the list of shortcuts (?) and its own
 /// keys.
 struct ScreenCommand {
-    QString text;      ///< Translated, worded like a button
+    QString text;      ///< translated, worded like a button
     QKeySequence keys; ///< may be empty
     std::function<void()> act;
-    bool registersKeys = true; ///< False: the screen handles the keys itself, and they are only listed
+    bool registersKeys = true; ///< false: the screen handles the keys itself, and they are only listed
 };
 
 /// One screen. It is constructed when the person goes there and destroyed when they leave. A change of theme,

@@ -20,7 +20,7 @@ public:
     QString language() const; ///< "en", "de", "el"; the default is the system's language if it is one of them
     void setLanguage(const QString& language);
     static bool isLanguage(const QString& language);
-    static QLocale localeOf(const QString& language); ///< For its number and date formats
+    static QLocale localeOf(const QString& language); ///< for its number and date formats
     ThemeName theme() const;
     void setTheme(ThemeName theme);
     double scale() const; ///< 1..2
@@ -30,7 +30,7 @@ public:
     /// "contact", "force", "lean", "warning": whether the cue is audible while sound is on.
     bool soundCue(const QString& cue) const;
     void setSoundCue(const QString& cue, bool on);
-    QString backupFolder() const; ///< Empty: beside the database
+    QString backupFolder() const; ///< empty: beside the database
     void setBackupFolder(const QString& folder);
     /// Of a file dialog (frame/file_folder.h); empty if none was chosen yet
     QString lastFolder(const QString& purpose) const;

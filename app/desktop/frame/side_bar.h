@@ -26,7 +26,7 @@ signals:
 private:
     QWidget* entries();
     QWidget* personArea();
-    void showUnread(int sessions); ///< On the Home entry, because Home lists these sessions
+    void showUnread(int sessions); ///< on the Home entry, because Home lists these sessions
     QBoxLayout* inOnePlace(std::initializer_list<QPushButton*> buttons) const;
     QPushButton* entry(const QString& icon, const QString& text, const QString& name);
 

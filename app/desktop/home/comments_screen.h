@@ -30,7 +30,7 @@ private:
     void show(std::vector<FoundComment> comments);
     void build();
     void fill();
-    void addMore(); ///< Shows the next ones
+    void addMore(); ///< shows the next ones
     QWidget* card(const FoundComment& comment, bool unread);
     QString headOf(const FoundComment& comment) const;
     bool isUnread(const FoundComment& comment) const;
@@ -43,8 +43,8 @@ private:
     QWidget* m_holder = nullptr;
     QWidget* m_more = nullptr;
     std::vector<FoundComment> m_comments;
-    std::vector<const FoundComment*> m_chosen; ///< Points into m_comments, in the order shown
-    std::vector<bool> m_unread;                ///< Per entry of m_comments, as of opening the screen
+    std::vector<const FoundComment*> m_chosen; ///< points into m_comments, in the order shown
+    std::vector<bool> m_unread;                ///< per entry of m_comments, as of opening the screen
     std::size_t m_shown = 0;
 };
 

@@ -29,7 +29,7 @@ protected:
 private:
     const Theme& m_theme;
     QSize m_size;
-    std::unique_ptr<LevelPicture> m_picture; ///< Null: only the frame is drawn
+    std::unique_ptr<LevelPicture> m_picture; ///< null: only the frame is drawn
 };
 
 } // namespace chiron::desktop

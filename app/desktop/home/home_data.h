@@ -27,38 +27,38 @@ struct RecentPerson {
 struct RecoveredRow {
     SessionRow row;
     std::uint64_t framesFromRing = 0;
-    std::string problem; ///< Empty if all of it was recovered
+    std::string problem; ///< empty if all of it was recovered
 };
 
 /// A session with comments by others that concern this person: on the person's own session, or after a
 /// comment by the person on another's.
 struct CommentedSession {
     SessionRow row;
-    std::string author; ///< Of the latest comment
-    int comments = 0;   ///< Comments on the session by anybody, up to and including the latest
-    bool own = true;    ///< The session is the person's own
+    std::string author; ///< of the latest comment
+    int comments = 0;   ///< comments on the session by anybody, up to and including the latest
+    bool own = true;    ///< the session is the person's own
 };
 
 /// Everything that a home screen shows, as it was at the time of the request.
 struct HomeData {
-    std::string name; ///< The logged-in person's full name, or else the login name
-    std::vector<session::LevelStanding> standings; ///< Of the person
-    std::vector<SessionRow> own;                   ///< The latest few, newest first
+    std::string name; ///< the logged-in person's full name, or else the login name
+    std::vector<session::LevelStanding> standings; ///< of the person
+    std::vector<SessionRow> own;                   ///< the latest few, newest first
     /// Recent sessions in which others wrote something that concerns the person; latest first.
     std::vector<CommentedSession> commented;
-    std::vector<SessionRow> toLook;                ///< For a trainer: the first few that need attention
-    int toReview = 0;                              ///< For a trainer: total number awaiting a review
-    std::vector<RecentPerson> people;              ///< For a trainer: latest first
+    std::vector<SessionRow> toLook;                ///< for a trainer: the first few that need attention
+    int toReview = 0;                              ///< for a trainer: total number awaiting a review
+    std::vector<RecentPerson> people;              ///< for a trainer: latest first
     std::vector<RecoveredRow> recovered;
-    int accounts = 0;                              ///< For an administrator: number of enabled accounts
+    int accounts = 0;                              ///< for an administrator: number of enabled accounts
     /// For an administrator: the number of participants who asked for their recordings to be erased.
     int toErase = 0;
     /// For an administrator: without a recovery code, a forgotten password would need another person's help.
     bool lacksRecoveryCode = false;
-    std::optional<session::StorageRoom> room;      ///< For an administrator
-    std::string latestBackupUtc;                   ///< Empty if none was found
-    database::BackupStanding backups;              ///< For an administrator: state of the backup schedule
-    bool lastLoopTimed = false;                    ///< Whether the newest session ran in real time ...
+    std::optional<session::StorageRoom> room;      ///< for an administrator
+    std::string latestBackupUtc;                   ///< empty if none was found
+    database::BackupStanding backups;              ///< for an administrator: state of the backup schedule
+    bool lastLoopTimed = false;                    ///< whether the newest session ran in real time ...
     bool lastLoopPriority = false;                 ///< ... and was granted real-time priority
 };
 
@@ -69,7 +69,7 @@ struct HomeQuestion {
     catalogue::Catalogue catalogue;
     std::vector<session::RecoveredSession> recovered;
     std::string databaseFile;
-    std::string backupFolder; ///< The station's; used if the site's plan names none
+    std::string backupFolder; ///< the station's; used if the site's plan names none
 };
 
 /// Reads everything for the home screen.

@@ -31,7 +31,7 @@ private:
     void addRecovered(QVBoxLayout& column, const HomeData& home);
     void addRecoveryCode(QVBoxLayout& column, const HomeData& home);
     void addCommented(QVBoxLayout& column, const HomeData& home);
-    void addComments(QVBoxLayout& column); ///< Button that opens all comments, read ones too
+    void addComments(QVBoxLayout& column); ///< button that opens all comments, read ones too
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);
@@ -44,7 +44,7 @@ private:
     /// Column for text beside a picture; no picture if the text is large.
     QVBoxLayout* besidePicture(QVBoxLayout& card, const catalogue::ExerciseLevel& level);
     QPushButton* tryButton(const session::LevelStanding& level, const char* kind);
-    void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< For people without the trainee role
+    void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< for people without the trainee role
     /// Empty if there is none yet.
     QString lastResult(const HomeData& home, const session::LevelStanding& next) const;
     QWidget* progressCard(const HomeData& home);
@@ -55,14 +55,14 @@ private:
         const char* noticeKind;
         QString notice;
         QString action;
-        bool asks = false; ///< Someone has to act on it
+        bool asks = false; ///< someone has to act on it
     };
     QWidget* stateCard(const StateCard& card);
     std::vector<StateCard> adminCards(const HomeData& home) const;
     QPushButton* opener(const QString& text, const QString& screen, const QVariantMap& parameters = {}, const char* kind = "");
 
     StatePanel* m_panel;
-    QPushButton* m_first = nullptr; ///< Gets the focus
+    QPushButton* m_first = nullptr; ///< gets the focus
 };
 
 } // namespace chiron::desktop

@@ -12,8 +12,8 @@ namespace chiron::desktop {
 /// The context in which a picture of a level is painted.
 struct PictureFrame {
     const Theme& theme;
-    QSize size; ///< In pixels
-    bool objectShown = true; ///< The level shows the object; otherwise it is drawn dashed
+    QSize size; ///< in pixels
+    bool objectShown = true; ///< the level shows the object; otherwise it is drawn dashed
 };
 
 /// Paints a picture of a level from the level's content, in the way of its exercise. The picture is
@@ -34,7 +34,7 @@ protected:
     int height() const { return m_size.height(); }
 
     const Theme& m_theme;
-    bool m_visible; ///< Whether the object is visible
+    bool m_visible; ///< whether the object is visible
 
 private:
     QSize m_size;

@@ -24,7 +24,7 @@ public:
 
     IdleLock& idleLock() { return m_idle; }
     bool isLocked() const { return m_cover != nullptr; }
-    void lock(); ///< Does nothing if nobody is logged in or a trial runs
+    void lock(); ///< does nothing if nobody is logged in or a trial runs
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -43,7 +43,7 @@ private:
     LockCover* m_cover = nullptr;
     QString m_titleBefore;
     QPointer<QWidget> m_focusBefore;
-    std::vector<QPointer<QWidget>> m_hidden; ///< Other windows, shown again on unlock
+    std::vector<QPointer<QWidget>> m_hidden; ///< other windows, shown again on unlock
 };
 
 } // namespace chiron::desktop

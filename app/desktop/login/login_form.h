@@ -26,7 +26,7 @@ public:
 
     void setNames(const std::vector<database::LoginName>& names);
     void showDemonstrationHint(const QString& text);
-    void setWorking(bool working); ///< True while the password is being checked
+    void setWorking(bool working); ///< true while the password is being checked
     void showRefusal(const database::Refusal& refusal);
     void clearPassword();
     void focusFirst();
@@ -50,7 +50,7 @@ private:
     QPushButton* m_forgotten;
     WaitCountdown* m_wait;
     bool m_working = false;
-    bool m_saysOfName = false; ///< The notice concerns the name that was sent
+    bool m_saysOfName = false; ///< the notice concerns the name that was sent
 };
 
 } // namespace chiron::desktop

@@ -50,11 +50,11 @@ private:
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
     ScrollPage* m_scroll;
-    QLabel* m_siteName; ///< Below the program's name
-    StatePanel* m_site; ///< Shows the site as opening, failed or open
+    QLabel* m_siteName; ///< below the program's name
+    StatePanel* m_site; ///< shows the site as opening, failed or open
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;
-    LoginForm* m_form = nullptr; ///< Kept alive behind the other pages
+    LoginForm* m_form = nullptr; ///< kept alive behind the other pages
 };
 
 } // namespace chiron::desktop

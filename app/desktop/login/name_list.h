@@ -22,7 +22,7 @@ public:
     explicit NameList(const Theme& theme, QWidget* parent = nullptr);
 
     void setNames(const std::vector<database::LoginName>& names);
-    QString name() const; ///< The login name as typed or chosen
+    QString name() const; ///< the login name as typed or chosen
     void setName(const QString& name);
     void focusField();
     /// Hides the reason why the list is empty, until the name changes, because another message concerns that
@@ -30,7 +30,7 @@ public:
     void hideExplanation();
 
 signals:
-    void chosen(const QString& name); ///< By click, Return or Enter; the password comes next
+    void chosen(const QString& name); ///< by click, Return or Enter; the password comes next
     void nameChanged();
 
 protected:

@@ -21,7 +21,7 @@ private:
     void load();
     void loaded(core::Result<std::vector<session::WithdrawnParticipant>> withdrawn);
     void renewWords();
-    const session::WithdrawnParticipant* chosen() const; ///< Null if nobody is waiting to be erased
+    const session::WithdrawnParticipant* chosen() const; ///< null if nobody is waiting to be erased
     bool isChosen() const override { return chosen() != nullptr; }
     QString whom() const override;
     Erasure erasure() const override;

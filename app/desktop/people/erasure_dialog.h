@@ -24,14 +24,14 @@ protected:
 
     ErasureDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent);
     QLineEdit* addReason();
-    void addPassword(); ///< Also adds the button; call it last
+    void addPassword(); ///< also adds the button; call it last
     void renew();
 
-    virtual bool isChosen() const = 0;        ///< It is clear who is to be erased
+    virtual bool isChosen() const = 0;        ///< it is clear who is to be erased
     virtual QString whom() const = 0;
-    virtual Erasure erasure() const = 0;      ///< The work, which runs on a worker
+    virtual Erasure erasure() const = 0;      ///< the work, which runs on a worker
     virtual QString doneWords() const = 0;
-    virtual QString cannotWords() const = 0;  ///< Text for the case that the data layer does not allow it yet
+    virtual QString cannotWords() const = 0;  ///< text for the case that the data layer does not allow it yet
 
     void submit() override;
 

@@ -22,10 +22,10 @@ class FormDialog : public QDialog {
 public:
     FormDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent);
 
-    void reject() override; ///< Ignored while working
+    void reject() override; ///< ignored while working
 
 signals:
-    void changed(); ///< Something was stored: lists must reload
+    void changed(); ///< something was stored: lists must reload
 
 protected:
     AppContext& context() const { return m_context; }
@@ -33,8 +33,8 @@ protected:
     QVBoxLayout* column() const { return m_form; }
     /// Object name of the button is "<dialog>.accept".
     void setAccept(const QString& text, const char* kind = "primary");
-    void setCancel(const QString& text); ///< A label for cancelling where "Cancel" is unclear
-    void setAcceptable(bool acceptable); ///< True if the form is complete
+    void setCancel(const QString& text); ///< a label for cancelling where "Cancel" is unclear
+    void setAcceptable(bool acceptable); ///< true if the form is complete
     /// For actions that cannot be undone and require no typing: makes Cancel the default button, so that
     /// Enter cancels. Call it after setAccept().
     void cancelAtEnter();

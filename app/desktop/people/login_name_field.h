@@ -21,7 +21,7 @@ public:
     QString name() const;
     void setName(const QString& name);
     bool isGood() const { return m_good; }
-    void showTaken(); ///< Until the text changes
+    void showTaken(); ///< until the text changes
     void focusField();
 
 signals:

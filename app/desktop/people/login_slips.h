@@ -15,7 +15,7 @@ namespace chiron::desktop {
 /// The content of the login slips: one slip of paper per new person with name, login name, password, site and
 /// first step.
 struct LoginSlips {
-    QString site; ///< Name of the site; may be empty
+    QString site; ///< name of the site; may be empty
     std::vector<database::ImportedPerson> people;
 };
 

@@ -22,7 +22,7 @@ public:
     void setLoginName(const QString& name);
     bool isGood() const;
     bool isGenerated() const;
-    std::string password() const; ///< If generated, a new one at each call
+    std::string password() const; ///< if generated, a new one at each call
 
 signals:
     void changed();

@@ -50,7 +50,7 @@ private:
     void find(const QString& text);
     void fitColumns();
     void choose(database::PersonId person);
-    const database::Person* chosen() const; ///< Null if nobody is chosen
+    const database::Person* chosen() const; ///< null if nobody is chosen
     void renewActions();
     void open(FormDialog* dialog);
     void addPerson();

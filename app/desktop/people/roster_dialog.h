@@ -24,14 +24,14 @@ public:
     /// `bytes` is the content of the file; `fileName` is its name for display.
     RosterDialog(AppContext& context, const QString& fileName, std::string bytes, QWidget* parent);
 
-    void reject() override; ///< Warns once before it discards passwords that nobody has printed or saved
+    void reject() override; ///< warns once before it discards passwords that nobody has printed or saved
 
 protected:
     void submit() override;
 
 private:
     QWidget* existingChoice();
-    QWidget* roleChoice(const std::string& word); ///< Role for a word of the list
+    QWidget* roleChoice(const std::string& word); ///< role for a word of the list
     void askRoles(const database::Roster& roster);
     database::RosterExisting existing() const;
     void load();
@@ -41,9 +41,9 @@ private:
 
     std::string m_bytes;
     int m_changes = 0;
-    int m_asked = 0; ///< Number of times the list was read, to discard outdated answers
-    database::RoleWords m_roleWords; ///< As chosen in this dialog
-    QWidget* m_roles = nullptr;      ///< The role choices; null if every word names a role
+    int m_asked = 0; ///< number of times the list was read, to discard outdated answers
+    database::RoleWords m_roleWords; ///< as chosen in this dialog
+    QWidget* m_roles = nullptr;      ///< the role choices; null if every word names a role
     QLabel* m_read;
     QWidget* m_existing;
     QRadioButton* m_update = nullptr;

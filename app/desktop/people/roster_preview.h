@@ -10,7 +10,7 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// How the file was read: "Read as UTF-8, separated by semicolons."
+/// Says how the file was read: "Read as UTF-8, separated by semicolons."
 QString rosterReadWords(const database::Roster& roster);
 /// Describes what an import would do and which parts of the file it would ignore, one sentence each.
 QStringList rosterPlanWords(const database::RosterPlan& plan);

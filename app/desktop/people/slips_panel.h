@@ -24,7 +24,7 @@ public:
     void saveTo(const QString& file);
 
 signals:
-    void told(QWidget* notice); ///< The notice has a new text and may be scrolled out of view
+    void told(QWidget* notice); ///< the notice has a new text and may be scrolled out of view
 
 private:
     QWidget* peopleTable() const;

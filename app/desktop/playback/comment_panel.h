@@ -30,19 +30,19 @@ public:
     /// `timeOf` converts a tick into the recording's time. The list is in order of time, with comments on the
     /// whole session first. A reply belongs to the moment of the comment that it answers and stands below it.
     void show(std::vector<NamedComment> comments, database::PersonId reader, const std::function<double(std::uint64_t)>& timeOf);
-    void setMoment(double t_s); ///< The moment that a new comment refers to
-    void setMayAdd(bool may);    ///< What the screen offers; permission is checked where comments are stored
-    void setMayReview(bool may); ///< Allows marking another person's session as reviewed without a comment
+    void setMoment(double t_s); ///< the moment that a new comment refers to
+    void setMayAdd(bool may);    ///< what the screen offers; permission is checked where comments are stored
+    void setMayReview(bool may); ///< allows marking another person's session as reviewed without a comment
     bool mayAdd() const;
-    void write(); ///< Moves the focus to the text field
+    void write(); ///< moves the focus to the text field
     /// Makes the next text a reply to this comment, if the comment exists and is by another person.
     void reply(std::int64_t comment);
-    void clearDraft();             ///< Also ends a reply
+    void clearDraft();             ///< also ends a reply
     QString draft() const;
 
 signals:
     void seekAsked(double t_s);
-    void addAsked(const QString& text); ///< At the moment that is shown
+    void addAsked(const QString& text); ///< at the moment that is shown
     void replyAsked(const QString& text, const chiron::desktop::NamedComment& to);
 
 private:
@@ -50,7 +50,7 @@ private:
     void buildList(QVBoxLayout& column);
     QString headOf(const NamedComment& comment, double t_s) const;
     QString authorOf(const NamedComment& comment) const;
-    const NamedComment* chosen() const; ///< A comment that may be answered; null if none
+    const NamedComment* chosen() const; ///< a comment that may be answered; null if none
     void answer(const NamedComment* comment);
     void showReply();
 

@@ -32,7 +32,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
-    std::string m_exercise; ///< Selects the texts
+    std::string m_exercise; ///< selects the texts
     MomentWords m_moments;
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;

@@ -25,7 +25,7 @@ public:
     QString at(double t_s) const;
 
 private:
-    std::vector<session::PlaybackTrial> m_trials; ///< Ordered by time
+    std::vector<session::PlaybackTrial> m_trials; ///< ordered by time
     bool m_several = false;
     QLocale m_locale;
 };

@@ -15,7 +15,7 @@ namespace chiron::desktop {
 class PlaybackClock : public QObject {
     Q_OBJECT
 public:
-    static constexpr double kStep_s = 0.004; ///< Interval between samples of PlaybackTrack
+    static constexpr double kStep_s = 0.004; ///< interval between samples of PlaybackTrack
 
     explicit PlaybackClock(QObject* parent = nullptr);
 
@@ -25,9 +25,9 @@ public:
     bool playing() const noexcept { return m_playing; }
     double speed() const noexcept { return m_speed; }
 
-    void seek(double t_s); ///< Clamped; playing continues from there
-    void step(int pictures); ///< Pauses, then moves by this many samples (negative: back)
-    void play(); ///< Starts from the beginning if the position is at the end
+    void seek(double t_s); ///< clamped; playing continues from there
+    void step(int pictures); ///< pauses, then moves by this many samples (negative: back)
+    void play(); ///< starts from the beginning if the position is at the end
     void pause();
     void toggle() { m_playing ? pause() : play(); }
     void setSpeed(double times); ///< 0.1..4
@@ -50,7 +50,7 @@ private:
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     double m_speed = 1.0;
-    std::vector<std::pair<double, double>> m_leapt_s; ///< Begin and end of each
+    std::vector<std::pair<double, double>> m_leapt_s; ///< begin and end of each
     bool m_playing = false;
 };
 

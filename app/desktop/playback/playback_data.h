@@ -19,10 +19,10 @@ namespace chiron::desktop {
 
 /// The data of a session for playback. It holds values only, so that the GUI thread never waits.
 struct PlaybackData {
-    database::SessionRecord record; ///< With the person's name as the screens show it
+    database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
-    std::unique_ptr<PlaybackLayer> layer; ///< Of its exercise; null without a recording
-    session::PlaybackTrack track; ///< Empty if nothing was recorded or the recording was erased
+    std::unique_ptr<PlaybackLayer> layer; ///< of its exercise; null without a recording
+    session::PlaybackTrack track; ///< empty if nothing was recorded or the recording was erased
 };
 
 /// Why a session is offered as a ghost, that is, as a second session for comparison.

@@ -17,10 +17,10 @@ class PlaybackPlots;
 
 /// A part of a playback that can be switched on and off.
 struct PlaybackSwitch {
-    const char* key; ///< Parameter of the screen's place; the check box is named "playback.<key>"
+    const char* key; ///< parameter of the screen's place; the check box is named "playback.<key>"
     QString text;
     QString tip;
-    bool on = false;        ///< Default, if the place does not say
+    bool on = false;        ///< default, if the place does not say
     /// Concerns how the scene is drawn, so the box stands beside the readout; otherwise it concerns what is
     /// examined and stands in its own row.
     bool ofPicture = false;

@@ -21,8 +21,8 @@ namespace chiron::desktop {
 
 /// Settings of a low plot of a layer. Its quantity is written across the top.
 struct LayerPlotLook {
-    QString quantity;                   ///< Including the unit
-    std::optional<double> minimum{0.0}; ///< Lower end of its axis
+    QString quantity;                   ///< including the unit
+    std::optional<double> minimum{0.0}; ///< lower end of its axis
     std::optional<double> maximum{};
     bool legend = false;
 };
@@ -46,7 +46,7 @@ public:
     /// most the whole recording and at least half a second.
     void zoom(double factor);
     void zoomWhole();
-    double from_s() const noexcept { return m_from_s; } ///< Start and end of the visible span
+    double from_s() const noexcept { return m_from_s; } ///< start and end of the visible span
     double to_s() const noexcept { return m_to_s; }
     const report::PlotView& force() const { return *m_force; }
     const report::PlotView& speed() const { return *m_speed; }
@@ -71,7 +71,7 @@ private:
     QWidget* zoomRow();
     void showButtons();
     void showWindow(double from_s, double to_s);
-    std::vector<report::PlotView*> views() const; ///< All plots
+    std::vector<report::PlotView*> views() const; ///< all plots
     double end_s() const;
     report::PlotView* laidOut(std::unique_ptr<report::PlotView> view, const char* name, int height_px);
     void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
@@ -98,8 +98,8 @@ private:
     /// Force rendered to each of several tools; null if there is only one tool or no force was felt.
     report::PlotView* m_felt = nullptr;
     report::PlotView* m_speed = nullptr;
-    std::vector<report::PlotView*> m_ofLayer; ///< In drawing order
-    const session::GhostSeries* m_ghost = nullptr; ///< Set only while the plots are being drawn
+    std::vector<report::PlotView*> m_ofLayer; ///< in drawing order
+    const session::GhostSeries* m_ghost = nullptr; ///< set only while the plots are being drawn
     QString m_ghostName;
 };
 

@@ -54,7 +54,7 @@ public:
     scene3d::SceneNote captionAt(double t_s) const;
     /// Stores the session as void and reports the result. The data layer decides whether that is permitted.
     void declareVoid(const QString& reason);
-    void countAgain(const QString& reason); ///< Reverses declareVoid(), with the same checks
+    void countAgain(const QString& reason); ///< reverses declareVoid(), with the same checks
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -71,7 +71,7 @@ private:
     QWidget* sideColumn();
     QWidget* ghostBox();
     QWidget* readoutRow();
-    QWidget* switchRow(); ///< Null if the layer has no such switches
+    QWidget* switchRow(); ///< null if the layer has no such switches
     QCheckBox* switchBox(const PlaybackSwitch& of);
     scene3d::SceneSetup sceneSetup() const;
     void makeScene();
@@ -88,21 +88,21 @@ private:
     void showGhost(PlaybackData ghost);
 
     void loadComments();
-    void answerAsked();  ///< For a place that names a comment
-    void writeComment(); ///< At the moment shown: pauses the clock and focuses the field
+    void answerAsked();  ///< for a place that names a comment
+    void writeComment(); ///< at the moment shown: pauses the clock and focuses the field
     void addComment(const QString& text, std::optional<std::uint64_t> tick);
     MomentWords momentWords() const;
-    void askDecision(); ///< To void the session, or to count a voided one again
+    void askDecision(); ///< to void the session, or to count a voided one again
     void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
                 const QString& done, const QString& failed);
     void openResults();
-    void readMoment(); ///< From the place, in seconds or as an executed tick
+    void readMoment(); ///< from the place, in seconds or as an executed tick
 
     PlaybackClock m_clock;
     StatePanel* m_panel = nullptr;
     std::optional<PlaybackData> m_data;
-    double m_moment_s = -1.0;         ///< Moment that a link led to; negative if none
-    std::optional<double> m_stopAt_s; ///< Playing pauses here once
+    double m_moment_s = -1.0;         ///< moment that a link led to; negative if none
+    std::optional<double> m_stopAt_s; ///< playing pauses here once
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_ghostWork;
@@ -112,7 +112,7 @@ private:
     QLabel* m_readout = nullptr;
     Scrubber* m_scrubber = nullptr;
     PlaybackPlots* m_plots = nullptr;
-    QTabWidget* m_tabs = nullptr; ///< Tabs: events, comments
+    QTabWidget* m_tabs = nullptr; ///< tabs: events, comments
     CommentPanel* m_comments = nullptr;
     QComboBox* m_ghostChoice = nullptr;
 };

@@ -46,13 +46,13 @@ private:
     void paintHandle(QPainter& painter) const;
 
     const Theme& m_theme;
-    std::string m_exercise; ///< Selects the texts
+    std::string m_exercise; ///< selects the texts
     MomentWords m_moments;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     std::vector<session::PlaybackTrial> m_trials;
     std::vector<session::PlaybackSpan> m_paused;
-    std::vector<session::PlaybackMark> m_marks; ///< Without contacts, which are too many to distinguish
+    std::vector<session::PlaybackMark> m_marks; ///< without contacts, which are too many to distinguish
     std::vector<double> m_comments_s;
 };
 

@@ -16,14 +16,14 @@ enum class GroupPart { everybody, toReview, notLately, notAllPassed };
 struct ProgressFilter {
     static constexpr int kLately_days = 14;
 
-    QString names; ///< Parts separated by commas; a name matches if it contains all words of one part.
+    QString names; ///< parts separated by commas; a name matches if it contains all words of one part
     GroupPart part = GroupPart::everybody;
 
     bool operator==(const ProgressFilter&) const = default;
     bool isEmpty() const { return *this == ProgressFilter{}; }
     bool matches(const session::PersonStanding& person, const QDateTime& now) const;
     QVariantMap toMap() const;
-    static ProgressFilter fromMap(const QVariantMap& map); ///< Missing or unknown entries keep their default
+    static ProgressFilter fromMap(const QVariantMap& map); ///< missing or unknown entries keep their default
 };
 
 } // namespace chiron::desktop

@@ -47,9 +47,9 @@ private:
     void openResults();
 
     ProgressFilter m_filter;
-    database::PersonId m_wanted = 0;  ///< Person to select after loading
+    database::PersonId m_wanted = 0;  ///< person to select after loading
     std::string m_wantedExercise;
-    std::vector<session::PersonStanding> m_people; ///< Everybody, independent of the filter
+    std::vector<session::PersonStanding> m_people; ///< everybody, independent of the filter
     bool m_showing = false;
     QLabel* m_count = nullptr;
     QLineEdit* m_names = nullptr;

@@ -23,10 +23,10 @@ public:
 
     /// The pointers must outlive the table's use of them.
     void show(std::vector<const session::PersonStanding*> people);
-    const session::PersonStanding* chosen() const;                 ///< Null if nobody is chosen
-    std::string chosenExercise() const; ///< Of the chosen cell; empty for all exercises
+    const session::PersonStanding* chosen() const;                 ///< null if nobody is chosen
+    std::string chosenExercise() const; ///< of the chosen cell; empty for all exercises
     void choose(database::PersonId person, const std::string& exercise);
-    QString chosenInWords() const; ///< Person and cell that are chosen, level by level
+    QString chosenInWords() const; ///< person and cell that are chosen, level by level
 
 signals:
     void openAsked();
@@ -41,7 +41,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     ExerciseTitles m_titles;
-    std::vector<std::string> m_exercises; ///< Exercises of the columns
+    std::vector<std::string> m_exercises; ///< exercises of the columns
     std::vector<const session::PersonStanding*> m_people;
 };
 

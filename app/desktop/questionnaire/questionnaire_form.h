@@ -28,7 +28,7 @@ public:
     /// Marks the items that must still be answered and scrolls to the first one. Returns false if none is
     /// missing.
     bool showMissing();
-    int answered() const; ///< Number of items with an answer
+    int answered() const; ///< number of items with an answer
     int items() const { return static_cast<int>(m_items.size()); }
 
 signals:
@@ -39,7 +39,7 @@ private:
         const psychophysics::QuestionnaireItem* asked;
         QLabel* missing;
         QWidget* first; ///< gets the focus
-        std::function<bool(database::QuestionnaireAnswer&)> read; ///< Returns false if there is no answer
+        std::function<bool(database::QuestionnaireAnswer&)> read; ///< returns false if there is no answer
     };
     void addItem(const psychophysics::QuestionnaireItem& item);
     QLayout* ends(const Item& item) const;

@@ -36,7 +36,7 @@ private:
     database::StudyNumber m_study;
     QString m_code;
     std::string m_questionnaire;
-    database::StudyRunNumber m_run = 0; ///< Run of the condition that it is about; 0 if asked once
+    database::StudyRunNumber m_run = 0; ///< run of the condition that it is about; 0 if asked once
     database::ParticipantNumber m_participant = 0;
     bool m_stored = false;
     StatePanel* m_panel = nullptr;

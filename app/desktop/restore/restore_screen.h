@@ -41,7 +41,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 signals:
-    void looked(); ///< Every backup in the list has been checked
+    void looked(); ///< every backup in the list has been checked
 
 private:
     enum class Look { waiting, whole, unusable };
@@ -67,14 +67,14 @@ private:
     ScrollPage* m_page;
     StatePanel* m_panel = nullptr;
     QTableWidget* m_table = nullptr;
-    QLabel* m_reason = nullptr; ///< Why the selected backup cannot be used
+    QLabel* m_reason = nullptr; ///< why the selected backup cannot be used
     QPushButton* m_restore = nullptr;
     QPushButton* m_choose = nullptr;
     QPushButton* m_again = nullptr;
-    QPushButton* m_anew = nullptr; ///< Shown if the file is missing
+    QPushButton* m_anew = nullptr; ///< shown if the file is missing
     std::vector<session::BackupEntry> m_backups;
-    std::map<std::string, Look> m_looks;  ///< Keyed by folder
-    std::map<std::string, QString> m_why; ///< Reasons for the unusable ones, keyed by folder
+    std::map<std::string, Look> m_looks;  ///< keyed by folder
+    std::map<std::string, QString> m_why; ///< reasons for the unusable ones, keyed by folder
     bool m_restoring = false;
 };
 

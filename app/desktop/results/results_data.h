@@ -17,7 +17,7 @@ namespace chiron::desktop {
 /// One of a person's sessions with its latest stored scores.
 struct Attempt {
     database::SessionSummary summary;
-    std::vector<scoring::MetricValue> metrics; ///< Empty if the session was never scored
+    std::vector<scoring::MetricValue> metrics; ///< empty if the session was never scored
 
     const scoring::MetricValue* metric(const std::string& id) const;
     /// Whether the session is a point on a learning curve: it is completed and counts as an attempt of its

@@ -17,7 +17,7 @@ class Background;
 struct ResultsQuestion {
     database::PersonId person = 0;
     int level = 0;
-    bool felt = true; ///< Felt and shown sessions are never pooled
+    bool felt = true; ///< felt and shown sessions are never pooled
 };
 
 /// The part of a person's results that is specific to one exercise. It stands between the curve and the

@@ -46,7 +46,7 @@ public:
     void exportTo(const QString& parent);
 
 private:
-    database::PersonId person() const; ///< Whose results are shown
+    database::PersonId person() const; ///< whose results are shown
     bool isOwn() const;
     QWidget* ownData();
     void load();
@@ -57,11 +57,11 @@ private:
     void fillLevels();
     void fillMetrics();
     void showSelection();
-    void showPart(const std::vector<Attempt>& attempts); ///< Part of the chosen exercise
+    void showPart(const std::vector<Attempt>& attempts); ///< part of the chosen exercise
     std::vector<Attempt> selected() const;
     /// Of any exercise if `exercise` is empty; null if none was scored.
     const Attempt* lastScored(const std::string& exercise) const;
-    bool asksFor(const QString& exercise) const; ///< The place names this exercise, and therefore its level
+    bool asksFor(const QString& exercise) const; ///< the place names this exercise, and therefore its level
     report::MetricRow metricRow(const std::vector<Attempt>& attempts) const;
     void askExport();
     void openSession(database::SessionId session);
@@ -73,7 +73,7 @@ private:
     QComboBox* m_metric = nullptr;
     QVBoxLayout* m_curveHolder = nullptr;
     report::PlotView* m_curve = nullptr;
-    QWidget* m_partHolder = nullptr; ///< Holds the part that is specific to one exercise
+    QWidget* m_partHolder = nullptr; ///< holds the part that is specific to one exercise
     /// The parts of the exercises chosen so far, by exercise; null if the exercise has none.
     std::map<std::string, ResultsPart*> m_parts;
     AttemptsTable* m_table = nullptr;

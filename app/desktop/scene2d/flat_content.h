@@ -27,8 +27,8 @@ public:
     virtual QString name() const { return {}; }
     /// Whether it draws the tools and the ghost itself; otherwise the canvas draws laparoscopic instruments.
     virtual bool drawsTools() const { return false; }
-    virtual QRectF rangeAbove_mm() const = 0; ///< Range in x and y that must be visible
-    virtual QRectF rangeSide_mm() const = 0;  ///< Range in x and z
+    virtual QRectF rangeAbove_mm() const = 0; ///< range in x and y that must be visible
+    virtual QRectF rangeSide_mm() const = 0;  ///< range in x and z
     virtual void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup,
                        const SceneState& state) const = 0;
     /// The bar of the force on the tools.

@@ -41,7 +41,7 @@ public:
     Side side() const { return m_side; }
     const QRectF& plot() const { return m_plot; }
     const QRectF& range_mm() const { return m_range_mm; }
-    double unit() const { return m_setup.scale; } ///< Width in pixels of a line of width 1
+    double unit() const { return m_setup.scale; } ///< width in pixels of a line of width 1
     QFont font(double size, bool bold) const;
 
 private:

@@ -23,7 +23,7 @@ public:
     void paintArrow(const ToolView& tool);
     void paintDropLine(const core::Vec3& from_W, double ground_m);
     void paintPin(const core::Vec3& p_W);
-    void paintAnswer(const core::Vec3& p_W); ///< Double ring where the mark should have been
+    void paintAnswer(const core::Vec3& p_W); ///< double ring where the mark should have been
 
 private:
     void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge);

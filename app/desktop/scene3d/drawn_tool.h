@@ -50,7 +50,7 @@ class DrawnOrientation {
 public:
     /// Call once per frame. The shaft leaves the tip along +z of the returned orientation.
     core::Quat of(const ToolView& tool, bool leftHanded) {
-        // 1e-9: a quaternion that went through a recording may have lost its last bits
+        // 1e-9, because a quaternion from a recording may have lost its last bits
         m_turned = m_turned || tool.q_WT.vec().norm() > 1e-9;
         if (m_turned && tool.q_WT.norm() > 0.5)
             return tool.q_WT.normalized();

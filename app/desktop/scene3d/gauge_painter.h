@@ -16,10 +16,10 @@ namespace chiron::scene3d {
 
 /// The scale of a bar.
 struct GaugeDial {
-    QString title;          ///< Includes the unit
-    double range_N = 6.0;   ///< End of the scale, > 0
-    double limit_N = 0.0;   ///< Drawn as a line with its number; 0 if there is none
-    double bandLow_N = 0.0; ///< The target band; none if `bandHigh_N` is 0
+    QString title;          ///< includes the unit
+    double range_N = 6.0;   ///< end of the scale, > 0
+    double limit_N = 0.0;   ///< drawn as a line with its number; 0 if there is none
+    double bandLow_N = 0.0; ///< the target band; none if `bandHigh_N` is 0
     double bandHigh_N = 0.0;
 
     bool operator==(const GaugeDial&) const = default;
@@ -28,7 +28,7 @@ struct GaugeDial {
 /// A second bar beside the force on the tools, for another force that an exercise measures.
 struct SecondBar {
     GaugeDial dial;
-    bool shown = false; ///< The level shows it at this moment
+    bool shown = false; ///< the level shows it at this moment
     double value_N = 0.0;
 };
 
@@ -52,10 +52,10 @@ public:
 
     static constexpr double kWidth = 76.0;
     static constexpr double kHeight = 300.0;
-    static constexpr double kRange = 1.5; ///< End of the force scale, as a multiple of the limit
+    static constexpr double kRange = 1.5; ///< end of the force scale, as a multiple of the limit
 
 private:
-    double heightOf(double force_N) const; ///< The y coordinate of a force
+    double heightOf(double force_N) const; ///< the y coordinate of a force
     void paintScale(QPainter& painter) const;
     void paintLimit(QPainter& painter) const;
     void paintBand(QPainter& painter) const;

@@ -12,7 +12,7 @@ namespace chiron::scene3d {
 /// flat views from above and from the side.
 struct LoadedScene {
     std::unique_ptr<ISceneView> view;
-    QString whyFlat; ///< Empty in 3D, else one translated sentence, which the flat view also shows
+    QString whyFlat; ///< empty in 3D, else one translated sentence, which the flat view also shows
 };
 
 /// The plugin's factory, or the reason why there is none (one translated sentence).

@@ -15,8 +15,8 @@ inline constexpr std::array<double, 2> kAnswerRings_mm{5.0, 2.2};
 /// The properties of a level's scene that its marks depend on.
 struct MarkedScene {
     const SceneSetup& setup;
-    bool coverage = false; ///< The level shows which areas were searched
-    bool feedback = false; ///< The true answer is drawn after a trial
+    bool coverage = false; ///< the level shows which areas were searched
+    bool feedback = false; ///< the true answer is drawn after a trial
 };
 
 /// Names the guide marks that this scene may draw beside the objects themselves, in 3D and flat, as the

@@ -12,7 +12,7 @@ struct SceneNote {
     enum class Kind { none, said, paused, stopped };
     Kind kind = Kind::none;
     QString title;
-    QString words; ///< Below the title, if there is a veil
+    QString words; ///< below the title, if there is a veil
 
     bool operator==(const SceneNote&) const = default;
 };

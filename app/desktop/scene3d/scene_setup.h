@@ -15,17 +15,17 @@ struct SceneCues {
     bool arrow = false; ///< force arrow with the limit line
     bool object = true; ///< endoscopy: the camera's picture
     bool overview = false; ///< endoscopy: the second picture, from outside
-    bool guidance = false; ///< Endoscopy: the path is marked in the picture
+    bool guidance = false; ///< endoscopy: the path is marked in the picture
 };
 
 /// The theme's colours that the scene uses. Tissue and instruments keep their own realistic colours.
 struct SceneColours {
     QColor background{232, 237, 242};
     QColor field{205, 214, 222}; ///< operating field (drape)
-    QColor ink{27, 38, 49};      ///< Lines and text
+    QColor ink{27, 38, 49};      ///< lines and text
     QColor arrow{0, 95, 135};    ///< force under the limit
     QColor over{176, 32, 36};    ///< force over the limit
-    QColor stop{168, 30, 34};    ///< The sign over a scene whose force is stopped
+    QColor stop{168, 30, 34};    ///< the sign over a scene whose force is stopped
     QColor ghost{120, 90, 160};
     bool highContrast = false;
 };
@@ -35,12 +35,12 @@ struct SceneColours {
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
     core::ExerciseParameters parameters;
-    double forceLimit_N = 4.0; ///< Limit that the arrow's line shows
+    double forceLimit_N = 4.0; ///< limit that the arrow's line shows
     SceneCues cues;
     SceneColours colours;
     bool depthOfField = false; ///< endoscopy: the camera's picture is sharp at one distance only (P1)
     bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
-    double scale = 1.0;      ///< Of lines and text: 1..2
+    double scale = 1.0;      ///< of lines and text: 1..2
     QString family;          ///< font
 };
 

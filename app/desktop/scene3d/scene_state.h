@@ -33,20 +33,20 @@ struct ToolView {
 struct SceneState {
     std::array<ToolView, core::kMaxTools> tool{};
     ToolView ghost{};         ///< a second session's tool 0, drawn translucent
-    bool objectShown = false; ///< The level shows it (or the trial is over and this is playback)
+    bool objectShown = false; ///< the level shows it (or the trial is over and this is playback)
     core::Vec3 p_WObject =
         core::Vec3::Zero(); ///< sphere_apex: centre of the ball, in the plane; the apex is above it
     bool dimpleShown =
         false; ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
-    bool marked = false; ///< Playback and feedback after a trial: the position of the person's mark
+    bool marked = false; ///< playback and feedback after a trial: the position of the person's mark
     core::Vec3 p_WMark = core::Vec3::Zero();
-    bool answered = false; ///< Feedback after a trial: where the mark should have been
+    bool answered = false; ///< feedback after a trial: where the mark should have been
     core::Vec3 p_WAnswer = core::Vec3::Zero();
-    core::ExerciseCues exercise; ///< As the exercise's scene displayed it, or as recorded
-    core::ExerciseCues overlay;  ///< Added by the exercise's screens
-    int activeTool = -1; ///< With several tools, the one that mouse and keyboard move; it has a collar.
-    SceneNote note; ///< Drawn over everything else
+    core::ExerciseCues exercise; ///< as the exercise's scene displayed it, or as recorded
+    core::ExerciseCues overlay;  ///< added by the exercise's screens
+    int activeTool = -1; ///< with several tools, the one that mouse and keyboard move; it has a collar
+    SceneNote note; ///< drawn over everything else
     double time_s = 0.0;
 };
 

@@ -18,7 +18,7 @@ struct MeshVertex {
 
 struct TriangleMesh {
     std::vector<MeshVertex> vertices;
-    std::vector<std::uint32_t> indices; ///< Three per triangle, counter-clockwise from outside
+    std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
 };
 
 } // namespace chiron::scene3d

@@ -19,7 +19,7 @@ public:
     /// Errors: those of the repository, except notAllowed.
     static core::Result<PeopleNames> read(database::Connection& connection, const database::Actor& actor);
 
-    std::string of(const database::SessionSummary& session) const; ///< The person of this session
+    std::string of(const database::SessionSummary& session) const; ///< the person of this session
 
 private:
     std::map<database::PersonId, std::string> m_full;

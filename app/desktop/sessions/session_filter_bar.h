@@ -57,7 +57,7 @@ private:
     QComboBox* m_review = nullptr;
     QComboBox* m_period = nullptr;
     QWidget* m_dates = nullptr;
-    QDateEdit* m_from = nullptr; ///< Created when days are first chosen
+    QDateEdit* m_from = nullptr; ///< created when days are first chosen
     QDateEdit* m_to = nullptr;
     QCheckBox* m_commented = nullptr;
     QCheckBox* m_archived = nullptr;

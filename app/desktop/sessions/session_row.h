@@ -19,9 +19,9 @@ namespace chiron::desktop {
 /// One row of the session list, with cached texts for searching and display.
 struct SessionRow {
     database::SessionSummary summary;
-    QString person;   ///< Name as screens show it
+    QString person;   ///< name as screens show it
     QString exercise; ///< its title
-    QString search;   ///< Folded: number, both names of the person, exercise, operator
+    QString search;   ///< folded: number, both names of the person, exercise, operator
 };
 
 /// Titles of exercises by id, in the displayed language. A value that is passed to workers.

@@ -31,13 +31,13 @@ public:
     void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
     void setRows(std::vector<SessionRow> rows); ///< newest first
-    void append(std::vector<SessionRow> rows);  ///< Appends older sessions
-    void replace(SessionRow row);               ///< Replaces the row with the same number
-    void replace(std::vector<SessionRow> rows); ///< Replaces the rows with the same numbers
+    void append(std::vector<SessionRow> rows);  ///< appends older sessions
+    void replace(SessionRow row);               ///< replaces the row with the same number
+    void replace(std::vector<SessionRow> rows); ///< replaces the rows with the same numbers
     void setFilter(const SessionListFilter& filter);
     const SessionListFilter& filter() const noexcept { return m_filter; }
 
-    int total() const noexcept { return static_cast<int>(m_rows.size()); } ///< Independent of the filter
+    int total() const noexcept { return static_cast<int>(m_rows.size()); } ///< independent of the filter
     const SessionRow& at(int row) const { return m_rows[m_shown[static_cast<std::size_t>(row)]]; }
     const std::vector<SessionRow>& all() const noexcept { return m_rows; }
     int rowOf(database::SessionId session) const; ///< -1: not shown
@@ -46,7 +46,7 @@ private:
     void show();
     void sortShown();
     QString text(const SessionRow& row, int column) const;
-    QString tip(const SessionRow& row) const; ///< Includes what a narrow window leaves out
+    QString tip(const SessionRow& row) const; ///< includes what a narrow window leaves out
     QVariant picture(const SessionRow& row, int column) const;
     QIcon icon(const WordSign& sign) const;
 

@@ -49,14 +49,14 @@ public:
     static QString started(const database::SessionSummary& session, const QLocale& locale);
     /// The date only.
     static QString startedOn(const database::SessionSummary& session, const QLocale& locale);
-    static QString length(std::uint64_t ticks, const QLocale& locale); ///< One tick is one millisecond
+    static QString length(std::uint64_t ticks, const QLocale& locale); ///< one tick is one millisecond
     /// "5 minutes ago"; from one month on the date.
     static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);
     static QString bytes(std::uint64_t bytes, const QLocale& locale);
     /// The exercise id of a study's trials. It is in no catalogue and has no levels.
     static constexpr const char* kComparison = "comparison";
     static QString comparison();
-    static QDateTime timeOf(const std::string& utc); ///< In UTC; invalid if it cannot be read
+    static QDateTime timeOf(const std::string& utc); ///< in UTC; invalid if it cannot be read
 };
 
 } // namespace chiron::desktop

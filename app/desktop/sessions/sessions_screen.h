@@ -33,7 +33,7 @@ public:
     QString help() const override;
 
     SessionTableModel& model() const { return *m_model; }
-    bool isComplete() const noexcept { return m_complete; } ///< Every session has been read
+    bool isComplete() const noexcept { return m_complete; } ///< every session has been read
 
     static constexpr int kFirstPage = 100; ///< more than any screen shows at once
     static constexpr int kPage = 2000;
@@ -50,20 +50,20 @@ private:
     QWidget* buildTable();
     QWidget* buildActions();
     void connectTable();
-    void fitColumns(); ///< Shows the columns that the table has room for
+    void fitColumns(); ///< shows the columns that the table has room for
     void load();
     void loadRest(database::SessionId before);
     void take(core::Result<std::vector<SessionRow>> rows, bool first);
     void showState();
     void noteState();
-    void chooseFilter(const SessionListFilter& filter); ///< By hand: becomes the person's own filter
+    void chooseFilter(const SessionListFilter& filter); ///< by hand: becomes the person's own filter
     void selectSomething();
     static QString sealedWords();
     void showActions();
     const SessionRow* selected() const;
     void open(const QString& screen);
-    void openResults(); ///< Of the selected session's person, at its exercise
-    void askDecision(); ///< To void the selected session, or to count a voided one again
+    void openResults(); ///< of the selected session's person, at its exercise
+    void askDecision(); ///< to void the selected session, or to count a voided one again
     void decide(database::SessionId session, VoidSessionDialog::Decision decision, const QString& reason);
     void archive(database::SessionId session, bool archived);
     /// Reads this session and the others at its level again, because which of a person's attempts awaits a
@@ -74,7 +74,7 @@ private:
     SessionFilterBar* m_filterBar = nullptr;
     SessionTableModel* m_model = nullptr;
     QTableView* m_table = nullptr;
-    std::array<int, SessionTableModel::columns> m_widths{}; ///< In pixels
+    std::array<int, SessionTableModel::columns> m_widths{}; ///< in pixels
     StatePanel* m_panel = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_open = nullptr;
@@ -84,7 +84,7 @@ private:
     QPushButton* m_reinstate = nullptr;
     QPushButton* m_archive = nullptr;
     QPushButton* m_save = nullptr;
-    database::SessionId m_wanted = 0; ///< Session to select once it is loaded
+    database::SessionId m_wanted = 0; ///< session to select once it is loaded
     bool m_complete = false;
     ExerciseTitles m_titles;
 };

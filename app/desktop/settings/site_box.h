@@ -29,7 +29,7 @@ private:
     QPushButton* m_save = nullptr;
     NoticeArea* m_notice = nullptr;
     QString m_stored;
-    bool m_known = false; ///< Whether the stored name is known
+    bool m_known = false; ///< whether the stored name is known
     bool m_saves = false;
 };
 

@@ -25,7 +25,7 @@ public:
 
     const QString& file() const noexcept { return m_file; }
     void setFile(const QString& file) { m_file = file; }
-    bool exists() const { return QFileInfo::exists(m_file); } ///< If false, the first-start screen appears
+    bool exists() const { return QFileInfo::exists(m_file); } ///< if false, the first-start screen appears
     const database::DatabaseOptions& options() const noexcept { return m_options; }
 
     bool isOpen() const noexcept { return m_database != nullptr; }
@@ -35,7 +35,7 @@ public:
     }
     /// Call it only while no work is in progress (Background::cancelAndWait).
     void close() { m_database.reset(); }
-    database::Database& database() { return *m_database; } ///< Only if isOpen()
+    database::Database& database() { return *m_database; } ///< only if isOpen()
     const std::vector<session::RecoveredSession>& recovered() const noexcept { return m_recovered; }
 
     void setCatalogue(catalogue::Catalogue catalogue) { m_catalogue = std::move(catalogue); }

@@ -22,7 +22,7 @@ protected:
     qint64 writeData(const char*, qint64) override { return -1; }
 
 private:
-    static constexpr int kBlock = 256; ///< Samples between two reads of the cues
+    static constexpr int kBlock = 256; ///< samples between two reads of the cues
 
     realtime::LatestValue<SoundCues>& m_cues;
     CueSynthesiser m_synthesiser;

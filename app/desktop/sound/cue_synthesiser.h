@@ -40,16 +40,16 @@ private:
     double sine(double& phase, double frequency_Hz) const noexcept;
 
     double m_rate_Hz;
-    double m_follow;      ///< Filter coefficient per sample
-    double m_clickDecay;  ///< Per sample
+    double m_follow;      ///< filter coefficient per sample
+    double m_clickDecay;  ///< per sample
     SoundCues m_cues;
-    std::uint32_t m_heard = 0; ///< Number of contacts that have already clicked
+    std::uint32_t m_heard = 0; ///< number of contacts that have already clicked
     bool m_first = true;
 
     double m_toneLevel = 0.0;
     double m_toneFrequency_Hz = 220.0;
     double m_tonePhase = 0.0;
-    double m_brightness = 0.0; ///< Share of the third harmonic
+    double m_brightness = 0.0; ///< share of the third harmonic
     double m_clickLevel = 0.0;
     double m_clickTarget = 0.0;
     double m_clickPhase = 0.0;

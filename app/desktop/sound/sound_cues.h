@@ -20,8 +20,8 @@ struct SoundSwitches {
 struct SoundCues {
     double force_N = 0.0;       ///< tissue force on the tool
     double limit_N = 4.0;       ///< > 0; above it the warning sounds
-    std::uint32_t contacts = 0; ///< Contacts since the start of the session; each increment gives a click.
-    double lean = 0.0; ///< How far a fingertip platform leans: 0 upright .. 1 maximum; 0 if nothing leans.
+    std::uint32_t contacts = 0; ///< contacts since the start of the session; each increment gives a click
+    double lean = 0.0; ///< how far a fingertip platform leans: 0 upright .. 1 maximum; 0 if nothing leans.
     SoundSwitches on{};
     /// 0..1: level of pink noise that covers a device's own sounds (in studies); the other cues are silent
     /// then.

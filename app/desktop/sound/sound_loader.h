@@ -11,8 +11,8 @@ namespace chiron::desktop {
 /// A sound output, or the reason why there is none. Everything audible is also shown, so training works
 /// without sound.
 struct LoadedSound {
-    std::unique_ptr<ISoundOutput> output; ///< Null: no sound
-    QString whySilent;                    ///< One translated sentence; empty if sound works
+    std::unique_ptr<ISoundOutput> output; ///< null: no sound
+    QString whySilent;                    ///< one translated sentence; empty if sound works
 };
 
 /// Loads Qt Multimedia's plugin the first time (some 0.1 s) and opens the station's sound output. The plugin

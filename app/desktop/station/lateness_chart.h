@@ -17,7 +17,7 @@ public:
     LatenessChart(const Theme& theme, QLocale locale, QWidget* parent = nullptr);
     void setBins(const session::LatenessBins& bins);
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override; ///< Room for the whole text and a short bar
+    QSize minimumSizeHint() const override; ///< room for the whole text and a short bar
 
 protected:
     void paintEvent(QPaintEvent* event) override;

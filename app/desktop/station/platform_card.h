@@ -33,8 +33,8 @@ public:
     void show(PlatformCheck check);
     void showStopped();
     void showError(const core::Error& error);
-    void setReady(bool ready); ///< False while the check or a session runs
-    QPushButton* button() const { return m_run; } ///< Null if the person may not run the check
+    void setReady(bool ready); ///< false while the check or a session runs
+    QPushButton* button() const { return m_run; } ///< null if the person may not run the check
     /// Writes the newest check; does nothing if there is none yet.
     /// Errors: storage.
     core::Result<void> writeRecord(const QString& path, const CheckCircumstances& of) const;

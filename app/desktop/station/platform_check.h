@@ -15,9 +15,9 @@ struct PlatformCheck {
     /// DeviceDescriptor::serialNumber of the checked device; empty for a simulated platform.
     std::string serialNumber;
     mechanisms::FingertipVerification verified;
-    std::vector<mechanisms::FingertipOnFinger> fingers; ///< The same check on seven other fingers
+    std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same check on seven other fingers
     mechanisms::FingertipFriction friction;
-    double stiffnessCap_N_per_m = 0.0; ///< From the damping of drives and pad at the measured delay
+    double stiffnessCap_N_per_m = 0.0; ///< from the damping of drives and pad at the measured delay
     bool holds() const noexcept { return verified.holds() && mechanisms::holdsOnAll(fingers); }
     /// With one property of the plant degraded at a time.
     std::vector<mechanisms::FingertipDegradation> worse;

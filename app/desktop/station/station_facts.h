@@ -22,7 +22,7 @@ struct LastLoop {
 /// The contents of the station screen that need no measurement.
 struct StationFacts {
     session::StorageRoom room;
-    std::optional<LastLoop> last; ///< Among the newest sessions that the person may see
+    std::optional<LastLoop> last; ///< among the newest sessions that the person may see
 };
 
 /// Reads these contents.

@@ -32,7 +32,7 @@ public:
     /// "verify_poses", the number of poses in the platform's verification. Without "verify_poses" the
     /// verification uses 100 poses and adds the table of degraded parts.
     StationScreen(AppContext& context, const Place& place);
-    ~StationScreen() override; ///< Ends a running self-test
+    ~StationScreen() override; ///< ends a running self-test
 
     QString title() const override;
     void enter() override;
@@ -40,12 +40,12 @@ public:
     QString help() const override;
     /// Errors: wrongUse if there is no check yet; storage.
     core::Result<void> writePlatformRecord(const QString& path) const;
-    core::Result<void> writeLoopRecord(const QString& path) const;     ///< The same for the self-test
+    core::Result<void> writeLoopRecord(const QString& path) const;     ///< the same for the self-test
 
 signals:
     void selfTestEnded();
     void verificationEnded();
-    void checkNoted(); ///< The check was stored in the audit trail, or could not be
+    void checkNoted(); ///< the check was stored in the audit trail, or could not be
 
 private:
     void load();
@@ -81,7 +81,7 @@ private:
     std::optional<session::SelfTestResult> m_tested;
     CheckedAt m_loopChecked;
     CheckedAt m_platformChecked;
-    QString m_platformSerial; ///< Empty if not reported
+    QString m_platformSerial; ///< empty if not reported
     PlatformCard* m_platform = nullptr;
     QVBoxLayout* m_testBox = nullptr;
     std::shared_ptr<session::SelfTestTask> m_task;

@@ -30,8 +30,8 @@ public:
     /// late).
     static const char* verdictKind(const session::LoopReport& loop);
     static QString verdict(const session::LoopReport& loop, const QLocale& locale);
-    static double lateShare(const session::LoopReport& loop); ///< Share of all ticks
-    static double mostLate() noexcept;                        ///< The limit of lateShare()
+    static double lateShare(const session::LoopReport& loop); ///< share of all ticks
+    static double mostLate() noexcept;                        ///< the limit of lateShare()
 };
 
 } // namespace chiron::desktop

@@ -59,10 +59,10 @@ private:
 
     const Replaces m_replaces;
     const std::string m_folder;
-    const QString m_administrator; ///< Prefilled name
+    const QString m_administrator; ///< prefilled name
     std::function<void(database::RestoreRequest)> m_restore;
-    Pair m_first;  ///< For the present database; if that cannot be read, for the backup
-    Pair m_second; ///< For the other one, if the box is ticked
+    Pair m_first;  ///< for the present database; if that cannot be read, for the backup
+    Pair m_second; ///< for the other one, if the box is ticked
     QCheckBox* m_other = nullptr;
     QWidget* m_otherBox = nullptr;
     WaitCountdown* m_wait = nullptr;

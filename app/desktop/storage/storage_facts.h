@@ -19,9 +19,9 @@ struct StorageFacts {
     std::uint64_t recordings_bytes = 0;
     int sessions = 0;
     std::vector<session::BackupEntry> backups; ///< newest first
-    database::BackupStanding standing;         ///< Of the backup schedule
-    std::string backupFolder;                  ///< Folder for the plan's backups
-    bool onTheSitesDisk = false;               ///< Whether that folder is on the site's disk
+    database::BackupStanding standing;         ///< of the backup schedule
+    std::string backupFolder;                  ///< folder for the plan's backups
+    bool onTheSitesDisk = false;               ///< whether that folder is on the site's disk
 };
 
 /// Reads these contents. `stationFolder` is this station's backup folder, which is used if the plan names

@@ -35,7 +35,7 @@ public:
     QString help() const override;
 
 signals:
-    void taskEnded(); ///< A backup, verification, export or restore, with any result
+    void taskEnded(); ///< a backup, verification, export or restore, with any result
 
 private:
     enum class Task { none, backup, verifyBackup, verifySite, exportSite };
@@ -58,7 +58,7 @@ private:
     void backUp();
     void chooseFolder();
     void savePlan(const database::BackupPlan& plan);
-    QString folder() const; ///< The folder for backups
+    QString folder() const; ///< the folder for backups
     void verifyBackup();
     void verifySite();
     void exportSite();
@@ -91,7 +91,7 @@ private:
     QPushButton* m_restore = nullptr;
     QPushButton* m_verifySite = nullptr;
     QPushButton* m_export = nullptr;
-    QPushButton* m_hadFocus = nullptr; ///< While a task runs: the button that started it
+    QPushButton* m_hadFocus = nullptr; ///< while a task runs: the button that started it
 };
 
 } // namespace chiron::desktop

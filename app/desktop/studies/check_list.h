@@ -27,7 +27,7 @@ public:
     bool has(FreezeCheck::State state) const;
 
 signals:
-    void changed(); ///< The result of a check changed
+    void changed(); ///< the result of a check changed
     void goAsked(const chiron::desktop::FreezeCheck& check);
 
 private:

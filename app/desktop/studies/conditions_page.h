@@ -16,14 +16,14 @@ class ConditionsPage final : public QWidget {
 public:
     ConditionsPage(const DesignPage& page, int shown, QWidget* parent = nullptr);
 
-    int shown() const noexcept { return m_shown; } ///< Index of the condition on the page
+    int shown() const noexcept { return m_shown; } ///< index of the condition on the page
 
 signals:
     void showAsked(int condition);
 
 private:
-    QWidget* sealedBox(); ///< Shows codes instead of conditions
-    QWidget* sharedBox(); ///< Properties that all conditions share
+    QWidget* sealedBox(); ///< shows codes instead of conditions
+    QWidget* sharedBox(); ///< properties that all conditions share
     QString buttonText(const psychophysics::Condition& condition) const;
     QWidget* chooser();
     QWidget* stimulusBox();
@@ -32,7 +32,7 @@ private:
     void addReference(FieldGrid& grid);
     void showNames(FieldGrid& grid) const;
     void addTask(FieldGrid& grid);
-    bool apex() const; ///< The condition on the page is an apex search, which has neither task nor table
+    bool apex() const; ///< the condition on the page is an apex search, which has neither task nor table
     bool hasScale() const;
     QWidget* scaleGrid();
     QWidget* tableBox();

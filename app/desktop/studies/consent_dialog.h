@@ -25,7 +25,7 @@ private:
     void showText();
 
     psychophysics::StudyText m_texts;
-    psychophysics::StudyText m_told; ///< The instructions
+    psychophysics::StudyText m_told; ///< the instructions
     database::Participant m_participant;
     QComboBox* m_language = nullptr;
     QLabel* m_instructions = nullptr;

@@ -13,9 +13,9 @@ namespace chiron::desktop {
 
 /// An error in a design, and the place where the researcher can correct it.
 struct DesignFault {
-    int tab = 0;        ///< StudyScreen::Tab
-    int condition = -1; ///< Index on the conditions' page; -1: no condition
-    QString field;      ///< Object name of the field; empty: none
+    int tab = 0;        ///< a StudyScreen::Tab
+    int condition = -1; ///< index on the conditions' page; -1: no condition
+    QString field;      ///< object name of the field; empty: none
     QString words;
 };
 

@@ -19,7 +19,7 @@ public:
     EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* parent);
 
 signals:
-    void enrolledAs(const QString& code); ///< Emitted before changed()
+    void enrolledAs(const QString& code); ///< emitted before changed()
     /// Emitted if consent is the next step.
     void consentAsked(const chiron::database::Participant& participant);
 
@@ -32,8 +32,8 @@ private:
 
     database::StudyNumber m_study;
     QLineEdit* m_identity = nullptr;
-    QLineEdit* m_account = nullptr; ///< Login name, if the person has one
-    std::vector<QuestionnaireForm*> m_fields; ///< The design's questions about a participant
+    QLineEdit* m_account = nullptr; ///< login name, if the person has one
+    std::vector<QuestionnaireForm*> m_fields; ///< the design's questions about a participant
 };
 
 } // namespace chiron::desktop

@@ -33,7 +33,7 @@ struct NumberRange {
     int decimals = 3;
     QString unit;
     double step = 0.0; ///< 0: a tenth of what decimals show
-    QString zero{};    ///< Text for the smallest value ("no limit"); empty: its number
+    QString zero{};    ///< text for the smallest value ("no limit"); empty: its number
 };
 
 /// The explanation under a number field: its range and usual value, in the field's unit.
@@ -65,7 +65,7 @@ public:
     QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values, std::function<void(std::vector<double>)> taken);
     /// Adds any other widget over the whole width, as the next row.
     void wide(QWidget* widget);
-    void cell(QWidget* widget); ///< In one column
+    void cell(QWidget* widget); ///< in one column
     /// Adds a custom widget as a field over the whole width. It can have an explanation and an error like the
     /// others.
     void control(const QString& label, const QString& name, QWidget* field);
@@ -85,7 +85,7 @@ public:
     QWidget* field(const QString& name) const;
     /// Name of a field whose input cannot be read, with the error shown below it; empty if there is none.
     QString firstUnread() const;
-    QString faultOf(const QString& name) const; ///< The error shown below it; empty if there is none
+    QString faultOf(const QString& name) const; ///< the error shown below it; empty if there is none
 
     /// Prevents the mouse wheel from changing a field that is only scrolled past.
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -109,7 +109,7 @@ private:
         QWidget* widget = nullptr;
         QBoxLayout* column = nullptr;
         QString meaning, unit, unread, given;
-        QWidget* fault = nullptr; ///< Null if there is no error
+        QWidget* fault = nullptr; ///< null if there is no error
     };
     struct Cell {
         QWidget* widget;
@@ -123,7 +123,7 @@ private:
     std::vector<Cell> m_cells;
     QHash<QString, Field> m_fields;
     int m_columns = 0;
-    QString m_refused; ///< Field whose input was just refused, until its editingFinished signal
+    QString m_refused; ///< field whose input was just refused, until its editingFinished signal
 };
 
 } // namespace chiron::desktop

@@ -15,17 +15,17 @@ namespace chiron::desktop {
 struct FreezeCheck {
     enum class State {
         good,
-        advice, ///< May be intended
-        bad,    ///< Prevents freezing
-        waiting ///< Still being determined
+        advice, ///< may be intended
+        bad,    ///< prevents freezing
+        waiting ///< still being determined
     };
-    QString name;  ///< For example "aim"; object names end with it
+    QString name;  ///< for example "aim"; object names end with it
     State state = State::good;
     QString title;
-    QString words; ///< The finding, and what to do
-    int tab = 0;   ///< Page on which to correct it
+    QString words; ///< the finding, and what to do
+    int tab = 0;   ///< page on which to correct it
     int condition = -1;
-    QString field; ///< Empty: no particular field
+    QString field; ///< empty: no particular field
 };
 
 /// The facts that the checks use.
@@ -33,8 +33,8 @@ struct FreezeFacts {
     std::vector<DesignFault> faults;
     /// For each condition, from simulated observers; no value: not available yet.
     std::optional<std::vector<psychophysics::ConditionPlan>> plans;
-    int pilots = 0; ///< Number of people who tried the design
-    std::optional<bool> hasSound{}; ///< Whether this station has sound output; no value: not yet tested
+    int pilots = 0; ///< number of people who tried the design
+    std::optional<bool> hasSound{}; ///< whether this station has sound output; no value: not yet tested
 };
 
 std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts, const QLocale& locale);

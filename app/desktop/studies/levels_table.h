@@ -26,11 +26,11 @@ public:
     /// Replaces all rows by the numbers in a text. If it contains anything else, the table reports that and
     /// changes nothing.
     void paste(const QString& text);
-    void showValues(); ///< Updates the objects' values after a change of the reference
+    void showValues(); ///< updates the objects' values after a change of the reference
 
 signals:
-    void changed(const std::vector<double>& percents); ///< Changed by a person; all entries are numbers
-    void unread(const QString& words); ///< Describes input that cannot be read; empty if all of it can
+    void changed(const std::vector<double>& percents); ///< changed by a person; all entries are numbers
+    void unread(const QString& words); ///< describes input that cannot be read; empty if all of it can
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

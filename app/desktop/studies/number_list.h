@@ -10,7 +10,7 @@ namespace chiron::desktop {
 /// Numbers read from one line, or from text copied from a table.
 struct NumberList {
     std::vector<double> values;
-    QString unread; ///< The first part that is not a number; `values` must not be used then
+    QString unread; ///< the first part that is not a number; `values` must not be used then
 };
 
 /// Reads numbers that are separated by semicolons, tabs, line ends or spaces, with decimal points or decimal

@@ -24,7 +24,7 @@ private:
     void renew();
 
     DesignPage m_page;
-    std::vector<std::pair<QString, QLabel*>> m_lines; ///< Keyed by object name
+    std::vector<std::pair<QString, QLabel*>> m_lines; ///< keyed by object name
 };
 
 /// The lines of the card as pairs of the object name's end ("trials") and text. For an incomplete design,

@@ -15,8 +15,8 @@ struct ConditionProgress {
     enum class State { done, interrupted, ended, notBegun };
     std::string label; ///< session::labelOf
     State state = State::notBegun;
-    const LeftRun* left = nullptr; ///< For an interrupted condition; points into the row that was passed.
-    bool closed = false;           ///< Not started, and the study accepts no more runs
+    const LeftRun* left = nullptr; ///< for an interrupted condition; points into the row that was passed
+    bool closed = false;           ///< not started, and the study accepts no more runs
 };
 
 /// Returns the conditions in the participant's order. `row` must outlive the result.

@@ -24,8 +24,8 @@ public:
 
 signals:
     void selectedChanged(const QString& code);
-    void enrolOpened(chiron::desktop::EnrolDialog* dialog); ///< The dialog outlives this page
-    void changed(); ///< A participant was enrolled, consented or withdrew
+    void enrolOpened(chiron::desktop::EnrolDialog* dialog); ///< the dialog outlives this page
+    void changed(); ///< a participant was enrolled, consented or withdrew
 
 private:
     QWidget* actions();
@@ -38,7 +38,7 @@ private:
     void showKeys();
     void run();
     QString progressOf(const ParticipantRow& row) const;
-    void showDetail(); ///< For the selected participant: the state of each condition, and what to do next.
+    void showDetail(); ///< for the selected participant: the state of each condition, and what to do next
 
     AppContext& m_app;
     OpenStudy m_study;

@@ -26,7 +26,7 @@ private:
     QComboBox* m_condition = nullptr;
     QLineEdit* m_who = nullptr;
     QCheckBox* m_agreed = nullptr;
-    QString m_language; ///< Of the displayed consent text
+    QString m_language; ///< of the displayed consent text
 };
 
 } // namespace chiron::desktop

@@ -27,7 +27,7 @@ class PreviewPage final : public QWidget {
     Q_OBJECT
 public:
     explicit PreviewPage(const DesignPage& page, QWidget* parent = nullptr);
-    ~PreviewPage() override; ///< Cancels running work
+    ~PreviewPage() override; ///< cancels running work
     bool working() const;
 
 private:
@@ -41,20 +41,20 @@ private:
     void setWorking(bool working);
     QWidget* resultBox(const PreviewResult& result);
     QWidget* plotOf(const PreviewResult& result) const;
-    QWidget* powerGrid(); ///< Assumptions for a comparison of two conditions
-    void showPower();     ///< For all results, under the current assumptions; simulates nothing again.
+    QWidget* powerGrid(); ///< assumptions for a comparison of two conditions
+    void showPower();     ///< for all results, under the current assumptions; simulates nothing again
 
     DesignPage m_page;
     psychophysics::ObserverSpec m_observer{.weber = 0.1, .lapse = 0.02};
     int m_runs = 40;
-    psychophysics::PowerQuestion m_power; ///< Except for the SD of a run, which is simulated
+    psychophysics::PowerQuestion m_power; ///< except for the SD of a run, which is simulated
     double m_wantedPower = 0.8;
     struct PowerLabels {
         double runSdLog10;
         QLabel* value;
         QLabel* name;
     };
-    std::vector<PowerLabels> m_powers; ///< Of the displayed results
+    std::vector<PowerLabels> m_powers; ///< of the displayed results
     QDoubleSpinBox* m_personSd = nullptr;
     QDoubleSpinBox* m_effectSd = nullptr;
     std::shared_ptr<WorkToken> m_work;

@@ -25,7 +25,7 @@ public:
     ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent = nullptr);
 
 private:
-    struct ControlOf; ///< Creates the control for a row, by the type of its value
+    struct ControlOf; ///< creates the control for a row, by the type of its value
     /// The conversion of a stored number for display: shown = to(stored), stored = from(shown).
     struct Shown {
         std::function<double(double)> to, from;

@@ -12,10 +12,10 @@ struct ReadQuantity {
         none,
         empty,
         noNumber, ///< "abc", "1,5,2"
-        otherUnit ///< Unknown unit, or one of another dimension: "0.3 kg" for a stiffness
+        otherUnit ///< unknown unit, or one of another dimension: "0.3 kg" for a stiffness
     };
     Fault fault = Fault::none;
-    double value = 0.0; ///< In the field's unit
+    double value = 0.0; ///< in the field's unit
 };
 
 /// Reads a number, with or without a unit of the same dimension: "0.3 N/mm" for N/m is 300. Without a unit it

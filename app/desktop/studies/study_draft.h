@@ -29,7 +29,7 @@ public:
 
 signals:
     void changed();          ///< design() has changed
-    void structureChanged(); ///< Forms of the design must be rebuilt
+    void structureChanged(); ///< forms of the design must be rebuilt
 
 private:
     class Step;
@@ -37,7 +37,7 @@ private:
 
     psychophysics::StudyDesign m_design;
     QUndoStack m_history;
-    bool m_fromForm = false; ///< The form already shows the change
+    bool m_fromForm = false; ///< the form already shows the change
 };
 
 } // namespace chiron::desktop

@@ -17,7 +17,7 @@ struct DesignPage {
     AppContext& app;
     StudyDraft& draft;
     bool readOnly = true;
-    QString language = QStringLiteral("en"); ///< Of the texts being edited
+    QString language = QStringLiteral("en"); ///< of the texts being edited
     database::Blinding blinding{};
     /// StudyRecord::masked: the design's conditions are codes, with the properties that all of them share.
     bool masked = false;

@@ -61,7 +61,7 @@ private:
     QWidget* toolRow();
     QWidget* stepRow();
     void showPage();
-    void sayPreviewEnds(); ///< Warns if a preview is running on the page being left
+    void sayPreviewEnds(); ///< warns if a preview is running on the page being left
     void showFaults();
     void step(int by);
     void goToField(int tab, int condition, const QString& field);
@@ -92,18 +92,18 @@ private:
     database::StudyNumber m_study;
     int m_tab;
     int m_condition;
-    QString m_participant; ///< Selected participant, kept because the list is reloaded after each change
+    QString m_participant; ///< selected participant, kept because the list is reloaded after each change
     QString m_language;
     OpenStudy m_open;
     StudyDraft m_draft;
-    std::vector<DesignFault> m_wrong; ///< Of the newest design that was checked
-    bool m_good = true;      ///< The newest design is valid
-    bool m_saved = true;     ///< The newest design is stored
+    std::vector<DesignFault> m_wrong; ///< of the newest design that was checked
+    bool m_good = true;      ///< the newest design is valid
+    bool m_saved = true;     ///< the newest design is stored
     bool m_saving = false;
-    int m_version = 0;       ///< Of the design; counts changes
+    int m_version = 0;       ///< of the design; counts changes
     QTimer m_check{this};
     StatePanel* m_panel = nullptr;
-    QWidget* m_view = nullptr; ///< Head, tabs and page; null until the study is loaded
+    QWidget* m_view = nullptr; ///< head, tabs and page; null until the study is loaded
     QTabBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
     NoticeArea* m_faults = nullptr;

@@ -51,24 +51,24 @@ void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
 /// The progress of an interrupted run.
 struct LeftRun {
     database::StudyRunNumber run = 0;
-    int scored = 0;      ///< Number of scored trials
-    int atMost = 0;      ///< Largest number of trials of the condition; 0: not known
-    std::string lastUtc; ///< Time of the last trial, or of the run's start if there is none
+    int scored = 0;      ///< number of scored trials
+    int atMost = 0;      ///< largest number of trials of the condition; 0: not known
+    std::string lastUtc; ///< time of the last trial, or of the run's start if there is none
 };
 
 /// A participant with their runs so far.
 struct ParticipantRow {
     database::Participant participant;
     std::vector<database::StudyRun> runs;
-    std::vector<LeftRun> left; ///< The open runs
+    std::vector<LeftRun> left; ///< the open runs
 };
 
 /// A pilot: a person's trial run of a draft.
 struct PilotRow {
     database::StudySummary summary;
-    int scored = 0;  ///< Number of scored trials
-    int spoiled = 0; ///< Number of spoiled trials
-    double secondsPerTrial = 0.0; ///< Mean over the scored trials, without practice
+    int scored = 0;  ///< number of scored trials
+    int spoiled = 0; ///< number of spoiled trials
+    double secondsPerTrial = 0.0; ///< mean over the scored trials, without practice
 };
 
 /// One study with everything that its screens need.
@@ -83,7 +83,7 @@ struct OpenStudy {
     std::set<std::pair<database::StudyRunNumber, std::string>> answeredAfter{};
     database::Blinding blinding{};
     bool masked = false; ///< StudyRecord::masked
-    std::vector<PilotRow> pilots; ///< Of its draft, in order of time
+    std::vector<PilotRow> pilots; ///< of its draft, in order of time
 
     bool editable() const { return summary.state == database::StudyState::draft; }
     /// Whether experimenters' screens show conditions by their sealed codes.

@@ -35,7 +35,7 @@ QString participantState(database::ParticipantState state);
 QString runState(database::StudyRunState state);
 /// The reason why a trial did not count ("force_error"); several are separated by commas.
 QString spoiled(std::string_view token);
-QString parameter(const std::string& name); ///< Of a procedure's estimate
+QString parameter(const std::string& name); ///< of a procedure's estimate
 
 /// The display unit of an attribute: shown = SI · factor.
 struct Unit {
@@ -47,7 +47,7 @@ Unit unitOf(psychophysics::Attribute attribute);
 QString value(double si, psychophysics::Attribute attribute, const QLocale& locale);
 /// A number with `digits` significant digits; a dash if it is not a number.
 QString number(double value, const QLocale& locale, int digits = 3);
-QString plainNumber(double value, const QLocale& locale); ///< As people write it: 4, 3.5
+QString plainNumber(double value, const QLocale& locale); ///< as people write it: 4, 3.5
 /// A ratio in per cent ("12.5 %"); a dash if it is not a number.
 QString percent(double ratio, const QLocale& locale);
 /// "0.081 … 0.12" from two numbers; empty if one is missing.

@@ -26,7 +26,7 @@ private:
     QWidget* chooser();
     QWidget* groupBox();
     QStringList weberWords(const psychophysics::GroupEstimate& group) const;
-    void addAgreement(QVBoxLayout& layout) const; ///< Of the participants' rankings
+    void addAgreement(QVBoxLayout& layout) const; ///< of the participants' rankings
     QWidget* plotBox();
     QWidget* tableBox();
     /// Says who is included in the group's value and who is not.

@@ -76,8 +76,8 @@ private:
     database::StudyRunNumber m_run;
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
-    bool m_withShown; ///< Stored for the logged-in person
-    bool m_exporting = false; ///< An export is in progress
+    bool m_withShown; ///< stored for the logged-in person
+    bool m_exporting = false; ///< an export is in progress
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;
     QVBoxLayout* m_holder = nullptr;

@@ -26,10 +26,10 @@ public:
 
     /// Whether an answer is accepted now; if not, `why` says what is missing (may be empty).
     void setOpen(bool open, const QString& why = {});
-    void clear(); ///< Prepares for the next trial
+    void clear(); ///< prepares for the next trial
     /// The keys that answer (Qt::Key). Enter is passed to enterKey().
     static std::vector<int> keys();
-    bool key(int key); ///< False: the key is not used here
+    bool key(int key); ///< false: the key is not used here
     void enterKey();
     /// The current ranking as marks for the places ("least" ...; with ties "1 =", ...); empty if the task is
     /// not a ranking.
@@ -39,7 +39,7 @@ public:
     static QStringList placeNames(int places);
 
 signals:
-    void begun(); ///< The first key or click of an answer
+    void begun(); ///< the first key or click of an answer
     void answered(int answer, std::optional<double> value);
     void adjusted(int steps);
     void marksChanged();
@@ -68,10 +68,10 @@ private:
     std::vector<QPushButton*> m_choices;
     QPushButton* m_confirm = nullptr;
     QPushButton* m_back = nullptr;
-    QPushButton* m_equal = nullptr; ///< With ties: the next object feels the same as the last
+    QPushButton* m_equal = nullptr; ///< with ties: the next object feels the same as the last
     QLineEdit* m_number = nullptr;
-    std::vector<int> m_order; ///< Ranking: places from least to most, so far
-    psychophysics::Ranking m_ranks{}; ///< Ranks of those places
+    std::vector<int> m_order; ///< ranking: places from least to most, so far
+    psychophysics::Ranking m_ranks{}; ///< ranks of those places
     bool m_nextEqual = false;
 };
 

@@ -33,7 +33,7 @@ public:
     QObject& source() { return *m_scene->inputSource(); }
     /// `canMark`: a mark is accepted now. `words`: what is missing, or what to do.
     void show(const haptics::DisplayState& state, bool canMark, const QString& words);
-    const scene3d::SceneState& drawn() const { return m_drawn; } ///< The last state drawn
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state drawn
 
 signals:
     void markAsked();

@@ -9,8 +9,8 @@ namespace chiron::desktop {
 
 /// The study and participant named on the command line: `chiron --study KEY --person CODE`.
 struct AskedSitting {
-    QString study;  ///< Key or number
-    QString person; ///< The participant's code
+    QString study;  ///< key or number
+    QString person; ///< the participant's code
 };
 
 /// Opens that participant's next condition once somebody is logged in. If the study does not exist, a message

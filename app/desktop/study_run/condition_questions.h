@@ -34,7 +34,7 @@ public:
     static bool areIn(const psychophysics::StudyDesign& design);
 
 signals:
-    void answered(); ///< All questionnaires are answered
+    void answered(); ///< all questionnaires are answered
 
 private:
     void showNext();
@@ -42,7 +42,7 @@ private:
 
     AppContext& m_context;
     About m_about;
-    std::vector<psychophysics::Questionnaire> m_left; ///< The first one is shown
+    std::vector<psychophysics::Questionnaire> m_left; ///< the first one is shown
     QVBoxLayout* m_column = nullptr;
     QWidget* m_page = nullptr;
     QuestionnaireForm* m_form = nullptr;

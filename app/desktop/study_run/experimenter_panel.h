@@ -60,7 +60,7 @@ private:
     QPushButton* m_spoil = nullptr;
     QPushButton* m_pause = nullptr;
     QPushButton* m_stop = nullptr;
-    int m_seen = -1; ///< Number of presentations already shown
+    int m_seen = -1; ///< number of presentations already shown
     std::vector<std::vector<Point>> m_points; ///< [procedure]
 };
 

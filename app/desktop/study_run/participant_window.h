@@ -21,11 +21,11 @@ public:
 
     ParticipantWindow(const Theme& theme, QScreen& screen, QWidget* parent);
 
-    void take(QWidget* page); ///< Shows this page
-    QWidget* giveBack();      ///< Returns the page without a parent and hides the window.
+    void take(QWidget* page); ///< shows this page
+    QWidget* giveBack();      ///< returns the page without a parent and hides the window
 
 signals:
-    void lost(); ///< The window's screen was unplugged or switched off
+    void lost(); ///< the window's screen was unplugged or switched off
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -40,7 +40,7 @@ private:
     /// The cell for the button of a row, with or without one. It is equally wide in every row, so that the
     /// texts before it are aligned.
     static QVBoxLayout* buttonCell(QHBoxLayout& line);
-    QWidget* leftBox(); ///< Interrupted runs of the other participants; null if there are none
+    QWidget* leftBox(); ///< interrupted runs of the other participants; null if there are none
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
     /// The participant who was interrupted last, else the first one who still takes part.
     QString firstChoice() const;
@@ -65,7 +65,7 @@ private:
     QVBoxLayout* m_holder = nullptr;
     QWidget* m_shown = nullptr;
     std::vector<OpenStudy> m_studies;
-    std::optional<bool> m_heard; ///< Whether this computer has sound output; no value: not yet tested
+    std::optional<bool> m_heard; ///< whether this computer has sound output; no value: not yet tested
     database::StudyNumber m_study;
     QString m_participant;
 };

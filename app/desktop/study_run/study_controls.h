@@ -9,7 +9,7 @@ namespace chiron::desktop {
 
 /// The input device that a participant holds.
 struct StudyHand {
-    bool pointer = true; ///< Mouse and keyboard; otherwise the handle of a haptic device
+    bool pointer = true; ///< mouse and keyboard; otherwise the handle of a haptic device
     bool felt = false;   ///< the device renders force
 };
 

@@ -53,9 +53,9 @@ public:
     bool isBusy() const override { return running(); }
     std::vector<ScreenCommand> commands() override;
 
-    session::LiveSitting* live() const { return m_live.get(); } ///< Null before it starts
-    bool atDesk() const; ///< Whether the experimenter's desk is in this window
-    ParticipantWindow* participantWindow() const { return m_window; } ///< Null with one screen
+    session::LiveSitting* live() const { return m_live.get(); } ///< null before it starts
+    bool atDesk() const; ///< whether the experimenter's desk is in this window
+    ParticipantWindow* participantWindow() const { return m_window; } ///< null with one screen
 
     /// Why the device is not accepted, in the program's language; empty if the session was refused for
     /// another reason.
@@ -72,14 +72,14 @@ private:
     QWidget* buildHead();
     QWidget* buildStage();
     QWidget* buildStrip();
-    void buildLive(); ///< The parts that depend on the task, once it is known
+    void buildLive(); ///< the parts that depend on the task, once it is known
     void buildPlaces();
     void buildApex();
     void buildKeys();
     void toolKey(int key, bool down);
     void connectPointer();
-    QWidget& area();   ///< Area of the scene
-    QObject& source(); ///< Source of the scene's mouse and key events
+    QWidget& area();   ///< area of the scene
+    QObject& source(); ///< source of the scene's mouse and key events
 
     // trials_screen_show.cpp
     void showState(const session::LiveStudyView& view);
@@ -96,11 +96,11 @@ private:
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
-    void showSilence(); ///< Visible to the experimenter only
+    void showSilence(); ///< visible to the experimenter only
 
     // trials_screen_desk.cpp: who sees what, and who may continue
     void placePage();
-    void bringBack(); ///< The participant's screen has disappeared
+    void bringBack(); ///< the participant's screen has disappeared
     bool guarded() const;
     bool isPilot() const { return m_live && !m_live->design().pilotOf.empty(); }
     void callExperimenter(std::function<void()> then);
@@ -121,15 +121,15 @@ private:
     QString furtherPartText() const;
     void showCard();
     void go();
-    void stripAction(); ///< Ends the free minute, or the feedback of practice, early
+    void stripAction(); ///< ends the free minute, or the feedback of practice, early
     void poll();
     void onBreakButton();
     /// Enter or Space on a page where continuing is the only action. Returns false if the key has another
     /// meaning.
     bool goOnByKey();
-    bool isPage() const; ///< A page to read, not a trial
+    bool isPage() const; ///< a page to read, not a trial
     void answer(int answer, std::optional<double> value);
-    void mark(); ///< Marks the apex ("here it is")
+    void mark(); ///< marks the apex ("here it is")
     void pauseOrResume();
     void stopForce();
     void rearm();
@@ -153,12 +153,12 @@ private:
     QWidget* m_desk = nullptr;
     ParticipantWindow* m_window = nullptr;
     QLabel* m_deskNote = nullptr;
-    QWidget* m_noSound = nullptr; ///< At the desk: masking sound is required but not audible
+    QWidget* m_noSound = nullptr; ///< at the desk: masking sound is required but not audible
     QPushButton* m_toPage = nullptr;
     QPushButton* m_leave = nullptr;
     ReadyCard* m_card = nullptr;
     QLabel* m_strip = nullptr;
-    QLabel* m_repeated = nullptr; ///< Why the previous trial did not count; empty if it did
+    QLabel* m_repeated = nullptr; ///< why the previous trial did not count; empty if it did
     QPushButton* m_takeBack = nullptr;
     QPushButton* m_enough = nullptr;
     QStackedWidget* m_stage = nullptr;
@@ -166,32 +166,32 @@ private:
     /// Null until a condition with questions after it is completed.
     ConditionQuestions* m_questions = nullptr;
     QWidget* m_trial = nullptr;
-    PlacesView* m_places = nullptr;   ///< Null for an apex search
-    AnswerPanel* m_answers = nullptr; ///< Null for an apex search
-    ApexStage* m_apex = nullptr;      ///< Null if places are compared
+    PlacesView* m_places = nullptr;   ///< null for an apex search
+    AnswerPanel* m_answers = nullptr; ///< null for an apex search
+    ApexStage* m_apex = nullptr;      ///< null if places are compared
     QLabel* m_note = nullptr;
     QProgressBar* m_progress = nullptr;
     QProgressBar* m_time = nullptr;
     ExperimenterPanel* m_experimenter = nullptr;
-    QPushButton* m_call = nullptr; ///< Calls the experimenter from the participant's page
+    QPushButton* m_call = nullptr; ///< calls the experimenter from the participant's page
     QPushButton* m_stop = nullptr;
     KeyFilter* m_keys = nullptr;
     SoundCuePlayer m_sound{4.0};
     bool m_masking = true;
-    bool m_released = false;  ///< The experimenter has left for another screen
-    bool m_gate = false;      ///< The experimenter's password is being asked for
-    QString m_ended;          ///< Result of the session, for the experimenter
+    bool m_released = false;  ///< the experimenter has left for another screen
+    bool m_gate = false;      ///< the experimenter's password is being asked for
+    QString m_ended;          ///< result of the session, for the experimenter
     bool m_completed = false;
     bool m_over = false;
     bool m_asking = false;
-    bool m_begun = false; ///< The instructions have been read
+    bool m_begun = false; ///< the instructions have been read
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
     /// Time since a page appeared without a key press, while the participant was doing something else.
     QElapsedTimer m_pageCame;
-    QElapsedTimer m_wentOn;   ///< Time since a key press continued
+    QElapsedTimer m_wentOn;   ///< time since a key press continued
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;
-    int m_sessions = 0; ///< Session whose pointer is connected
+    int m_sessions = 0; ///< session whose pointer is connected
     std::unique_ptr<HandControl> m_hand;
     std::unique_ptr<ScenePointer> m_pointer;
 };

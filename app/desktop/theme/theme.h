@@ -32,7 +32,7 @@ public:
     QFont font(TextStyle style) const;
     /// Converts logical pixels at 100 % into this scale. Every length on the screen is converted here.
     int px(double at100Percent) const { return qRound(at100Percent * m_scale); }
-    int controlHeight() const { return px(m_control_px); } ///< Of a button or field
+    int controlHeight() const { return px(m_control_px); } ///< of a button or field
     int radius() const { return px(m_radius_px); }
 
     /// A Breeze icon by name, in this theme's text colour or the given one. Never null: a missing icon is

@@ -47,22 +47,22 @@ private:
     /// The trial that has just ended.
     struct Shown {
         session::TrialObject object;
-        std::optional<core::Vec3> p_WMark; ///< No value if time ran out
+        std::optional<core::Vec3> p_WMark; ///< no value if time ran out
     };
 
     bool says(std::int64_t now_ns) const { return !m_said.isEmpty() && now_ns - m_since_ns <= kSaid_ns; }
     std::optional<session::TrialObject> truth() const { return m_truth ? m_truth->object(m_trial) : std::nullopt; }
     void keepTruth(const session::LiveSample& at);
     QString markedWords(const session::LiveSample& at) const;
-    QString foundWords() const; ///< About what was reported by the end; empty if there was nothing to find
+    QString foundWords() const; ///< about what was reported by the end; empty if there was nothing to find
     bool isFound() const { return m_found && m_found->answers(); }
 
-    const ExerciseFace* m_face = nullptr; ///< Of the level's exercise; null if that is not known
+    const ExerciseFace* m_face = nullptr; ///< of the level's exercise; null if that is not known
     bool m_feedback;
     QLocale m_locale;
     std::unique_ptr<session::TrialSurfaces> m_truth;
-    int m_trial = 0; ///< The running trial, or the last one
-    std::unique_ptr<FoundAnswer> m_found; ///< Null if the answer is a mark
+    int m_trial = 0; ///< the running trial, or the last one
+    std::unique_ptr<FoundAnswer> m_found; ///< null if the answer is a mark
     QString m_said;
     std::optional<Shown> m_shown;
     std::int64_t m_since_ns = 0;

@@ -20,7 +20,7 @@ struct ColumnRange {
 /// Thread: one.
 class ColumnTrace {
 public:
-    static constexpr std::size_t kCells = 2048; ///< More than the width of any plot in pixels
+    static constexpr std::size_t kCells = 2048; ///< more than the width of any plot in pixels
 
     explicit ColumnTrace(double span_s);
 

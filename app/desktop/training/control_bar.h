@@ -20,9 +20,9 @@ public:
     explicit ControlBar(const Theme& theme, QWidget* parent = nullptr);
 
     void setMain(Main main);
-    void setResumeHere(bool possible); ///< Shown only while it has an effect
-    void setRunning(bool running);     ///< False before the session starts and after it has ended
-    void setPractice(); ///< A practice can be ended in favour of the real session, but not started again
+    void setResumeHere(bool possible); ///< shown only while it has an effect
+    void setRunning(bool running);     ///< false before the session starts and after it has ended
+    void setPractice(); ///< a practice can be ended in favour of the real session, but not started again
     QPushButton* mainButton() const { return m_main; }
 
 signals:

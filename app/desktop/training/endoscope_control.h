@@ -14,10 +14,10 @@ namespace chiron::desktop {
 /// Thread: GUI; the mailbox outlives it.
 class EndoscopeControl final : public HandControl {
 public:
-    static constexpr double kMetresPerPixel = 0.00004;   ///< At 100 % scale: sideways
-    static constexpr double kRadiansPerPixel = 0.0015;   ///< At 100 % scale: 300 pixels turn by 26°
-    static constexpr double kMetresPerWheelStep = 0.002; ///< One notch (120 eighths of a degree)
-    static constexpr double kKeyAdvance_m_per_s = 0.015; ///< The pace of a clinician
+    static constexpr double kMetresPerPixel = 0.00004;   ///< at 100 % scale: sideways
+    static constexpr double kRadiansPerPixel = 0.0015;   ///< at 100 % scale: 300 pixels turn by 26°
+    static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
+    static constexpr double kKeyAdvance_m_per_s = 0.015; ///< the pace of a clinician
     static constexpr double kKeyShift_m_per_s = 0.006;
     static constexpr double kKeyTurn_rad_per_s = 0.35;
     static constexpr double kKeySpin_rad_per_s = 0.6;
@@ -34,7 +34,7 @@ public:
     bool keyDown(int key) override;
     bool keyUp(int key) override;
     void releaseKeys() override;
-    void click() override {} ///< An endoscope marks nothing
+    void click() override {} ///< an endoscope marks nothing
 
 private:
     void sendRate();
@@ -43,7 +43,7 @@ private:
 
     devices::EndoscopeMailbox& m_mailbox;
     double m_scale;
-    double m_right; ///< Sign of the device's x direction that is right in the picture
+    double m_right; ///< sign of the device's x direction that is right in the picture
     std::set<int> m_held;
 };
 

@@ -20,10 +20,10 @@ class FingerControl final : public HandControl {
 public:
     /// In contact: 0.1 to 0.35 N in tissue of 227 to 700 N/m.
     static constexpr double kMetresPerNotch = 0.0005;
-    static constexpr double kKeyPress_m_per_s = 0.008;    ///< In contact: Page Down and Page Up
-    static constexpr double kTouch_N = 0.02;              ///< Less counts as no contact
+    static constexpr double kKeyPress_m_per_s = 0.008;    ///< in contact: Page Down and Page Up
+    static constexpr double kTouch_N = 0.02;              ///< less counts as no contact
 
-    static constexpr double kJawSpeed_rad_per_s = 1.0;    ///< As in GrasperControl
+    static constexpr double kJawSpeed_rad_per_s = 1.0;    ///< as in GrasperControl
 
     /// `mailboxes`: one per tool, ordered by hand, `fingers` (≥ 1) for each. `scale`, `mirrored`: as in
     /// PointerControl. `jaw`: the hands can pinch.
@@ -44,7 +44,7 @@ public:
 
     int hands() const noexcept { return static_cast<int>(m_tips.size()) / m_fingers; }
     int hand() const noexcept { return m_hand; }
-    void choose(int hand); ///< Selects a hand, 0..hands() - 1; ignores others
+    void choose(int hand); ///< selects a hand, 0..hands() - 1; ignores others
     /// `tell` is called with each new active tool.
     void onChosen(std::function<void(int)> tell) { m_tell = std::move(tell); }
 
@@ -63,7 +63,7 @@ private:
     std::vector<int> m_keys;
     int m_hand = 0;
     bool m_still = false;
-    bool m_closing = false, m_opening = false; ///< Their keys are down
+    bool m_closing = false, m_opening = false; ///< their keys are down
     std::function<void(int)> m_tell;
 };
 

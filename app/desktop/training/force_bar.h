@@ -17,12 +17,12 @@ public:
     struct Quantity {
         QString name;        ///< "Force"
         QString unit;        ///< "N"
-        double limit = 4.0;  ///< In that unit
+        double limit = 4.0;  ///< in that unit
         int decimals = 2;
     };
     ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
 
-    void setValue(double value); ///< In the quantity's unit, ≥ 0
+    void setValue(double value); ///< in the quantity's unit, ≥ 0
     bool isOver() const noexcept { return m_value > m_quantity.limit; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

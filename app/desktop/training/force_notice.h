@@ -17,7 +17,7 @@ class ForceNotice final : public QFrame {
 public:
     explicit ForceNotice(const Theme& theme, QWidget* parent = nullptr);
 
-    void show(const ForceWords& words); ///< Cheap if nothing changed
+    void show(const ForceWords& words); ///< cheap if nothing changed
     const ForceWords& words() const noexcept { return m_words; }
 
 private:

@@ -19,11 +19,11 @@ struct ForceWords {
 /// The person's requests and the circumstances, in addition to the loop's state.
 struct AskedFor {
     bool felt = true;     ///< the device renders force
-    bool ownHand = true;  ///< False: a demonstration or a trace is being watched
+    bool ownHand = true;  ///< false: a demonstration or a trace is being watched
     bool paused = false;
     bool stopped = false;
-    bool endoscope = false; ///< The tool is an endoscope
-    bool grasper = false;   ///< The tools are graspers
+    bool endoscope = false; ///< the tool is an endoscope
+    bool grasper = false;   ///< the tools are graspers
 };
 
 /// Describes the state of the force. Pure.

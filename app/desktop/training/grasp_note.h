@@ -28,20 +28,20 @@ public:
     /// `explains`: the message says why.
     GraspNote(Grasping grasping, const QLocale& locale, bool explains);
 
-    void take(const haptics::DisplayState& state); ///< Call once per frame
+    void take(const haptics::DisplayState& state); ///< call once per frame
     scene3d::SceneNote note(std::int64_t now_ns) const;
 
 private:
     struct Jaw {
-        bool opened = false;       ///< Has opened wide enough to grasp since it last closed
-        std::int64_t near_ns = -1; ///< Since when it has been closed and empty within reach; -1: it is not
+        bool opened = false;       ///< has opened wide enough to grasp since it last closed
+        std::int64_t near_ns = -1; ///< since when it has been closed and empty within reach; -1: it is not
     };
     /// The nearest thing that an instrument could grasp.
     struct Nearest {
         enum class What { nothing, tube, fold, object };
         What what = What::nothing;
         double away_m = 0.0;
-        bool covered = false; ///< Something lies over it
+        bool covered = false; ///< something lies over it
     };
 
     void look(std::size_t tool, const haptics::DisplayState& state);

@@ -33,7 +33,7 @@ public:
 
 private:
     struct ToolRow {
-        std::array<QLabel*, 4> number{}; ///< Right, away, up, jaw
+        std::array<QLabel*, 4> number{}; ///< right, away, up, jaw
     };
     void addHead();
     void addBars();
@@ -56,9 +56,9 @@ private:
     QLabel* m_elapsed = nullptr;
     QProgressBar* m_dwell = nullptr;
     QLabel* m_held = nullptr;
-    QLabel* m_load = nullptr; ///< Stretch of the tube, or weight of the object
+    QLabel* m_load = nullptr; ///< stretch of the tube, or weight of the object
     TargetBar* m_target = nullptr;
-    TargetBar* m_retraction = nullptr; ///< Pull on a fold that is retracted
+    TargetBar* m_retraction = nullptr; ///< pull on a fold that is retracted
     std::vector<ForceBar*> m_force;
     std::vector<ToolRow> m_rows;
     LivePlot* m_targetPlot = nullptr;

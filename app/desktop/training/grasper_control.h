@@ -28,7 +28,7 @@ public:
     bool keyDown(int key) override;
     bool keyUp(int key) override;
     void releaseKeys() override;
-    void click() override {} ///< A grasper marks nothing
+    void click() override {} ///< a grasper marks nothing
     void buttonDown(bool other) override;
     void buttonUp() override;
 
@@ -45,7 +45,7 @@ private:
     void sendJaw();
 
     std::vector<devices::PointerMailbox*> m_mailboxes;
-    std::deque<PointerControl> m_hands; ///< A deque, because elements must not move
+    std::deque<PointerControl> m_hands; ///< a deque, because elements must not move
     std::vector<int> m_keys;
     int m_active = 0;
     bool m_closingKey = false;

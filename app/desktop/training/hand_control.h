@@ -21,8 +21,8 @@ public:
     /// The pointer moved by this many pixels (y down). `other`: the right button or Shift is held.
     virtual void drag(QPointF pixels, bool other) noexcept = 0;
     virtual void wheel(int eighthsOfDegree) noexcept = 0;
-    virtual std::span<const int> keys() const noexcept = 0; ///< The keys that move the tool (Qt::Key)
-    virtual bool keyDown(int key) = 0;                      ///< False: the key is not one of them
+    virtual std::span<const int> keys() const noexcept = 0; ///< the keys that move the tool (Qt::Key)
+    virtual bool keyDown(int key) = 0;                      ///< false: the key is not one of them
     virtual bool keyUp(int key) = 0;
     /// On pause, or if the window loses the keyboard focus: nothing may continue to move.
     virtual void releaseKeys() = 0;
@@ -31,8 +31,8 @@ public:
     /// uses it.
     virtual void buttonDown(bool) {}
     virtual void buttonUp() {}
-    virtual void feel(const haptics::DisplayState&) {} ///< Called every frame with the tools' contacts
-    virtual int activeTool() const noexcept { return 0; } ///< The moving tool, if there are several
+    virtual void feel(const haptics::DisplayState&) {} ///< called every frame with the tools' contacts
+    virtual int activeTool() const noexcept { return 0; } ///< the moving tool, if there are several
 };
 
 } // namespace chiron::desktop

@@ -23,15 +23,15 @@ public:
         QString device;
         QString deviceIcon;
         int trials = 1;
-        bool sound = false;         ///< The level has sound cues that can be muted
+        bool sound = false;         ///< the level has sound cues that can be muted
         bool familiarisation = false;
     };
     HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state);
-    void setCompact(bool compact); ///< One line, if the scene needs the height
+    void setCompact(bool compact); ///< one line, if the scene needs the height
     void setMuted(bool muted);
-    void setSilent(const QString& why); ///< There is no sound output: says so once, unobtrusively
+    void setSilent(const QString& why); ///< there is no sound output: says so once, unobtrusively
 
 signals:
     void muteAsked();

@@ -33,7 +33,7 @@ public:
     static QString elapsedText(std::int64_t second);                ///< "Elapsed: 1:05"
     /// Whether everything is recorded, and the force on time.
     static QString loopText(const haptics::DisplayState& state);
-    static QString noCuesText(); ///< For a level that shows no measurements
+    static QString noCuesText(); ///< for a level that shows no measurements
 
 private:
     void addBars();
@@ -53,7 +53,7 @@ private:
     std::array<QLabel*, 3> m_tip{};
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
-    std::int64_t m_worked_ms = 0; ///< Since the first trial, without pauses
+    std::int64_t m_worked_ms = 0; ///< since the first trial, without pauses
     std::int64_t m_shownSecond = -1;
     int m_frame = 0;
 };

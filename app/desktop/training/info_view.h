@@ -43,7 +43,7 @@ private:
     std::vector<QWidget*> m_details;
     bool m_detailed = false;
     QLabel* m_loop = nullptr;
-    bool m_lost = false; ///< Samples were lost; shown with or without details
+    bool m_lost = false; ///< samples were lost; shown with or without details
 };
 
 } // namespace chiron::desktop

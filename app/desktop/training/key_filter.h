@@ -24,8 +24,8 @@ public:
     explicit KeyFilter(QWidget& screen);
     ~KeyFilter() override;
 
-    void setScene(QObject* inputSource) { m_scene = inputSource; } ///< May be a window without widgets
-    void setActive(bool active);                                   ///< From start to end of the session
+    void setScene(QObject* inputSource) { m_scene = inputSource; } ///< may be a window without widgets
+    void setActive(bool active);                                   ///< from start to end of the session
     /// While paused or stopped, Esc keeps its usual meaning in dialogs and text fields.
     void setHeld(bool held) { m_held = held; }
     /// Empty until the first call.
@@ -48,7 +48,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool elsewhere() const; ///< A dialog is open or a text is being typed
+    bool elsewhere() const; ///< a dialog is open or a text is being typed
     bool isToolKey(int key) const;
     bool takes(const QKeyEvent& event, QObject* watched) const;
     void act(const QKeyEvent& event);

@@ -30,7 +30,7 @@ public:
     const haptics::DisplayState& state() const noexcept { return m_state; }
     /// Since the previous frame.
     const std::vector<session::LiveSample>& samples() const noexcept { return m_samples; }
-    std::uint32_t contacts() const noexcept { return m_contacts; } ///< Contacts begun so far
+    std::uint32_t contacts() const noexcept { return m_contacts; } ///< contacts begun so far
     /// Seconds since the first trial, without pauses.
     double worked_s() const noexcept { return 1e-3 * static_cast<double>(m_worked_ms); }
 

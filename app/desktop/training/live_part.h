@@ -32,10 +32,10 @@ struct LiveSurroundings {
     const Theme& theme;
     QLocale locale;
     session::LevelCues cues;
-    bool ownHand = false;    ///< The person's own; otherwise a demonstration is watched
+    bool ownHand = false;    ///< the person's own; otherwise a demonstration is watched
     bool leftHanded = false;
     bool practises = false;
-    std::function<void(core::ReportField, unsigned)> report; ///< Reports a finding to the running session.
+    std::function<void(core::ReportField, unsigned)> report; ///< reports a finding to the running session
     /// Frees the pointer while the trial runs; a click in the scene captures it again.
     std::function<void()> freePointer;
 };

@@ -34,7 +34,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    struct Frame; ///< Position of the axes in one frame
+    struct Frame; ///< position of the axes in one frame
     QString numberOf(double value) const;
     void paintAxes(QPainter& painter, const Frame& frame) const;
     void paintBand(QPainter& painter, const Frame& frame) const;
@@ -49,7 +49,7 @@ private:
     double m_low = 0.0;
     double m_high = 0.0;
     ColumnTrace m_trace{kSpan_s};
-    std::vector<QLine> m_lines; ///< Kept between frames, so that scrolling allocates nothing
+    std::vector<QLine> m_lines; ///< kept between frames, so that scrolling allocates nothing
     std::vector<QLine> m_over;
 };
 

@@ -13,8 +13,8 @@ namespace chiron::desktop {
 /// Thread: GUI; the mailbox outlives it.
 class PointerControl final : public HandControl {
 public:
-    static constexpr double kMetresPerPixel = 0.0001;  ///< At 100 % scale: 650 pixels are the field's radius
-    static constexpr double kMetresPerWheelStep = 0.002; ///< One notch (120 eighths of a degree)
+    static constexpr double kMetresPerPixel = 0.0001;  ///< at 100 % scale: 650 pixels are the field's radius
+    static constexpr double kMetresPerWheelStep = 0.002; ///< one notch (120 eighths of a degree)
     static constexpr double kKeySpeed_m_per_s = 0.030;
 
     /// The vertical speed of wheel and keys. The horizontal speed is kKeySpeed_m_per_s.
@@ -35,19 +35,19 @@ public:
     /// `lifting`.
     void drag(QPointF pixels, bool lifting) noexcept override;
     void wheel(int eighthsOfDegree) noexcept override;
-    std::span<const int> keys() const noexcept override; ///< Arrow keys and PageUp/PageDown
+    std::span<const int> keys() const noexcept override; ///< arrow keys and PageUp/PageDown
     bool keyDown(int key) override;
     bool keyUp(int key) override;
     void releaseKeys() override;
     void click() override; ///< "Here it is": marks
-    void setLift(Lift lift); ///< Takes effect at once, also for a held key
+    void setLift(Lift lift); ///< takes effect at once, also for a held key
 
 private:
     void sendRate();
 
     devices::PointerMailbox& m_mailbox;
     double m_scale;
-    double m_right; ///< Sign of the x direction in D that is right in W
+    double m_right; ///< sign of the x direction in D that is right in W
     Lift m_lift;
     std::set<int> m_held;
 };

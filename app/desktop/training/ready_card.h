@@ -18,17 +18,17 @@ class ScrollPage;
 struct ReadyFacts {
     QString exercise;
     QString level;
-    QString goal;                      ///< The objective in one sentence
-    std::vector<ControlHint> controls; ///< Of the present device
-    QString keys;                      ///< All controls, as a line of text
-    QStringList marks;                 ///< Meanings of the marks in the scene
-    QString limit;                     ///< Force limit, and how much of the force is felt
-    QStringList gates;                 ///< Requirements for passing
-    bool offersPractice = true;        ///< Offers a practice minute that does not count
-    bool offersDemonstration = false;  ///< Offers a demonstration, for people new to the level
-    bool offersLeave = false;          ///< Offers to leave the exercise
-    QString practised;                 ///< After the practice minute: what comes now; otherwise empty
-    QString clock;                     ///< Number of trials, and when the clock starts
+    QString goal;                      ///< the objective in one sentence
+    std::vector<ControlHint> controls; ///< of the present device
+    QString keys;                      ///< all controls, as a line of text
+    QStringList marks;                 ///< meanings of the marks in the scene
+    QString limit;                     ///< force limit, and how much of the force is felt
+    QStringList gates;                 ///< requirements for passing
+    bool offersPractice = true;        ///< offers a practice minute that does not count
+    bool offersDemonstration = false;  ///< offers a demonstration, for people new to the level
+    bool offersLeave = false;          ///< offers to leave the exercise
+    QString practised;                 ///< after the practice minute: what comes now; otherwise empty
+    QString clock;                     ///< number of trials, and when the clock starts
 };
 
 /// The card before the first trial of a level: task, movements and force limit. It explains the movements to
@@ -44,10 +44,10 @@ class ReadyCard final : public QWidget {
     Q_OBJECT
 public:
     enum class Kind {
-        first,  ///< Before the first session at this level; explains each movement
-        brief,  ///< Before a later session
-        whole,  ///< Everything, on request
-        paused  ///< Like whole, while the session is paused
+        first,  ///< before the first session at this level; explains each movement
+        brief,  ///< before a later session
+        whole,  ///< everything, on request
+        paused  ///< like whole, while the session is paused
     };
 
     ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent = nullptr);
@@ -55,14 +55,14 @@ public:
     Kind kind() const noexcept { return m_kind; }
     /// The keys (Qt::Key) whose press counts as a first movement.
     void setToolKeys(std::vector<int> keys) { m_toolKeys = std::move(keys); }
-    bool scroll(int key); ///< False: not a scrolling key, or nothing to scroll
-    void takeFocus(); ///< Moves the focus to "Go", or to the card itself if the card appeared by itself.
+    bool scroll(int key); ///< false: not a scrolling key, or nothing to scroll
+    void takeFocus(); ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
     void goAsked();
     void practiceAsked();
     void watchAsked();
-    void wholeAsked(); ///< From a brief card
+    void wholeAsked(); ///< from a brief card
     void helpAsked();
     void leaveAsked();
 

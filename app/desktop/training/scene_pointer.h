@@ -34,7 +34,7 @@ public:
 
 signals:
     void marked();
-    void captureAsked(); ///< A click while the pointer was free
+    void captureAsked(); ///< a click while the pointer was free
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,7 +45,7 @@ private:
     void press(const QMouseEvent& event);
     void moved(QPointF at, const QMouseEvent& event); ///< `at`: in the area's pixels
     void backToMiddle();
-    QRectF inner() const; ///< The area without its margins
+    QRectF inner() const; ///< the area without its margins
     /// The pointer was moved back to the middle, and this is the first event from there.
     bool isArrival(QPointF at) const;
     void setCursorShape(Qt::CursorShape shape);

@@ -15,12 +15,12 @@ class SessionControl {
 public:
     explicit SessionControl(session::LiveTraining& training) : m_training(training) {}
 
-    void begin() { post(core::CommandKind::start); } ///< Starts the first trial
+    void begin() { post(core::CommandKind::start); } ///< starts the first trial
     void stopForce();
     void pause();
-    void resume(); ///< Does nothing while stopped; that requires rearm()
+    void resume(); ///< does nothing while stopped; that requires rearm()
     void pauseOrResume() { m_paused ? resume() : pause(); }
-    void rearm(); ///< After a stop or a fault: re-arms force explicitly and continues the trial.
+    void rearm(); ///< after a stop or a fault: re-arms force explicitly and continues the trial
     /// Delays the next trial while the result of the last one is shown. This is not the person's own pause:
     /// paused() does not report it, and their own pause outlasts it.
     void keepNext(bool kept);
@@ -40,9 +40,9 @@ private:
 
     session::LiveTraining& m_training;
     bool m_paused = false;
-    bool m_kept = false; ///< The next trial is delayed
+    bool m_kept = false; ///< the next trial is delayed
     bool m_stopped = false;
-    bool m_sawLatched = false; ///< The newest state showed a stop or a fault
+    bool m_sawLatched = false; ///< the newest state showed a stop or a fault
 };
 
 } // namespace chiron::desktop

@@ -17,18 +17,18 @@ class SignedBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
-        QString sign;       ///< Short form on the screen: "Fx"
-        QString name;       ///< For screen readers: "Force along x"
-        QString unit;       ///< For screen readers; on the screen the heading shows it
-        double limit = 1.0; ///< In that unit
+        QString sign;       ///< short form on the screen: "Fx"
+        QString name;       ///< for screen readers: "Force along x"
+        QString unit;       ///< for screen readers; on the screen the heading shows it
+        double limit = 1.0; ///< in that unit
         int decimals = 2;
     };
     SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number, QWidget* parent = nullptr);
 
-    void setValue(double value); ///< In the quantity's unit
+    void setValue(double value); ///< in the quantity's unit
     double value() const noexcept { return m_value; }
     bool isOver() const noexcept { return std::abs(m_value) > m_quantity.limit; }
-    void speak(); ///< Sets the present value for screen readers; not every frame
+    void speak(); ///< sets the present value for screen readers; not every frame
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

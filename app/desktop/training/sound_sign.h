@@ -20,7 +20,7 @@ class SoundGlyph;
 class SoundSign final : public QWidget {
     Q_OBJECT
 public:
-    static constexpr int kSteps = 6; ///< Up to the force limit: a third of an octave each
+    static constexpr int kSteps = 6; ///< up to the force limit: a third of an octave each
 
     explicit SoundSign(const Theme& theme, QWidget* parent = nullptr);
 
@@ -36,7 +36,7 @@ private:
     SoundGlyph* m_glyph;
     QLabel* m_words;
     std::uint32_t m_contacts = 0;
-    std::int64_t m_clicked_ns = -1; ///< Time of the last contact; −1: the dot is not lit
+    std::int64_t m_clicked_ns = -1; ///< time of the last contact; −1: the dot is not lit
 };
 
 } // namespace chiron::desktop

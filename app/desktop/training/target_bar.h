@@ -18,7 +18,7 @@ public:
     struct Quantity {
         QString name; ///< "Tension"
         QString unit; ///< "N"
-        double end = 1.0; ///< End of the scale, > 0
+        double end = 1.0; ///< end of the scale, > 0
         int decimals = 2;
     };
     TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);

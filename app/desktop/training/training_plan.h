@@ -18,21 +18,21 @@ struct TrainingPlan {
     int level = 1;
     /// From the catalogue, never null.
     const devices::Driver* driver = &devices::usualDriver(devices::MovedBy::person);
-    QString operatorName; ///< For a demonstration
-    mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< For a demonstration on the gimbal
-    QString traceFile;    ///< For a trace
-    session::WorkspaceChoice workspace; ///< For the mouse
+    QString operatorName; ///< for a demonstration
+    mechanisms::PolarMap forceMap = mechanisms::PolarMap::exact; ///< for a demonstration on the gimbal
+    QString traceFile;    ///< for a trace
+    session::WorkspaceChoice workspace; ///< for the mouse
     bool familiarisation = false;
     /// For the mouse: a familiarisation of this length, after which the level itself is offered. 0: none.
     double practice_s = 0.0;
-    int trials = 0; ///< At most this many trials, to try the level as a familiarisation. 0: all of them.
-    std::optional<bool> depthOfField; ///< The person's choice; empty: the level's default
+    int trials = 0; ///< at most this many trials, to try the level as a familiarisation. 0: all of them.
+    std::optional<bool> depthOfField; ///< the person's choice; empty: the level's default
 
     bool movedBy(devices::MovedBy mover) const { return driver->movedBy == mover; }
     bool ownHand() const { return movedBy(devices::MovedBy::person); }
     bool practises() const { return practice_s > 0.0 && ownHand(); }
     QVariantMap toMap() const;
-    static TrainingPlan fromMap(const QVariantMap& map); ///< Missing or unknown entries get the default
+    static TrainingPlan fromMap(const QVariantMap& map); ///< missing or unknown entries get the default
 };
 
 /// A plan to try a level with one's own hand for about a minute: a few trials that do not count, and a

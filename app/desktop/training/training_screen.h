@@ -56,9 +56,9 @@ public:
     QString help() const override;
     bool helpItself() override;
 
-    LiveFeed* feed() const { return m_feed.get(); } ///< Null before the session starts
+    LiveFeed* feed() const { return m_feed.get(); } ///< null before the session starts
     scene3d::ISceneView* scene() const { return m_scene.get(); }
-    const scene3d::SceneState& drawn() const { return m_drawn; } ///< The last state drawn
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state drawn
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -91,11 +91,11 @@ private:
     ReadyFacts readyFacts() const;
     QStringList markWords() const;
     void showCard(ReadyCard::Kind kind);
-    void showCardAgain(); ///< While the session is paused
+    void showCardAgain(); ///< while the session is paused
     void takeCardAway();
     void go();
     void practise();
-    scene3d::SceneNote practiceNote() const; ///< Announces the end of a practice in its last seconds
+    scene3d::SceneNote practiceNote() const; ///< announces the end of a practice in its last seconds
     /// For the first seconds, to people who have never freed the pointer.
     scene3d::SceneNote pointerNote() const;
 
@@ -105,16 +105,16 @@ private:
     void loadScene();
     void begin();
     void connectPointer();
-    std::vector<int> handKeys() const; ///< Of the hand control and of the exercise's part
+    std::vector<int> handKeys() const; ///< of the hand control and of the exercise's part
     void onFrame();
     void takeAnswer(scene3d::SceneState& drawn);
-    scene3d::SceneNote noteNow() const; ///< The note over the scene
+    scene3d::SceneNote noteNow() const; ///< the note over the scene
     void showControls();
-    void showPointer(); ///< Says whether the pointer controls the scene or the buttons
+    void showPointer(); ///< says whether the pointer controls the scene or the buttons
     void beginLastLook();
     static QString storingText();
     void onFinished();
-    void showOutcome(); ///< The debrief, or its replacement
+    void showOutcome(); ///< the debrief, or its replacement
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
@@ -126,60 +126,60 @@ private:
     void rearm();
     void mark();
     void end();
-    void startAgain();   ///< Stores the present attempt as stopped and starts a new one
+    void startAgain();   ///< stores the present attempt as stopped and starts a new one
     void askToStartAgain();
     void setDepthOfField(bool on);
-    void hold();   ///< When paused or stopped: frees pointer and keys
-    void goOn();   ///< Captures them again
+    void hold();   ///< when paused or stopped: frees pointer and keys
+    void goOn();   ///< captures them again
     void toggleMute();
 
     /// Name of a person's setting: they have paused by themselves.
     static constexpr char kPointerKnown[] = "pointer_freed";
 
     TrainingPlan m_plan;
-    std::optional<catalogue::ExerciseLevel> m_tried;   ///< With the plan's smaller number of trials
+    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's smaller number of trials
     /// From the catalogue, or m_tried; null: no such level.
     const catalogue::ExerciseLevel* m_level = nullptr;
     const ExerciseFace* m_face = nullptr;              ///< of the level's exercise
-    std::unique_ptr<LivePart> m_live;                  ///< For the level; null without one
+    std::unique_ptr<LivePart> m_live;                  ///< for the level; null without one
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
-    int m_tools = 1; ///< Number of instruments of the level
+    int m_tools = 1; ///< number of instruments of the level
 
     StatePanel* m_stage = nullptr;
-    QStackedWidget* m_pages = nullptr; ///< Pages of the stage: the ready card, the scene
-    ReadyCard* m_card = nullptr;       ///< Null while none is shown
+    QStackedWidget* m_pages = nullptr; ///< pages of the stage: the ready card, the scene
+    ReadyCard* m_card = nullptr;       ///< null while none is shown
     bool m_wentAhead = false;          ///< "Go" was pressed, or is not needed
-    bool m_practised = false;          ///< The card follows a practice
+    bool m_practised = false;          ///< the card follows a practice
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
-    std::optional<AnswerNote> m_answer;    ///< Set once the session is prepared
+    std::optional<AnswerNote> m_answer;    ///< set once the session is prepared
     ForceNotice* m_notice = nullptr;
-    SoundSign* m_soundSign = nullptr; ///< For levels with sound and without bars
+    SoundSign* m_soundSign = nullptr; ///< for levels with sound and without bars
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
     QLabel* m_keysText = nullptr;
     /// How to get from the scene to the buttons and back; null if nobody uses the pointer.
     QLabel* m_pointerText = nullptr;
-    QLabel* m_activeText = nullptr; ///< Names the active instrument; null if there is only one
-    QCheckBox* m_depthOfField = nullptr; ///< Null if the exercise has no such setting
-    QCheckBox* m_details = nullptr; ///< Switches between all measurements and the default set
+    QLabel* m_activeText = nullptr; ///< names the active instrument; null if there is only one
+    QCheckBox* m_depthOfField = nullptr; ///< null if the exercise has no such setting
+    QCheckBox* m_details = nullptr; ///< switches between all measurements and the default set
     QWidget* m_foot = nullptr;
 
     bool m_painted = false;
-    bool m_over = false;    ///< Stored or failed: the screen may be left
+    bool m_over = false;    ///< stored or failed: the screen may be left
     bool m_storing = false;
     /// Runs after the end of the session, while the true answer of its last trial is still shown.
     QTimer m_lastLook;
     bool m_asking = false;
-    bool m_again = false;   ///< A new attempt starts when this one is stored
+    bool m_again = false;   ///< a new attempt starts when this one is stored
     std::int64_t m_start_ns = 0;
     scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     scene3d::SceneState m_drawn;
-    std::optional<session::TrainingRequest> m_request; ///< Prepared, waiting for the scene
+    std::optional<session::TrainingRequest> m_request; ///< prepared, waiting for the scene
     SoundCuePlayer m_sound;
     // In this order, because the session must outlive the objects that use it.
     std::unique_ptr<LiveFeed> m_feed;

@@ -55,7 +55,7 @@ private:
     QWidget* m_content = nullptr;
     QWidget* m_loading = nullptr;
     QLabel* m_loadingText = nullptr;
-    QString m_what; ///< Text of what is being loaded
+    QString m_what; ///< text of what is being loaded
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;
     QTimer* m_timer = nullptr;

@@ -17,7 +17,7 @@ public:
     static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
                             double dwell);
 
-    static constexpr double kReach_mm = 62.0; ///< Half the width of the field
+    static constexpr double kReach_mm = 62.0; ///< half the width of the field
 };
 
 /// Tissue keeps its own colours in every theme.

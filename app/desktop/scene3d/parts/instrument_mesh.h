@@ -9,7 +9,7 @@ namespace chiron::scene3d {
 /// runs along +z; the jaws open about x. The dimensions are our own choice, modelled on common 5 mm
 /// instruments.
 /// Unit: mm.
-inline constexpr double kHinge_mm = 20.0; ///< Jaw length of 20 mm, as in the exercises' grasper
+inline constexpr double kHinge_mm = 20.0; ///< jaw length of 20 mm, as in the exercises' grasper
 
 /// The clevis and the coated shaft.
 TriangleMesh instrumentBody();

@@ -56,10 +56,10 @@ void dab(Sheet& sheet, float x, float y, float radius, float strength);
 /// A blood vessel, which meanders, becomes thinner and branches. Lengths are in pixels.
 struct Vessel {
     float x, y, heading, radius, strength;
-    int left; ///< Remaining steps
+    int left; ///< remaining steps
     int generation;
-    float axis = 0.0F; ///< Preferred heading, in either direction along it
-    float keeping = 0.0F; ///< How strongly it keeps to `axis`; 0: not at all
+    float axis = 0.0F; ///< preferred heading, in either direction along it
+    float keeping = 0.0F; ///< how strongly it keeps to `axis`; 0: not at all
 };
 void growVessel(Sheet& sheet, Dice& dice, Vessel vessel);
 

@@ -21,9 +21,9 @@ struct SweepRing {
 
 /// How the ends of a swept body are closed.
 enum class SweepEnd {
-    open,   ///< Not closed, because the end lies inside something else
-    round,  ///< Half a sphere beyond the last ring
-    ragged, ///< Torn, with fringes of uneven length
+    open,   ///< not closed, because the end lies inside something else
+    round,  ///< half a sphere beyond the last ring
+    ragged, ///< torn, with fringes of uneven length
 };
 
 /// Adds a surface round a bent line, with frames that are transported without twist. Texture coordinates are

@@ -18,10 +18,10 @@ public:
     void change(const SceneSetup& setup);
     void show(const ToolView& tool);
 
-    static constexpr double kLimit_mm = 40.0; ///< Length at the limit
+    static constexpr double kLimit_mm = 40.0; ///< length at the limit
     /// Multiple of the limit's length; beyond that only the bar shows the force.
     static constexpr double kLongest = 1.75;
-    static constexpr double kLeast_N = 0.02;  ///< No arrow below this force
+    static constexpr double kLeast_N = 0.02;  ///< no arrow below this force
 
 private:
     SceneSetup m_setup;
@@ -30,7 +30,7 @@ private:
     Qt3DRender::QParameter* m_lineTint;
     Part* m_stem;
     Part* m_head;
-    Part* m_way; ///< Thin line from the tip to the limit's ring
+    Part* m_way; ///< thin line from the tip to the limit's ring
     Part* m_limit;
     Part* m_rings[3];
 };

@@ -81,7 +81,7 @@ public:
     Qt3DCore::QTransform& at() { return *m_transform; }
     MeshRenderer& mesh() { return *m_mesh; }
     Qt3DRender::QMaterial* material() const { return m_material; }
-    bool isShown() const; ///< This entity and all its ancestors are enabled
+    bool isShown() const; ///< this entity and all its ancestors are enabled
 
 private:
     MeshRenderer* m_mesh;

@@ -26,7 +26,7 @@ public:
 private:
     void takeSize();
 
-    QPointer<SceneWindow> m_window; ///< Owned by the container
+    QPointer<SceneWindow> m_window; ///< owned by the container
     QPointer<QWidget> m_container;
     std::unique_ptr<IStage> m_stage;
 };

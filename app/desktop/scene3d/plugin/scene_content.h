@@ -28,9 +28,9 @@ public:
     /// Unit: m.
     /// Frame: W (world).
     virtual double groundHeight_m(double x_m, double y_m) const = 0;
-    virtual double fieldRadius_m() const = 0; ///< Radius of the workspace round W's origin
+    virtual double fieldRadius_m() const = 0; ///< radius of the workspace round W's origin
     virtual double planeHeight_m() const = 0;
-    virtual double roomAbove_m() const = 0; ///< Height above the plane that the camera must see
+    virtual double roomAbove_m() const = 0; ///< height above the plane that the camera must see
     /// Whether a drape with an opening surrounds the content; otherwise the content itself fills the picture.
     virtual bool isDraped() const { return true; }
     /// Elevation of the camera above the plane.

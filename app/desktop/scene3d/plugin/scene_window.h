@@ -55,7 +55,7 @@ private:
     std::function<void()> m_becameWhole;
     std::uint64_t m_frames = 0;
     bool m_asked = false;
-    int m_settling = 0; ///< Frames still to follow
+    int m_settling = 0; ///< frames still to follow
     QTimer m_settle;
     bool m_whole = false;
     bool m_drawing = false;

@@ -17,7 +17,7 @@ namespace chiron::desktop {
 class AudioSinkOutput final : public ISoundOutput {
 public:
     explicit AudioSinkOutput(const QAudioDevice& device);
-    ~AudioSinkOutput() override; ///< Stops the thread
+    ~AudioSinkOutput() override; ///< stops the thread
 
     void set(const SoundCues& cues) noexcept override { m_cues.publish(cues); }
     bool works() const noexcept override { return m_works.load(std::memory_order_relaxed); }
