@@ -65,7 +65,7 @@ void backUpAtExit(AppContext& context) {
     fillExitDialog(dialog, context.theme(), [token] { token->cancel(); });
     QTimer::singleShot(kShownAfter_ms, &dialog, &QDialog::show);
     loop.exec();
-    // Hiding it is not a cancel; the style keeps its own connection.
+    // Hiding the dialog must not count as a cancel. The other connections of the dialog belong to the style.
     QObject::disconnect(&dialog, &QDialog::rejected, nullptr, nullptr);
     dialog.hide();
     QApplication::setQuitOnLastWindowClosed(quits);

@@ -28,14 +28,14 @@ struct DebriefHead {
     /// Empty if there was none.
     std::map<std::string, double> before;
     std::vector<NamedComment> comments; ///< in order of writing; available even without a recording
-    /// Names of those who voided the session or took that back
+    /// Names of those who voided the session or took that back.
     std::map<database::PersonId, std::string> deciders;
 };
 
 /// A comment on a session, and the moment that it refers to.
 struct CommentAtMoment {
     NamedComment named;
-    /// Time in the recording; empty if it concerns the whole session, or if the recording was not read
+    /// Time in the recording; empty if it concerns the whole session, or if the recording was not read.
     std::optional<double> t_s;
 };
 

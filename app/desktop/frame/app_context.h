@@ -31,9 +31,9 @@ public:
     /// The language that the logged-in person chose, or else the station's.
     QString language() const;
     QString ownLanguage() const;                   ///< empty if the person chose none
-    /// Stored for the person on this station; empty selects the station's language again
+    /// Stored for the person on this station; empty selects the station's language again.
     void setOwnLanguage(const QString& language);
-    /// Also replaces the person's own choice, if any, so that the change is visible
+    /// Also replaces the person's own choice, if any, so that the change is visible.
     void setStationLanguage(const QString& language);
 
     /// The person who is logged in; anonymous before login. Copy it into the work that you hand to

@@ -29,7 +29,7 @@ QString forSearch(const QString& text);
 /// Everything that a person may find, as it was at the time of reading. It is a value and safe to read on any
 /// thread.
 struct SearchIndex {
-    /// Sessions: newest first
+    /// Sessions are in the order newest first.
     std::array<std::vector<NamedThing>, static_cast<std::size_t>(ThingKind::count)> things;
     std::vector<core::Error> problems; ///< reading errors; a denied permission is not one
 };

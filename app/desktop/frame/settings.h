@@ -32,7 +32,7 @@ public:
     void setSoundCue(const QString& cue, bool on);
     QString backupFolder() const; ///< empty: beside the database
     void setBackupFolder(const QString& folder);
-    /// Of a file dialog (frame/file_folder.h); empty if none was chosen yet
+    /// Of a file dialog (frame/file_folder.h); empty if none was chosen yet.
     QString lastFolder(const QString& purpose) const;
     void setLastFolder(const QString& purpose, const QString& folder);
 

@@ -140,7 +140,7 @@ void PeopleScreen::setEnabledOf(const database::Person& person, bool enabled) {
                                                    self->setEnabledOf(person, !enabled);
                                            }});
             } else if (done.error().code == core::ErrorCode::wrongUse) {
-                // This is the only rule that it can violate
+                // This is the only rule that it can violate.
                 context().messages().warning(tr("%1 stays enabled: the site needs at least one administrator who can log in. Make another "
                                                 "person an administrator first.")
                                                  .arg(name));

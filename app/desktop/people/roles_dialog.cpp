@@ -39,7 +39,7 @@ void RolesDialog::submit() {
                     context().messages().done(tr("The roles of %1 are changed.").arg(name));
                 accept();
             } else if (done.error().code == core::ErrorCode::wrongUse) {
-                // This is the only rule that a choice of roles can violate
+                // This is the only rule that a choice of roles can violate.
                 say("bad", tr("%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator "
                               "first.").arg(name));
             } else {

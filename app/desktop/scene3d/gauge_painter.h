@@ -32,7 +32,7 @@ struct SecondBar {
     double value_N = 0.0;
 };
 
-/// The end of a scale with some space above `most_N`, a multiple of 0.5 N.
+/// The end of a scale that includes `most_N`: the next multiple of 0.5 N, at least 1 N.
 inline double endOfScale_N(double most_N) { return std::max(1.0, std::ceil(2.0 * most_N) / 2.0); }
 
 /// The translation context for the texts at the bars.

@@ -63,7 +63,7 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
         else if (m_feedback && (sample.events & bits::kSlipped) != 0)
             said = AnswerTexts::tr("It slipped: hold it a little more firmly");
         else if ((sample.events & bits::kTrialStarted) != 0) {
-            // The next trial runs, so the last result disappears
+            // The next trial runs, so the last result disappears.
             m_said.clear();
             m_shown.reset();
         }

@@ -49,7 +49,7 @@ bool TileButton::event(QEvent* event) {
 // A scroll area asks only for the minimum size; without this it would squeeze the second line of text.
 void TileButton::keepWords() {
     setMinimumHeight(heightForWidth(width()));
-    if (m_row->geometry() != rect()) // a layout of the text for a smaller height may have preceded this
+    if (m_row->geometry() != rect()) // the text was still laid out for a smaller height
         m_row->setGeometry(rect());
 }
 
