@@ -23,17 +23,17 @@
 
 namespace chiron::desktop {
 
-/// How the optics of an instrument with a lens are set on a level.
+/// The depth-of-field setting of a level whose instrument has a lens.
 struct DepthOfField {
     bool on = false;
-    bool fixed = false; ///< the level keeps it so
+    bool fixed = false; ///< the level does not let the person change it
 
-    /// `wanted`: as the person switched it.
+    /// `wanted` is the person's own choice, if they made one.
     bool shown(std::optional<bool> wanted) const { return fixed ? on : wanted.value_or(on); }
 };
 
-/// What the screens show of one kind of exercise alone. A new kind adds a class and one line in app/exercises/face_catalogue.cpp.
-/// Stateless.
+/// Everything on the screens that is specific to one kind of exercise. A new kind adds a derived class and
+/// one line in app/exercises/face_catalogue.cpp. Implementations are stateless.
 class ExerciseFace {
 public:
     ExerciseFace() = default;
@@ -43,38 +43,46 @@ public:
 
     virtual std::string_view id() const noexcept = 0;
 
-    /// The picture of a level, where one is chosen; null: none of its levels is offered for training.
+    /// The picture of a level in the selection screens; null if the exercise offers none of its levels for
+    /// training.
     virtual std::unique_ptr<LevelPicture> picture(const catalogue::ExerciseLevel& level, const PictureFrame& frame) const = 0;
-    /// What is particular about a level, a line each, before one begins with it; empty where its objective says it all.
+    /// Facts about a level to read before starting it, one per line; empty if the level's objective says
+    /// everything.
     virtual QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale) const = 0;
 
-    /// Of the instrument that looks into the body; empty where there is none.
+    /// The depth of field of the instrument's camera; empty if the instrument has none.
     virtual std::optional<DepthOfField> depthOfField(const catalogue::ExerciseLevel&) const { return std::nullopt; }
-    /// What the training screen has for it alone; never null. `level` outlives it.
+    /// The part of the training screen that is specific to this exercise; never null. `level` outlives it.
     virtual std::unique_ptr<LivePart> livePart(const catalogue::ExerciseLevel& level, LiveSurroundings around) const = 0;
-    /// How a trial is judged at its end where its answer is not one mark; null where it is one.
+    /// Judges a trial at its end if its answer is more than one mark; null if it is one mark.
     virtual std::unique_ptr<FoundAnswer> foundAnswer() const { return nullptr; }
 
-    /// What is said of a mark on a level that gives feedback; `truth`: of its trial. As it stands here: that it was taken.
+    /// The feedback on a mark, on a level that gives feedback; `truth` belongs to the mark's trial. The
+    /// default text says only that the mark was taken.
     virtual QString markWords(const session::TrialObject& /*truth*/, const session::LiveSample& /*at*/, const QLocale&) const {
         return AnswerTexts::tr("Marked");
     }
 
-    /// What stands above its part of a debrief.
+    /// Heading of the exercise's part of a debrief.
     virtual QString debriefTitle() const = 0;
-    /// What is said there where no trial was begun.
+    /// Text shown there if no trial was started.
     virtual QString debriefEmpty() const = 0;
-    /// Reads that part from a session of `level`, which is of this kind. Any thread.
+    /// Reads the exercise's part of a debrief from a session of `level`, which is a level of this exercise.
+    /// Thread: any.
     virtual DebriefReading readDebrief(const catalogue::ExerciseLevel& level, const scoring::SessionTrace& trace) const = 0;
 
-    /// What a playback of this session shows beside what it shows of all; never null. Any thread.
+    /// Adds to a playback what is specific to this exercise; never null.
+    /// Thread: any.
     virtual std::unique_ptr<PlaybackLayer> playbackLayer(const session::SessionSetup& setup, const scoring::SessionTrace& trace) const = 0;
 
-    /// What the results of a person show of it alone; null: nothing. Whoever lays it out owns it. GUI thread.
+    /// The part of a person's results that is specific to this exercise; null if there is none. The caller's
+    /// layout owns it.
+    /// Thread: GUI.
     virtual ResultsPart* resultsPart(const Theme&, const QLocale&) const { return nullptr; }
 };
 
-/// The face of the exercise with this id. Failure: notFound naming the exercises that exist.
+/// Finds the face of the exercise with this id.
+/// Errors: notFound naming the exercises that exist.
 core::Result<const ExerciseFace*> exerciseFace(std::string_view id);
 
 } // namespace chiron::desktop

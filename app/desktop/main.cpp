@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
     chiron::desktop::traceStart("main");
-    qputenv("QT3D_RENDERER", "opengl"); // faster than the other back end where the rasteriser is software
+    qputenv("QT3D_RENDERER", "opengl"); // faster than the other back end with a software rasteriser
     QCoreApplication::setApplicationName(QStringLiteral("chiron"));
     QCoreApplication::setApplicationVersion(QStringLiteral(CHIRON_VERSION));
     if (chiron::desktop::asksForText(argc, argv)) {

@@ -43,8 +43,8 @@ Screen* make(AppContext& context, const Place& place) {
 const std::vector<ScreenEntry>& screenCatalogue() {
     using enum database::Role;
     static const std::vector<database::Role> everybody{trainee, trainer, researcher, admin};
-    // Parameters of their places: exercise_setup {exercise, level},
-    // training {plan}, debrief {session, just_ended}, playback {session, at_s, ghost}, comments {which}, restore {missing, detail}.
+    // Parameters of the places: exercise_setup {exercise, level}, training {plan}, debrief {session,
+    // just_ended}, playback {session, at_s, ghost}, comments {which}, restore {missing, detail}.
     static const std::vector<ScreenEntry> entries{
         {"first_start", QT_TRANSLATE_NOOP("Screens", "Welcome"), "list-add-user", {}, false, &make<FirstStartScreen>},
         {"login", QT_TRANSLATE_NOOP("Screens", "Log in"), "system-switch-user", {}, false, &make<LoginScreen>},

@@ -12,17 +12,19 @@ namespace chiron::desktop {
 class AppContext;
 class Screen;
 
-/// One line a screen: what it is called, who finds it in the navigation, how it is made.
+/// One entry per screen: its title, the roles that find it in the navigation, and its constructor.
 struct ScreenEntry {
     const char* id;
     const char* title; ///< source text in context "Screens"; translated when shown
     const char* icon;  ///< Breeze name
-    std::vector<database::Role> roles; ///< in whose navigation it is; empty: in nobody's
-    bool framed = true;                ///< false: the whole window (login, first start)
+    std::vector<database::Role> roles; ///< roles whose navigation shows it; empty: none
+    bool framed = true;                ///< false: it fills the whole window (login, first start)
     Screen* (*make)(AppContext& context, const Place& place);
-    bool sitting = false; ///< a session or a study's sitting is done here: nothing else may use the machine
-    const char* furtherWords = ""; ///< by which somebody may look for it, with commas between them; source text in context "CommandWords", where each
-                                   ///< language has words of its own: they need not say the same
+    /// A training session or study session runs here: nothing else may use the computer.
+    bool sitting = false;
+    /// Synonyms for the command search, separated by commas. Source text in context "CommandWords", where
+    /// each language has its own words, which need not be translations of each other.
+    const char* furtherWords = "";
 };
 
 /// Every screen of the program, in the order of the navigation.

@@ -76,7 +76,7 @@ QWidget* AccountScreen::languageBox() {
     box.layout->addWidget(kit::label(theme, tr("Language"), TextStyle::title));
     auto* group = new QButtonGroup(this);
     const QString own = context().ownLanguage();
-    // Each language in its own words: who cannot read the present one must find theirs.
+    // Each language is named in that language, so that people who cannot read the current one find theirs.
     std::vector<std::pair<QString, QString>> list = languageChoices();
     list.insert(list.begin(), {QString(), tr("As on this station")});
     for (const auto& [id, text] : list) {
@@ -139,7 +139,8 @@ void AccountScreen::enter() {
         m_languageNow->setFocus();
     if (focus == QLatin1String("recovery") && m_recovery) {
         m_recovery->setFocus();
-        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_recovery); }, Qt::QueuedConnection); // once it has its place
+        // Deferred until it has its position.
+        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_recovery); }, Qt::QueuedConnection);
     }
     load();
     if (m_recovery)

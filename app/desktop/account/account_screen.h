@@ -19,8 +19,10 @@ class ScrollPage;
 class StatePanel;
 class WaitCountdown;
 
-/// What every signed-in person may change about themselves: full name, language, password; an administrator's recovery code. Place
-/// {focus: "language"} after the language was changed, which builds the screen anew; {focus: "recovery"} from whatever asks for a code.
+/// Lets every logged-in person change their own full name, language and password, and lets an administrator
+/// make a recovery code.
+/// The place takes {focus: "language"} after a change of the language, which rebuilds the screen, and {focus:
+/// "recovery"} when another screen asks for a recovery code.
 class AccountScreen final : public Screen {
     Q_OBJECT
 public:
@@ -59,7 +61,7 @@ private:
     NoticeArea* m_passwordNotice = nullptr;
     QPushButton* m_changePassword = nullptr;
     WaitCountdown* m_wait = nullptr;
-    QLabel* m_recoveryState = nullptr; ///< of an administrator, with the button
+    QLabel* m_recoveryState = nullptr; ///< shown to administrators only, like the button
     QPushButton* m_recovery = nullptr;
     bool m_hasRecoveryCode = false;
     QString m_storedName;

@@ -55,7 +55,7 @@ void RecoveryCodeDialog::made(const tl::expected<std::string, database::Refusal>
                                         m_hasOne ? RecoveryCodePanel::Backups::haveEarlierCode : RecoveryCodePanel::Backups::haveNoCode);
         connect(m_shown, &RecoveryCodePanel::finished, this, &QDialog::accept);
         showSecret(m_shown, m_shown->findChild<QPushButton*>(QStringLiteral("recovery.copy")));
-        hideCancel(); // its own button needs the tick
+        hideCancel(); // the panel's own button works only after the tick
         return;
     }
     if (code.error().kind == database::Refusal::Kind::wrong)

@@ -15,14 +15,16 @@ class FieldNote;
 class RecoveryCodePanel;
 class WaitCountdown;
 
-/// Makes a recovery code for the administrator who is logged in: asks for the password, then shows the code, once. GUI thread.
+/// Makes a recovery code for the administrator who is logged in. It asks for the password and then shows the
+/// code once.
+/// Thread: GUI.
 class RecoveryCodeDialog final : public FormDialog {
     Q_OBJECT
 public:
-    /// `hasOne`: an earlier code is there, which the new one replaces.
+    /// `hasOne`: an earlier code exists, which the new one replaces.
     RecoveryCodeDialog(AppContext& context, bool hasOne, QWidget* parent);
 
-    void reject() override; ///< warns once where the code was not written down
+    void reject() override; ///< warns once if the code has not been written down
 
 private:
     void renew();

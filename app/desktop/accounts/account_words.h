@@ -7,17 +7,17 @@
 
 namespace chiron::desktop {
 
-/// What a role is called, translated.
+/// The translated name of a role.
 QString roleName(database::Role role);
 
-/// Why somebody was not let in, kindly and without telling whether the name or the password was wrong. The wait is told by
-/// the countdown (WaitCountdown).
+/// Explains politely why a person was not let in, without revealing whether the name or the password was
+/// wrong. The text does not give the waiting time; WaitCountdown shows it.
 QString refusalWords(const database::Refusal& refusal);
-/// The same for the login screen, where the name may be one of yesterday.
+/// The same for the login screen. It also mentions that the login name may have changed.
 QString loginRefusalWords(const database::Refusal& refusal);
-/// Where the name is known to be right: only the password can be wrong.
+/// For places where the name is known to be right, so that only the password can be wrong.
 QString wrongPasswordWords();
-/// The same as refusalWords for a recovery code.
+/// The same as refusalWords(), but for a recovery code.
 QString recoveryRefusalWords(const database::Refusal& refusal);
 
 /// "Try again in 4 seconds".

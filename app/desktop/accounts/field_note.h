@@ -12,15 +12,17 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// What is wrong with a field, said directly below it; gone once the field is changed. Make it right after the field, whose child it is.
-/// For forms in which nothing below can be under the pointer when it is said (buttons outside the page). GUI thread.
+/// Shows what is wrong with an input field directly below the field, and hides it once the field is changed.
+/// Construct it right after the field, because it is a child of the field. Use it in forms whose buttons lie
+/// outside the page: there the note moves nothing that could be under the pointer.
+/// Thread: GUI.
 class FieldNote final : public QObject {
     Q_OBJECT
 public:
-    /// Its label is named after the field: "restore.password.note".
+    /// The note's label is named after the field, for example "restore.password.note".
     FieldNote(const Theme& theme, QVBoxLayout& layout, QLineEdit& field);
 
-    /// Marks the field, selects what is in it and gives it the focus. Screen readers hear the words.
+    /// Marks the field, selects its content and gives it the focus. Screen readers read the text aloud.
     void say(const QString& text);
     void clear();
 

@@ -17,14 +17,15 @@ class AppContext;
 
 namespace form {
 
-/// A field under its label, in the layout; the label is its accessible name. GUI thread.
+/// Adds an input field with a label above it to the layout. The label is also the field's accessible name.
+/// Thread: GUI.
 QLineEdit* textField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName);
 QLineEdit* passwordField(const Theme& theme, QVBoxLayout* layout, const QString& label, const QString& objectName);
 
-/// Puts a property "kind" on a widget that is shown already, so that its style follows.
+/// Sets the property "kind" of a widget that is already shown, and refreshes the widget's style.
 void setKind(QWidget* widget, const char* kind);
 
-/// The choice of language, each in its own words: for the screens before anybody is logged in.
+/// The language selector for the screens before login. Each language is named in that language.
 QComboBox* languageChoice(AppContext& context);
 
 } // namespace form

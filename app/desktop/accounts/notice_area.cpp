@@ -12,7 +12,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr int kLines = 2;
-constexpr double kFrame_px = 24; // of kit::notice, above and below its words
+constexpr double kFrame_px = 24; // of kit::notice, above and below its text
 } // namespace
 
 NoticeArea::NoticeArea(const Theme& theme, Room room, QWidget* parent) : QWidget(parent), m_theme(theme), m_room(room) {
@@ -39,7 +39,8 @@ void NoticeArea::say(const char* kind, const QString& text) {
     m_notice = kit::notice(m_theme, kind, text);
     layout()->addWidget(m_notice);
     if (m_room == Room::kept && width() > 0)
-        setMinimumHeight(std::max(minimumHeight(), m_notice->heightForWidth(width()))); // a longer one keeps its room as well
+        // A longer notice keeps its room as well.
+        setMinimumHeight(std::max(minimumHeight(), m_notice->heightForWidth(width())));
     QAccessibleEvent event(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&event);
 }

@@ -9,18 +9,20 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// Room for one notice in a form. The room is there while there is nothing to say, so that no button moves under the pointer when something
-/// is said. Screen readers hear it through its accessible name. GUI thread.
+/// Reserves the room for one notice in a form. The room stays reserved while the notice is empty, so that no
+/// button moves under the pointer when a notice appears. Screen readers read the notice from its accessible
+/// name.
+/// Thread: GUI.
 class NoticeArea : public QWidget {
     Q_OBJECT
 public:
     enum class Room {
-        kept, ///< of a notice of two lines, and of the longest one so far
-        none  ///< where nothing stands below it
+        kept, ///< room for two lines, or for the longest notice so far
+        none  ///< no reserved room, for a form with nothing below the notice
     };
     explicit NoticeArea(const Theme& theme, Room room = Room::kept, QWidget* parent = nullptr);
 
-    /// kind: "good", "warning", "bad", "info". An empty text hides it.
+    /// `kind` is "good", "warning", "bad" or "info". An empty text hides the notice.
     void say(const char* kind, const QString& text);
     void clear() { say("info", {}); }
     QString text() const { return m_text; }

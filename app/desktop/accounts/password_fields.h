@@ -12,15 +12,16 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// A new password, twice, with the rules ticked off while somebody types. The rules are the data layer's
-/// (database/accounts/account_rules.h). GUI thread.
+/// Two fields for a new password, with the password rules ticked off during typing. The rules belong to the
+/// data layer (database/accounts/account_rules.h).
+/// Thread: GUI.
 class PasswordFields : public QWidget {
     Q_OBJECT
 public:
     /// Object names are "<prefix>.password" and "<prefix>.repeat".
     PasswordFields(const Theme& theme, const QString& prefix, QWidget* parent = nullptr);
 
-    void setLoginName(const QString& name); ///< the password must not be it
+    void setLoginName(const QString& name); ///< the password must differ from this name
     bool isGood() const { return m_good; }
     std::string password() const;
     void focusFirst();
@@ -28,7 +29,7 @@ public:
 
 signals:
     void changed();
-    void submitted(); ///< Return in the second field
+    void submitted(); ///< Return was pressed in the second field
 
 private:
     enum Rule { longEnough, varied, notTheName, twice, ruleCount };

@@ -10,17 +10,20 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// The recovery code, shown once: copy, print, and a tick that it is written down before it goes for ever. GUI thread.
+/// Shows the recovery code, which cannot be shown again later. It offers to copy and print the code and asks
+/// the person to tick that it is written down.
+/// Thread: GUI.
 class RecoveryCodePanel : public QWidget {
     Q_OBJECT
 public:
-    /// What the backups made so far have of this person; said, because a restore brings it back.
+    /// Which recovery code of this person the existing backups contain. The panel mentions it, because
+    /// restoring a backup brings that state back.
     enum class Backups { none, haveNoCode, haveEarlierCode };
     RecoveryCodePanel(const Theme& theme, const QString& loginName, const QString& code, Backups backups, QWidget* parent = nullptr);
     bool isConfirmed() const;
 
 signals:
-    void finished(); ///< after the tick
+    void finished(); ///< the person ticked the box and went on
 
 private:
     void print();

@@ -8,17 +8,18 @@
 
 namespace chiron::desktop {
 
-/// Counts the seconds that an account has to wait after wrong passwords. The data layer keeps the wait; this only shows
-/// it, so that nobody has to guess. GUI thread.
+/// Counts down the seconds that an account has to wait after wrong passwords. The data layer enforces the
+/// wait; this class only makes it visible.
+/// Thread: GUI.
 class WaitCountdown : public QObject {
     Q_OBJECT
 public:
     explicit WaitCountdown(QObject* parent = nullptr);
-    void start(std::int64_t wait_ns); ///< 0: nothing happens
+    void start(std::int64_t wait_ns); ///< does nothing if `wait_ns` is 0
     bool isRunning() const { return m_timer.isActive(); }
 
 signals:
-    void changed(int seconds); ///< whole seconds that are left, from the first on
+    void changed(int seconds); ///< whole seconds left; the first signal comes from start()
     void finished();
 
 private:

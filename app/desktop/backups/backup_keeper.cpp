@@ -64,7 +64,7 @@ void BackupKeeper::failed(const QString& why) {
     ++m_failures;
     m_sinceFailure.start();
     if (!m_context.has(database::Role::admin))
-        return; // told on the home screen of the next one who comes
+        return; // the home screen tells the next administrator
     m_context.messages().tell({MessageKind::warning, tr("The automatic backup was not made; it is tried again.\n%1").arg(why), tr("Open storage"),
                                [&context = m_context] { context.navigator().go(QStringLiteral("storage")); }});
 }
@@ -76,7 +76,7 @@ void BackupKeeper::left(const Place& place) {
 
 void BackupKeeper::stop() {
     if (m_token)
-        m_token->cancel(); // it is due again when the sitting is over
+        m_token->cancel(); // it is due again when the session is over
 }
 
 bool BackupKeeper::eventFilter(QObject* watched, QEvent* event) {

@@ -14,9 +14,11 @@ class AppContext;
 class WorkToken;
 struct Place;
 
-/// Makes the day's backup by itself, off the GUI thread, once nobody has touched key, pointer or device for a while. Never while
-/// a session or a study's sitting is open: one that is under way then stops at once and leaves nothing. What failed is told to
-/// administrators and tried again, later each time. An event filter on the application. GUI thread.
+/// Makes the daily backup automatically, off the GUI thread, once nobody has used the keyboard, pointer or
+/// device for a while. It never runs while a training session or a study run is open: if one starts, a backup
+/// in progress stops at once and leaves nothing behind. After a failure it informs administrators and tries
+/// again, with a longer wait after each failure. It is an event filter on the application.
+/// Thread: GUI.
 class BackupKeeper final : public QObject {
     Q_OBJECT
 public:
@@ -25,10 +27,10 @@ public:
 
     BackupKeeper(AppContext& context, QObject* parent);
 
-    void look(); ///< now, instead of with the next half-minute
+    void look(); ///< checks now instead of at the next half minute
     bool isRunning() const { return m_token != nullptr; }
     void setQuiet(int ms) { m_quiet_ms = ms; }
-    /// How long to wait after so many failures one after the other.
+    /// Sets the function that gives the waiting time after a number of consecutive failures.
     void setWaits(std::function<std::chrono::milliseconds(int failures)> waits) { m_waits = std::move(waits); }
 
 protected:
@@ -43,11 +45,11 @@ private:
     AppContext& m_context;
     QTimer m_timer;
     QElapsedTimer m_sinceTouch;
-    QElapsedTimer m_sinceFailure; ///< by a clock that nobody sets
+    QElapsedTimer m_sinceFailure; ///< monotonic, so that setting the clock does not matter
     int m_quiet_ms = kQuiet_ms;
-    int m_failures = 0; ///< one after the other
+    int m_failures = 0; ///< consecutive failures
     std::function<std::chrono::milliseconds(int)> m_waits;
-    std::shared_ptr<WorkToken> m_token; ///< of the backup under way
+    std::shared_ptr<WorkToken> m_token; ///< of the backup in progress
 };
 
 } // namespace chiron::desktop

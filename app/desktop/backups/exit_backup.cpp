@@ -18,12 +18,13 @@ namespace {
 
 constexpr int kShownAfter_ms = 500; // experience.md, Rules
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct ExitBackup {
     Q_DECLARE_TR_FUNCTIONS(ExitBackup)
 };
 
-/// Says what is done and asks the token to end it where nobody wants to wait.
+/// Fills the dialog, which says what is happening; its button calls `leaveOut` for people who do not want to
+/// wait.
 void fillExitDialog(QDialog& dialog, const Theme& theme, const std::function<void()>& leaveOut) {
     dialog.setObjectName(QStringLiteral("exit_backup"));
     dialog.setWindowTitle(QStringLiteral("Chiron"));
@@ -52,7 +53,7 @@ void backUpAtExit(AppContext& context) {
     if (!context.site().isOpen() || !context.site().database().isWritable())
         return;
     const bool quits = QApplication::quitOnLastWindowClosed();
-    QApplication::setQuitOnLastWindowClosed(false); // the small window is no reason to end the loop below
+    QApplication::setQuitOnLastWindowClosed(false); // hiding the small window must not end the loop below
     QEventLoop loop;
     const auto token = context.background().run(
         &loop,
@@ -64,7 +65,8 @@ void backUpAtExit(AppContext& context) {
     fillExitDialog(dialog, context.theme(), [token] { token->cancel(); });
     QTimer::singleShot(kShownAfter_ms, &dialog, &QDialog::show);
     loop.exec();
-    QObject::disconnect(&dialog, &QDialog::rejected, nullptr, nullptr); // hiding it is nobody's wish; the style keeps its own connection
+    // Hiding the dialog must not count as a cancel. The other connections of the dialog belong to the style.
+    QObject::disconnect(&dialog, &QDialog::rejected, nullptr, nullptr);
     dialog.hide();
     QApplication::setQuitOnLastWindowClosed(quits);
 }

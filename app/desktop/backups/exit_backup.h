@@ -5,9 +5,10 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// The day's backup while the program closes, where it is still due: a small window says so and lets it be left out. A failure is
-/// noted in the site and told to administrators at the next start; it keeps nobody here. Returns when it is over. GUI thread,
-/// after the application's event loop has ended.
+/// Makes the daily backup while the program closes, if it is still due. A small window says so and lets the
+/// person skip it. A failure does not keep the program open: it is stored in the site and reported to
+/// administrators at the next start. The call returns when the backup has ended.
+/// Thread: GUI, after the application's event loop has ended.
 void backUpAtExit(AppContext& context);
 
 } // namespace chiron::desktop

@@ -10,7 +10,7 @@ namespace chiron::desktop {
 BandBar::BandBar(const Theme& theme, const report::MetricRow& row, QWidget* parent)
     : QWidget(parent), m_theme(theme), m_row(row) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    double low = 0.0; // zero belongs to the scale
+    double low = 0.0; // the scale always includes zero
     double high = 0.0;
     for (const auto& value : {row.value, row.bandLow, row.bandHigh, row.gateMinimum, row.gateMaximum}) {
         if (value && std::isfinite(*value)) {

@@ -8,15 +8,16 @@
 
 namespace chiron::desktop {
 
-/// A metric on its scale: the value as a pointer, the pass mark as a line, the benchmark as a band. Shapes tell them apart
-/// without colour; the numbers stand in words beside it. GUI thread.
+/// Draws a metric on its scale: the value as a pointer, the pass mark as a line, the benchmark as a band. The
+/// three differ in shape as well as colour. The numbers stand as text beside the bar.
+/// Thread: GUI.
 class BandBar : public QWidget {
     Q_OBJECT
 public:
     BandBar(const Theme& theme, const report::MetricRow& row, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
-    /// Where a value lies, 0 (left) to 1 (right) of the bar.
+    /// Position of a value along the bar, from 0 (left) to 1 (right).
     double placeOf(double value) const;
 
 protected:

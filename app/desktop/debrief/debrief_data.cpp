@@ -14,7 +14,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Values of the latest attempt before this one that can be compared with it.
+/// Values of the latest earlier attempt that is comparable with this one.
 core::Result<std::map<std::string, double>> valuesBefore(database::Connection& connection, const database::Actor& actor,
                                                          const database::SessionSummary& now) {
     std::map<std::string, double> values;

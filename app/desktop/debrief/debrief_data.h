@@ -18,44 +18,54 @@
 
 namespace chiron::desktop {
 
-/// What a debrief shows at once: stored rows alone, no recording is read for it.
+/// The part of a debrief that is shown at once. It comes from stored rows alone; no recording is read for it.
 struct DebriefHead {
-    database::SessionRecord record; ///< with its person's name as screens call them
+    database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
     const ExerciseFace* face = nullptr; ///< of its exercise; never null once loaded
-    report::ReportData report; ///< facts and metrics; no samples
-    /// The same person's attempt at this level before this one, on a device of the same class: its values by metric. Empty: none.
+    report::ReportData report; ///< facts and metrics, without samples
+    /// Values by metric of the same person's previous attempt at this level, on a device of the same class.
+    /// Empty if there was none.
     std::map<std::string, double> before;
-    std::vector<NamedComment> comments; ///< as written; there without a recording, too
-    std::map<database::PersonId, std::string> deciders; ///< what those are called who voided it and counted it again
+    std::vector<NamedComment> comments; ///< in order of writing; available even without a recording
+    /// Names of those who voided the session or took that back.
+    std::map<database::PersonId, std::string> deciders;
 };
 
-/// What somebody wrote about a session, and when in it.
+/// A comment on a session, and the moment that it refers to.
 struct CommentAtMoment {
     NamedComment named;
-    std::optional<double> t_s; ///< on the recording's time; empty: about the whole session, or the recording was not read
+    /// Time in the recording; empty if it concerns the whole session, or if the recording was not read.
+    std::optional<double> t_s;
 };
 
-/// What has to be read from the recording, some tenths of a second later.
+/// The part of a debrief that has to be read from the recording, which takes some tenths of a second longer.
 struct DebriefDetails {
-    DebriefReading part; ///< of this session's exercise alone; where it was lost the rest holds
+    DebriefReading part; ///< specific to this exercise; if it could not be read, the rest still holds
     report::ForceFacts force;
     std::optional<session::WorstMoment> worst;
     double duration_s = 0.0;
-    std::vector<CommentAtMoment> comments; ///< by time; those on the whole session first
-    std::vector<session::PlaybackTrial> trials; ///< to say where in them a comment stands
+    std::vector<CommentAtMoment> comments; ///< by time, those on the whole session first
+    std::vector<session::PlaybackTrial> trials; ///< to say in which trial a comment lies
 };
 
-/// The person's setting (Settings::ofPerson) that tells how many comments on a session they have seen.
+/// Key of the person's setting (Settings::ofPerson) for the number of comments on a session that they have
+/// seen.
 QString commentsSeenKey(database::SessionId session);
 
-/// Worker. Failure: the repositories'.
+/// Reads the stored rows of a debrief.
+/// Thread: worker; blocks.
+/// Errors: those of the repositories.
 core::Result<DebriefHead> loadDebriefHead(database::Connection& connection, const database::Actor& actor,
                                           database::SessionId session, const std::string& language);
-/// Worker. Failure: the reader's, doesNotHold naming a damaged chunk; cancelled.
+/// Reads the recording of a session for its debrief.
+/// Thread: worker; blocks.
+/// Errors: those of the reader; doesNotHold naming a damaged chunk; cancelled.
 core::Result<DebriefDetails> loadDebriefDetails(database::Connection& connection, const database::Actor& actor,
                                                 database::SessionId session, const std::atomic<bool>& cancelled);
-/// Worker: everything that the printed report needs. Failure: as above.
+/// Reads everything that the printed report needs.
+/// Thread: worker; blocks.
+/// Errors: as for loadDebriefDetails().
 core::Result<report::ReportData> loadReport(database::Connection& connection, const database::Actor& actor,
                                             database::SessionId session, const std::string& language);
 

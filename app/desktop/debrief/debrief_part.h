@@ -13,7 +13,8 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// The part of a debrief that only one exercise has, as read from a recording. Made on a worker, shown on the GUI thread; knows neither.
+/// The part of a debrief that is specific to one exercise, as read from a recording.
+/// Thread: constructed on a worker, shown on the GUI thread.
 class DebriefPart {
 public:
     DebriefPart() = default;
@@ -21,20 +22,21 @@ public:
     DebriefPart& operator=(const DebriefPart&) = delete;
     virtual ~DebriefPart() = default;
 
-    /// Null where there is nothing to show: no trial was begun. GUI thread.
+    /// Returns null if there is nothing to show because no trial was started.
+    /// Thread: GUI.
     virtual std::unique_ptr<QWidget> widget(const Theme& theme, const QLocale& locale) const = 0;
 };
 
-/// Why the part could not be read, although the rest of the recording holds.
+/// Why the part could not be read although the rest of the recording is intact.
 struct DebriefPartLost {
-    QString words; ///< for people
+    QString words; ///< text for the user
     core::Error why;
 };
 
-/// Null: the exercise shows nothing of its own there.
+/// Holds null if the exercise shows nothing of its own in a debrief.
 using DebriefReading = tl::expected<std::unique_ptr<const DebriefPart>, DebriefPartLost>;
 
-/// The translation context of what these parts say.
+/// The translation context for the texts of these parts.
 struct DebriefPartTexts {
     Q_DECLARE_TR_FUNCTIONS(ExercisePart)
 };

@@ -16,7 +16,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
-// The parts that a debrief is put together from.
+// Builds the parts of a debrief.
 namespace chiron::desktop {
 
 namespace {
@@ -87,7 +87,8 @@ QWidget* DebriefScreen::verdictBox() {
         line->setObjectName(QStringLiteral("debrief.change"));
         words->addWidget(line);
     }
-    m_worstText = kit::label(theme, tr("Looking for the worst moment …"), TextStyle::body, "muted"); // so that no button moves once it is found
+    // This placeholder keeps the buttons in place when the result arrives.
+    m_worstText = kit::label(theme, tr("Looking for the worst moment …"), TextStyle::body, "muted");
     m_worstText->setObjectName(QStringLiteral("debrief.worst_text"));
     words->addWidget(m_worstText);
     row->addLayout(words, 1);
@@ -96,7 +97,7 @@ QWidget* DebriefScreen::verdictBox() {
     return box.frame;
 }
 
-// A session that was void and counts again, or was void before: who decided what, and why.
+// For a session that is void, or was void and counts again: who decided what, and why.
 QWidget* DebriefScreen::decisionsBox() {
     const std::vector<database::SessionDecision>& decisions = m_head->record.decisions;
     if (decisions.empty())
@@ -129,7 +130,7 @@ std::vector<MetricAdvice> DebriefScreen::adviceNow() const {
 QWidget* DebriefScreen::actionRow() {
     const Theme& theme = context().theme();
     auto* bar = new QWidget;
-    auto* row = new FlowLayout(theme.px(8), bar); // more buttons than some windows are wide
+    auto* row = new FlowLayout(theme.px(8), bar); // wraps, because the buttons may be wider than the window
     const bool passed = m_head->report.passed.value_or(false) && m_head->record.summary.state == database::SessionState::completed;
     const int level = m_head->record.summary.level;
     if (isMine() && passed && hasNextLevel()) {
@@ -162,7 +163,7 @@ QWidget* DebriefScreen::actionRow() {
     const bool erased = m_head->record.summary.recordingErased;
     m_worst = kit::button(theme, tr("Watch the worst moment"), "", QStringLiteral("go-jump"));
     m_worst->setObjectName(QStringLiteral("debrief.worst"));
-    m_worst->setEnabled(false); // until the recording was looked through
+    m_worst->setEnabled(false); // until the recording has been read
     connect(m_worst, &QPushButton::clicked, this, &DebriefScreen::openWorst);
     row->addWidget(m_worst);
     auto* playback = kit::button(theme, tr("Playback"), "", QStringLiteral("media-playback-start"));
@@ -184,11 +185,13 @@ QWidget* DebriefScreen::actionRow() {
     return bar;
 }
 
-// What a trainer wrote is what its reader came for: above the numbers, each with the way to its moment.
+// A trainer's comments are what the reader came for, so they stand above the numbers, each with a link to its
+// moment.
 void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments) {
     const Theme& theme = context().theme();
     const auto person = context().actor().personId();
-    std::vector<const database::SessionComment*> written; // in the order of writing; shown they are by moment
+    // The comments in order of writing; the screen shows them in order of time.
+    std::vector<const database::SessionComment*> written;
     for (const CommentAtMoment& comment : comments)
         written.push_back(&comment.named.comment);
     std::sort(written.begin(), written.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
@@ -198,7 +201,7 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, c
     if (context().settings().ofPerson(person, commentsSeenKey(sessionId()), 0).toInt() < newsUpTo(authors, person, m_head->record.summary.person == person))
         context().setUnread(std::max(0, context().unread() - 1));
     context().settings().setOfPerson(person, commentsSeenKey(sessionId()), static_cast<int>(comments.size()));
-    delete m_commentBox; // shown without moments until the recording was read
+    delete m_commentBox; // shown without moments until the recording has been read
     m_commentBox = nullptr;
     if (comments.empty())
         return;
@@ -231,7 +234,7 @@ void DebriefScreen::showComments(const std::vector<CommentAtMoment>& comments, c
     m_comments->addWidget(box.frame);
 }
 
-// An answer is written in the playback, where its moment is seen.
+// Opens the playback for writing a reply, because it shows the comment's moment.
 QWidget* DebriefScreen::replyButton(const database::SessionComment& comment) {
     const auto self = context().actor().personId();
     using enum database::Role;
@@ -263,7 +266,7 @@ QWidget* DebriefScreen::forceBox() {
     box.layout->addWidget(kit::label(theme, tr("Force of the tissue, and what was felt"), TextStyle::title));
     m_force = kit::label(theme, {});
     m_force->setObjectName(QStringLiteral("debrief.felt"));
-    m_force->hide(); // until the recording was looked through
+    m_force->hide(); // until the recording has been read
     m_beyond = kit::label(theme, {}, TextStyle::strong, "warning");
     m_beyond->setObjectName(QStringLiteral("debrief.beyond"));
     m_beyond->hide();

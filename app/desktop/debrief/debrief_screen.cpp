@@ -21,7 +21,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kLeadIn_s = 3.0; // to see how it came to the worst moment
+constexpr double kLeadIn_s = 3.0; // to see what led to the worst moment
 }
 
 DebriefScreen::DebriefScreen(AppContext& context, const Place& place) : Screen(context, place) {
@@ -119,8 +119,8 @@ void DebriefScreen::showHead(DebriefHead head) {
     loadDetails();
 }
 
-// The keyboard begins at what there is to do now, instead of at the navigation. After a session that has just ended Tab leads there:
-// a key that was meant for the last trial presses no button.
+// The keyboard focus starts at the next step instead of the navigation. After a session that has just ended,
+// Tab leads there instead, so that a key meant for the last trial presses no button.
 void DebriefScreen::focusNextStep() {
     if (place().parameters.value(QString::fromLatin1(kJustEnded)).toBool()) {
         setFocus(Qt::OtherFocusReason);
@@ -176,7 +176,7 @@ void DebriefScreen::showDetails(const DebriefDetails& details) {
         return m_answers->showError(details.part.error().words, details.part.error().why);
     const DebriefPart* part = details.part->get();
     if (auto shown = part ? part->widget(context().theme(), context().locale()) : nullptr) {
-        m_answers->setContent(shown.release()); // the panel owns it from here on
+        m_answers->setContent(shown.release()); // the panel owns it now
         m_answers->showContent();
     } else
         m_answers->showEmpty(tr("No trial was finished"), m_head->face->debriefEmpty());
@@ -193,8 +193,11 @@ void DebriefScreen::showForce(const report::ForceFacts& force) {
 void DebriefScreen::showWorst(const session::WorstMoment& worst) {
     const QLocale locale = context().locale();
     const QString metric = momentTitle(QString::fromStdString(worst.reason));
-    const QString into = clockText(worst.intoTrial_s, locale); // as the training screen counted it; playback's clock began before the trial
-    const bool counted = worst.unit == "count"; // of the whole session: only one of them happened here
+    // The trial's time is counted as on the training screen, because the playback's clock starts before the
+    // trial.
+    const QString into = clockText(worst.intoTrial_s, locale);
+    // A count concerns the whole session, and only one of the events happened here.
+    const bool counted = worst.unit == "count";
     const QString what = counted ? metric : tr("%1: %2").arg(metric, report::formatValue(worst.value, unitText(QString::fromStdString(worst.unit)), locale));
     const QString where = m_head->record.setup.plannedTrials > 1 ? tr("%1 in trial %2, %3 after it began").arg(what, locale.toString(worst.trial + 1), into)
                                                                  : tr("%1, %2 after the start").arg(what, into);
@@ -280,7 +283,7 @@ void DebriefScreen::writeReport(const QString& path) {
                 translateReport(*loaded, {whoText(m_head->record.summary),
                                           exerciseTitle(context().site().catalogue(), m_head->record.summary.exercise, context().language()),
                                           deviceText(m_head->setup.devices.front())});
-            // Paper is always light: the report's own theme, not the screen's.
+            // Paper is always light, so the report uses its own theme instead of the screen's.
             const core::Result<void> written = loaded ? report::writeSessionPdf(path, *loaded, report::lightTheme(context().locale()))
                                                     : core::Result<void>(tl::unexpected(loaded.error()));
             if (written)

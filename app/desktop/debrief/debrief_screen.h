@@ -19,8 +19,10 @@ namespace chiron::desktop {
 class StatePanel;
 class WorkToken;
 
-/// What a session came to: passed or not and why, at most three numbers, the worst moment one click away, every metric below.
-/// Place: {session}. The scores are shown as soon as they are read; what needs the recording follows. GUI thread.
+/// Shows the result of a session: passed or not and why, at most three main numbers, a link to the worst
+/// moment, and all metrics below. The place is {session}. The scores appear as soon as they are read; what
+/// needs the recording follows.
+/// Thread: GUI.
 class DebriefScreen final : public Screen {
     Q_OBJECT
 public:
@@ -32,7 +34,7 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
 
-    /// Writes the printable report; tells where it is, or why not.
+    /// Writes the printable report and says where it is, or why it could not be written.
     void writeReport(const QString& path);
 
 private:
@@ -45,36 +47,36 @@ private:
     void showWorst(const session::WorstMoment& worst);
     void showForce(const report::ForceFacts& force);
     void showComments(const std::vector<CommentAtMoment>& comments, const MomentWords& moments);
-    QWidget* replyButton(const database::SessionComment& comment); ///< null: it is not for this person to answer
+    QWidget* replyButton(const database::SessionComment& comment); ///< null if this person may not reply
     void showNoDetails(const core::Error& error);
     QWidget* headBox();
     QWidget* verdictBox();
-    QWidget* decisionsBox(); ///< null where nothing was decided and taken back
+    QWidget* decisionsBox(); ///< null if the session was never voided or counted again
     QWidget* actionRow();
-    QWidget* headlineRow(); ///< null where nothing is judged
+    QWidget* headlineRow(); ///< null if no metric is judged
     QWidget* forceBox();
     QWidget* answersBox();
     void askReport();
     void openPlayback(QVariantMap at = {});
-    void openWorst(); ///< some seconds before it, to see how it came about
+    void openWorst(); ///< opens the playback some seconds before the worst moment
     void openComment(double at_s, const QString& words);
     void openSetup(int level);
     void openResults();
-    std::vector<MetricAdvice> adviceNow() const; ///< of the exercise, in the person's language
+    std::vector<MetricAdvice> adviceNow() const; ///< from the exercise, in the person's language
     bool isMine() const;
-    bool mayTryNow() const;       ///< a script has shown this person how it is done
-    std::optional<TrainingPlan> demonstration() const; ///< of this level
+    bool mayTryNow() const;       ///< true for a scripted demonstration: the viewer may try it now
+    std::optional<TrainingPlan> demonstration() const; ///< the plan of a demonstration of this level
     bool hasNextLevel() const;
 
     StatePanel* m_panel = nullptr;
-    QVBoxLayout* m_column = nullptr; ///< of the page inside m_panel
+    QVBoxLayout* m_column = nullptr; ///< column of the page inside m_panel
     StatePanel* m_answers = nullptr;
-    QLabel* m_force = nullptr;  ///< what was felt of what the tissue answered
-    QLabel* m_beyond = nullptr; ///< that the law was left
+    QLabel* m_force = nullptr;  ///< share of the tissue's force that was felt
+    QLabel* m_beyond = nullptr; ///< warns that the force law left its valid range
     QPushButton* m_worst = nullptr;
-    QVBoxLayout* m_comments = nullptr; ///< where m_commentBox is
-    QWidget* m_commentBox = nullptr;   ///< what was written about the session; null: nothing
-    QLabel* m_worstText = nullptr; ///< what was worst, and where
+    QVBoxLayout* m_comments = nullptr; ///< the column that contains m_commentBox
+    QWidget* m_commentBox = nullptr;   ///< the comments on the session; null if there are none
+    QLabel* m_worstText = nullptr; ///< describes the worst moment and where it is
     QPushButton* m_report = nullptr;
     std::optional<DebriefHead> m_head;
     std::optional<session::WorstMoment> m_worstMoment;

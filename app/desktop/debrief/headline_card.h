@@ -9,8 +9,9 @@
 
 namespace chiron::desktop {
 
-/// One of the at most three numbers that a debrief begins with: name, value, its place on the scale, pass mark and benchmark in
-/// words. GUI thread.
+/// One of the at most three main numbers of a debrief: name, value, position on the scale, and the pass mark
+/// and benchmark as text.
+/// Thread: GUI.
 class HeadlineCard : public QFrame {
     Q_OBJECT
 public:

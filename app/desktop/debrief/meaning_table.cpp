@@ -10,7 +10,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kLeast_px = 320; ///< of the first column: below it, the table scrolls sideways
+constexpr int kLeast_px = 320; ///< of the first column; if there is less, the table scrolls sideways
 constexpr int kPadding_px = 8;
 constexpr int kLeastRow_px = 36;
 
@@ -79,7 +79,7 @@ void MeaningTable::fitWords() {
         others += isColumnHidden(column) ? 0 : std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
     setColumnWidth(0, std::max(m_theme.px(kLeast_px), viewport()->width() - others));
     resizeRowsToContents();
-    int height = horizontalHeader()->height() + m_theme.px(18); // with the scroll bar
+    int height = horizontalHeader()->height() + m_theme.px(18); // includes the scroll bar
     for (int row = 0; row < rowCount(); ++row)
         height += rowHeight(row);
     setFixedHeight(height);

@@ -5,14 +5,17 @@
 
 namespace chiron::desktop {
 
-/// A table whose first column says what a row is and, below it and smaller, what that means (Qt::AccessibleDescriptionRole of the cell). That
-/// column takes the width that the others leave, and rows are as high as its words; the table is as high as all its rows. GUI thread.
+/// A table whose first column gives the name of each row and, below it in smaller type, its explanation
+/// (Qt::AccessibleDescriptionRole of the cell). The first column takes the width that the other columns
+/// leave. Rows are as high as their text, and the table is as high as all its rows.
+/// Thread: GUI.
 class MeaningTable : public FittedTable {
     Q_OBJECT
 public:
     MeaningTable(const Theme& theme, int columns, QWidget* parent = nullptr);
 
-    /// Hides each column but the first in which every cell is empty. Call it once the table is filled.
+    /// Hides every column except the first whose cells are all empty. Call it after the table has been
+    /// filled.
     void hideEmptyColumns();
 
 protected:

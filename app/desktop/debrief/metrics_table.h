@@ -12,8 +12,9 @@ namespace chiron::desktop {
 
 class MeaningTable;
 
-/// Every metric of a session with value, unit, pass mark and benchmark; what a metric means stands below its title. Columns in which no
-/// metric has anything are left out. GUI thread.
+/// Lists every metric of a session with its value, unit, pass mark and benchmark. The explanation of a metric
+/// stands below its title. Columns that are empty for all metrics are left out.
+/// Thread: GUI.
 class MetricsTable : public QWidget {
     Q_OBJECT
 public:

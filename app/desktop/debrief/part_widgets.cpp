@@ -16,7 +16,7 @@ PartColumn::PartColumn(const Theme& theme) : holder(std::make_unique<QWidget>())
 QWidget* partPlot(const Theme& theme, std::unique_ptr<report::PlotView> view, const char* name, int height_px) {
     view->setObjectName(QLatin1String(name));
     view->setMinimumHeight(theme.px(height_px));
-    return view.release(); // whoever lays it out owns it from here on
+    return view.release(); // the caller's layout owns it now
 }
 
 QWidget* trialTable(const Theme& theme, const report::WordTable& words, const char* name) {
@@ -29,7 +29,7 @@ QWidget* trialTable(const Theme& theme, const report::WordTable& words, const ch
     for (int row = 0; row < table->rowCount(); ++row)
         for (int column = 0; column < table->columnCount(); ++column) {
             auto* item = new QTableWidgetItem(words.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)]);
-            if (column != 1 && column + 1 < table->columnCount()) // the last one is as wide as what is left
+            if (column != 1 && column + 1 < table->columnCount()) // the last column takes the remaining width
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table->setItem(row, column, item);
         }

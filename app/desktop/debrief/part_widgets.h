@@ -13,18 +13,19 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-// What the exercises' parts of a debrief are made of. GUI thread.
+// Building blocks for the exercises' parts of a debrief. Thread: GUI.
 
-/// One below the other, without a margin.
+/// A vertical column of widgets without a margin.
 struct PartColumn {
     explicit PartColumn(const Theme& theme);
     std::unique_ptr<QWidget> holder;
     QVBoxLayout* layout;
 };
 
-/// At least so high; whoever lays it out owns it.
+/// A plot with a minimum height. The caller's layout owns it.
 QWidget* partPlot(const Theme& theme, std::unique_ptr<report::PlotView> view, const char* name, int height_px);
-/// The result of each trial: all rows are seen. Whoever lays it out owns it.
+/// The result of each trial, as a table that shows all its rows without scrolling. The caller's layout owns
+/// it.
 QWidget* trialTable(const Theme& theme, const report::WordTable& words, const char* name);
 
 } // namespace chiron::desktop

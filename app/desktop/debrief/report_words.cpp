@@ -11,7 +11,7 @@ void translateReport(report::ReportData& data, const ReportNames& names) {
     data.device = names.device;
     for (report::MetricRow& row : data.metrics) {
         row.name = metricTitle(row.id, row.trials);
-        if (row.unit != QLatin1String("count")) // a token by which numbers are written whole
+        if (row.unit != QLatin1String("count")) // stays a token, because it makes numbers appear as integers
             row.unit = unitText(row.unit);
         if (!row.reason.isEmpty())
             row.reason = metricReason(row.reason);

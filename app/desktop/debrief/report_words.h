@@ -5,14 +5,16 @@
 
 namespace chiron::desktop {
 
-/// Who, what and on what, as the screen says it.
+/// The names of person, exercise and device as the screen shows them.
 struct ReportNames {
     QString person;
     QString exercise;
     QString device;
 };
 
-/// The printed report in the language of the screen: the data come with stored tokens and English names. GUI thread.
+/// Translates the printed report into the language of the screen. Before the call the data contain stored
+/// tokens and English names.
+/// Thread: GUI.
 void translateReport(report::ReportData& data, const ReportNames& names);
 
 } // namespace chiron::desktop

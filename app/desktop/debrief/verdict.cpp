@@ -19,7 +19,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(Verdict)
 };
 
-/// A script's own session: nobody passed or stopped anything.
+/// A scripted demonstration: no person passed or stopped anything.
 bool isDemonstration(const DebriefHead& head) {
     return !head.record.summary.operatorName.empty() && head.record.summary.person == database::Actor::kSimulatedPerson;
 }
@@ -32,7 +32,7 @@ std::vector<const report::MetricRow*> missedRows(const DebriefHead& head) {
     return missed;
 }
 
-/// The missed pass marks and what is advised of each, causes first.
+/// Adds the missed pass marks and the advice for each, causes first.
 void tellMissed(Verdict& verdict, const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice) {
     std::vector<const report::MetricRow*> missed = missedRows(head);
     const auto place = [&](const report::MetricRow* row) {
@@ -59,7 +59,7 @@ Verdict ofCompleted(const DebriefHead& head, const QLocale& locale, const std::v
     return verdict;
 }
 
-/// How far the person came, as a half sentence that every unfinished state shares.
+/// How much was completed, as a sentence that all unfinished states share.
 QString reached(const DebriefHead& head) {
     if (head.record.setup.plannedTrials <= 1)
         return Words::tr("The procedure was not completed.");
@@ -137,7 +137,7 @@ QString missedGateText(const report::MetricRow& row, const QLocale& locale) {
 }
 
 QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
-    constexpr int kMost = 3; // as many as there are cards
+    constexpr int kMost = 3; // as many as there are main numbers
     enum class Tells { fails, failedBefore, other };
     QStringList changes;
     for (const Tells wanted : {Tells::fails, Tells::failedBefore, Tells::other})
@@ -148,7 +148,8 @@ QString changeText(const DebriefHead& head, const QLocale& locale, bool own) {
             const bool missedBefore = (row.gateMaximum && before->second > *row.gateMaximum) || (row.gateMinimum && before->second < *row.gateMinimum);
             const Tells tells = !*row.passed ? Tells::fails : missedBefore ? Tells::failedBefore : Tells::other;
             const QString was = report::formatValue(before->second, row.unit, locale), is = report::formatValue(row.value, row.unit, locale);
-            if (tells == wanted && (was != is || tells != Tells::other)) // what was well and is the same says nothing
+            // An unchanged value within its pass mark is not worth mentioning.
+            if (tells == wanted && (was != is || tells != Tells::other))
                 changes << Words::tr("%1 %2 → %3").arg(metricTitle(row.id, row.trials), was, is);
         }
     if (changes.isEmpty())

@@ -9,31 +9,34 @@
 
 namespace chiron::desktop {
 
-/// How a session came out, in words: the sentence at the top of a debrief.
+/// The outcome of a session in words, shown at the top of a debrief.
 struct Verdict {
-    const char* kind = "info"; ///< of the box: good, warning, bad, info
-    QString icon;              ///< Breeze name
+    const char* kind = "info"; ///< kind of the box: good, warning, bad, info
+    QString icon;              ///< name of a Breeze icon
     QString title;             ///< "Passed"
-    QString text;              ///< what it means and what was kept
-    QStringList reasons{};     ///< which pass marks were not met, and by how much
-    QStringList advice{};      ///< of each reason: what to do differently, as the exercise's content says; may be empty
+    QString text;              ///< what the outcome means and what was kept
+    QStringList reasons{};     ///< the pass marks that were not met, and by how much
+    QStringList advice{};      ///< parallel to `reasons`: advice from the exercise's content; may be empty
 };
 
-/// What to do differently where a metric's pass mark was missed.
+/// Advice for a person who missed the pass mark of a metric.
 struct MetricAdvice {
     std::string metric;
     QString text;
 };
 
-/// GUI thread (words). Reads what was stored; decides nothing. `advice`: of the exercise, in the person's language; the missed pass
-/// marks are told in its order, which puts a cause before what it leads to, and after them those without advice.
+/// Describes the outcome from stored data; it decides nothing itself. `advice` comes from the exercise, in
+/// the person's language. The missed pass marks follow its order, which puts causes before effects; those
+/// without advice come last.
+/// Thread: GUI, because it translates.
 Verdict verdictOf(const DebriefHead& head, const QLocale& locale, const std::vector<MetricAdvice>& advice = {});
 
-/// "Since your last attempt: mean apex error 14.2 % → 9.10 % · ...": of the metrics with a pass mark, at most three, those that failed
-/// first. `own`: the reader's attempt. Empty where there was no attempt before, or nothing of it can be compared.
+/// "Since your last attempt: mean apex error 14.2 % → 9.10 % · ...". Covers at most three metrics with a pass
+/// mark, those that failed first. `own`: the attempt is the reader's own. Empty if there was no earlier
+/// attempt, or if nothing can be compared.
 QString changeText(const DebriefHead& head, const QLocale& locale, bool own);
 
-/// "12.40 % against a pass mark of ≤ 10.00 %: 2.40 % too much", for a metric whose gate did not hold.
+/// "12.40 % against a pass mark of ≤ 10.00 %: 2.40 % too much", for a metric that missed its pass mark.
 QString missedGateText(const report::MetricRow& row, const QLocale& locale);
 
 } // namespace chiron::desktop

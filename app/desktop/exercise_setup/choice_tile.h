@@ -9,12 +9,13 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// A choice as a tile of two texts that wrap: what it is, and how it stands. An ordinary checkable button otherwise; its
-/// accessible name is both texts. GUI thread.
+/// A choice shown as a tile with two wrapping texts: its name and its state. Otherwise it is an ordinary
+/// checkable button. Its accessible name contains both texts.
+/// Thread: GUI.
 class ChoiceTile final : public TileButton {
     Q_OBJECT
 public:
-    /// `icon`: a Breeze name, may be empty.
+    /// `icon`: the name of a Breeze icon; may be empty.
     ChoiceTile(const Theme& theme, const QString& title, const QString& words, const QString& icon = {}, QWidget* parent = nullptr);
 
     void setWords(const QString& words);

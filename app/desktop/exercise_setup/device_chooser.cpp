@@ -21,7 +21,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// What a trace file holds, as far as it matters before it is played.
+/// What matters about a trace file before it is played.
 struct TraceCheck {
     int rows = 0;
     double length_s = 0.0;
@@ -36,13 +36,13 @@ core::Result<TraceCheck> readTrace(const QString& file, session::PointerTool too
     return TraceCheck{static_cast<int>(rows->rows.size()), rows->rows.back().t_s - rows->rows.front().t_s};
 }
 
-/// Whether the mechanism of the exercise's demonstration has a choice of force maps.
+/// Whether the mechanism of the exercise's demonstration offers a choice of force maps.
 bool canMapForce(const session::ExerciseKind* kind) {
     const auto* kinematics = devices::findKinematics(kind ? kind->mechanism() : session::kUsualMechanism);
     return kinematics && kinematics->mapOf;
 }
 
-/// A person's devices first, then demonstrations, then recordings; each in the catalogue's order.
+/// The person's own devices first, then demonstrations, then recordings, each group in the catalogue's order.
 std::vector<const devices::Driver*> driversInOrder() {
     const auto all = devices::driverCatalogue();
     std::vector<const devices::Driver*> drivers(all.begin(), all.end());
@@ -50,7 +50,7 @@ std::vector<const devices::Driver*> driversInOrder() {
     return drivers;
 }
 
-/// Paths and lists of columns are one long word: they may break after a slash or a comma.
+/// Lets paths and lists of columns, which are one long word, wrap after a slash or a comma.
 QString breakable(QString text) {
     for (const char16_t mark : {u'/', u','})
         text.replace(QChar(mark), QString(QChar(mark)) + QChar(0x200B));
@@ -72,7 +72,7 @@ DeviceChooser::DeviceChooser(AppContext& context, const session::ExerciseKind* k
         tile->setEnabled(driver.movedBy != devices::MovedBy::scriptedOperator || !operators.empty());
         column->addWidget(tile);
     }
-    m_pages->addWidget(new QWidget); // one page for each MovedBy, in its order
+    m_pages->addWidget(new QWidget); // one page per MovedBy, in its order
     m_pages->addWidget(demonstrationPage(operators, canMapForce(kind)));
     m_pages->addWidget(tracePage());
     column->addWidget(m_pages);
@@ -243,7 +243,7 @@ void DeviceChooser::checkTrace() {
         this, [file, tool = m_tool, tools = m_tools](WorkToken&) { return readTrace(file, tool, tools); },
         [this, file, tools = m_tools](core::Result<TraceCheck> read) {
             if (file != m_traceFile || tools != m_tools)
-                return; // another one was chosen meanwhile, or another level
+                return; // another file or level was chosen in the meantime
             m_traceReady = read.has_value();
             if (read)
                 setTraceWords(tr("Ready: %n rows, %1 s.", nullptr, read->rows).arg(m_context.locale().toString(read->length_s, 'f', 1)), "good");

@@ -20,19 +20,22 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// What moves the tool, a tile for each driver of the catalogue: the mouse, a scripted operator who demonstrates, or a trace file; each with how it is. A trace is
-/// read on a worker when it is chosen, and its faults are named by row. GUI thread.
+/// Lets the person choose what moves the tool, with one tile per driver of the catalogue: the mouse, a
+/// scripted operator who demonstrates, or a trace file. Each tile shows the driver's state. A trace file is
+/// read on a worker when it is chosen, and its errors are reported by row.
+/// Thread: GUI.
 class DeviceChooser final : public QWidget {
     Q_OBJECT
 public:
-    /// `kind`: of the exercise, whose operators and mechanism are offered; null: nobody demonstrates it.
+    /// `kind`: the exercise whose operators and mechanism are offered; null if there is no demonstration.
     DeviceChooser(AppContext& context, const session::ExerciseKind* kind, QWidget* parent = nullptr);
 
-    /// Of the level that is chosen: a trace has to hold as many. Reads a chosen trace again where it changes.
+    /// Sets the number of instruments of the chosen level. A trace must contain as many, so a chosen trace is
+    /// read again if the number changes.
     void setTools(int tools);
-    void setPlan(const TrainingPlan& plan); ///< takes device, operator and trace over
+    void setPlan(const TrainingPlan& plan); ///< adopts device, operator and trace of the plan
     void fillPlan(TrainingPlan& plan) const;
-    bool ready() const; ///< what is chosen can begin
+    bool ready() const; ///< true if training can start with this choice
 
 signals:
     void changed();
@@ -53,12 +56,12 @@ private:
 
     AppContext& m_context;
     session::PointerTool m_tool = session::PointerTool::point;
-    int m_tools = 1; ///< instruments of the level that is chosen
-    std::vector<const devices::Driver*> m_drivers; ///< a tile each, in this order
+    int m_tools = 1; ///< number of instruments of the chosen level
+    std::vector<const devices::Driver*> m_drivers; ///< one tile per driver, in this order
     QButtonGroup* m_group;
     QStackedWidget* m_pages;
     QComboBox* m_operator = nullptr;
-    QComboBox* m_forceMap = nullptr; ///< null where the mechanism has one way only
+    QComboBox* m_forceMap = nullptr; ///< null if the mechanism offers no choice
     QLabel* m_traceName = nullptr;
     QLabel* m_traceWords = nullptr;
     QString m_traceFile;

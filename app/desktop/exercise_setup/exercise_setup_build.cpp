@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the set-up screen is made of, and its words.
+// Builds the set-up screen and its texts.
 #include "desktop/exercise_setup/exercise_setup_screen.h"
 
 #include "desktop/exercise_setup/device_chooser.h"
@@ -102,9 +102,9 @@ QWidget* ExerciseSetupScreen::buildStart() {
     m_start = kit::button(theme, tr("Start"), "primary", QStringLiteral("media-playback-start"));
     m_start->setObjectName(QStringLiteral("setup.start"));
     m_start->setFont(theme.font(TextStyle::title));
-    constexpr double kLargeScale = 1.5; // from here on "Watch first" needs the room
+    constexpr double kLargeScale = 1.5; // from this scale upwards "Watch first" needs the room
     m_start->setMinimumSize(theme.px(theme.scale() > kLargeScale ? 120 : 180), theme.px(52));
-    m_start->setAutoDefault(true); // Enter presses it outside a dialog too
+    m_start->setAutoDefault(true); // so that Enter presses it outside a dialog as well
     row->addWidget(m_start);
     connect(m_start, &QPushButton::clicked, this, &ExerciseSetupScreen::start);
     return bar;

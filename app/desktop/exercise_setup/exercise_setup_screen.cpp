@@ -25,7 +25,7 @@ namespace chiron::desktop {
 namespace {
 
 constexpr QSize kPicture_px(320, 170);
-constexpr double kTwoColumns_px = 820; // narrower: one below the other
+constexpr double kTwoColumns_px = 820; // below this width there is one column
 
 using Standings = std::vector<session::LevelStanding>;
 

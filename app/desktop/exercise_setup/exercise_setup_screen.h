@@ -17,8 +17,9 @@ class LevelChooser;
 class StatePanel;
 class WorkspaceBox;
 
-/// What will be done, at which level, with what: everything chosen already, so that Start is enough. Its place is a
-/// TrainingPlan, of which only the exercise is needed. GUI thread.
+/// Sets up an exercise: level, device and workspace. Everything has a default, so that pressing Start is
+/// enough. Its place is a TrainingPlan, of which only the exercise is required.
+/// Thread: GUI.
 class ExerciseSetupScreen final : public Screen {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ public:
     std::vector<ScreenCommand> commands() override;
     QString help() const override;
 
-    TrainingPlan plan() const; ///< as chosen now
+    TrainingPlan plan() const; ///< the plan as chosen now
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -51,12 +52,13 @@ private:
     QString textOf(const catalogue::Translated& text) const;
 
     const catalogue::Exercise* m_exercise = nullptr;
-    bool m_levelChosen = false; ///< by the place or by the person: the recommendation changes it no more
+    /// The place or the person chose the level, so the recommendation no longer changes it.
+    bool m_levelChosen = false;
     StatePanel* m_panel = nullptr;
     QBoxLayout* m_columns = nullptr;
-    QBoxLayout* m_picture = nullptr; ///< holds the level's picture
+    QBoxLayout* m_picture = nullptr; ///< layout that holds the level's picture
     QLabel* m_objective = nullptr;
-    QLabel* m_facts = nullptr; ///< hidden where the objective says it all
+    QLabel* m_facts = nullptr; ///< hidden if the objective says everything
     QLabel* m_measured = nullptr;
     QLabel* m_gates = nullptr;
     QLabel* m_note = nullptr;
@@ -66,7 +68,7 @@ private:
     QCheckBox* m_familiarisation = nullptr;
     QLabel* m_standing = nullptr;
     QLabel* m_summary = nullptr;
-    QPushButton* m_watch = nullptr; ///< an expert, before one begins oneself
+    QPushButton* m_watch = nullptr; ///< starts a demonstration by the scripted expert
     QPushButton* m_start = nullptr;
 };
 

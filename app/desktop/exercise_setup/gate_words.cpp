@@ -26,7 +26,8 @@ QString withUnit(double value, std::string_view unit, const QLocale& locale) {
     return Words::tr("%1 %2").arg(number, QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size())));
 }
 
-/// How long the force may be over the limit says nothing more where it may never be over less than that.
+/// A pass mark on the time over the force limit is redundant if another pass mark forbids a smaller force
+/// altogether.
 bool isImplied(const scoring::Gate& gate, const catalogue::ExerciseLevel& level) {
     const auto kind = session::exerciseKind(level.exercise);
     return gate.metric == "force_time_over_limit" && kind && session::levelLimits(level).force_N < (*kind)->forceLimit_N(level);

@@ -8,14 +8,14 @@
 
 namespace chiron::desktop {
 
-/// A pass mark in words with its unit: "Misses: at most 0".
+/// A pass mark as text with its unit, for example "Misses: at most 0".
 QString gateInWords(const scoring::Gate& gate, const QLocale& locale);
 
-/// A level's pass marks, in its order, with the limits that they are about: one that allows more than the limit says why, and one that
-/// another, stricter one implies is left out.
+/// The pass marks of a level, in the level's order. A pass mark that allows more than the limit behind it
+/// names that limit and explains the difference. A pass mark that a stricter one implies is left out.
 QStringList gatesInWords(const catalogue::ExerciseLevel& level, const QLocale& locale);
 
-/// What must not be exceeded at a level, a sentence each: force on the tissue first. Without a full stop.
+/// The limits of a level, one sentence each without a full stop; the force limit on the tissue comes first.
 QStringList limitsInWords(const catalogue::ExerciseLevel& level, const QLocale& locale);
 
 } // namespace chiron::desktop

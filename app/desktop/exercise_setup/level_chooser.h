@@ -15,7 +15,9 @@ namespace chiron::desktop {
 
 class ChoiceTile;
 
-/// All levels of an exercise as tiles; where the person stands at each, and which one is next, in words. GUI thread.
+/// Shows all levels of an exercise as tiles, with the person's standing at each and the recommended next
+/// level as text.
+/// Thread: GUI.
 class LevelChooser final : public QWidget {
     Q_OBJECT
 public:
@@ -23,11 +25,11 @@ public:
 
     int level() const;
     void setLevel(int level);
-    /// `next`: the recommended level; 0: every level is passed.
+    /// `next`: the recommended level; 0 if every level is passed.
     void setStandings(std::span<const session::LevelStanding> standings, int next);
 
 signals:
-    void chosen(int level); ///< by the person
+    void chosen(int level); ///< by the person, not by setLevel()
 
 private:
     QButtonGroup* m_group;

@@ -9,8 +9,9 @@
 
 namespace chiron::desktop {
 
-/// What is particular about a level, a line each, beside its objective: what its exercise says of it (ExerciseFace::levelFacts), then its
-/// limits. GUI thread.
+/// Facts about a level, one per line, to show beside its objective: first those of the exercise
+/// (ExerciseFace::levelFacts), then the level's limits.
+/// Thread: GUI.
 QStringList levelFacts(const catalogue::ExerciseLevel& level, const QLocale& locale);
 
 /// The translation context of these lines.
@@ -18,8 +19,8 @@ struct LevelFactTexts {
     Q_DECLARE_TR_FUNCTIONS(LevelFacts)
 };
 
-// Lines of several exercises.
-QString factNumber(double value, const QLocale& locale); ///< "0.6", to three digits
+// Lines that several exercises share.
+QString factNumber(double value, const QLocale& locale); ///< "0.6"; three significant digits
 QString trialsFact(int trials, double limit_s, const QLocale& locale); ///< "Trials: 10, at most 60 s each"
 
 } // namespace chiron::desktop

@@ -13,7 +13,9 @@ class QRadioButton;
 
 namespace chiron::desktop {
 
-/// How the hand's workspace lies in the field: hand, scale, shift; how a device's base is mounted; folded away until somebody wants it. GUI thread.
+/// Sets how the hand's workspace maps to the scene (hand, scale, shift) and how the device's base is mounted.
+/// It stays folded until it is opened.
+/// Thread: GUI.
 class WorkspaceBox final : public QFrame {
     Q_OBJECT
 public:
@@ -21,7 +23,8 @@ public:
 
     void setChoice(const session::WorkspaceChoice& choice);
     session::WorkspaceChoice choice() const;
-    /// A device with a base shows how that is mounted; a pointer, which has none, how the hand's workspace lies.
+    /// A device with a base shows how the base is mounted; a pointer, which has none, shows the mapping of
+    /// the hand's workspace.
     void setHasBase(bool has);
 
 signals:

@@ -15,13 +15,14 @@ namespace chiron::desktop {
 class NoticeArea;
 class PasswordFields;
 
-/// The form of the first administrator. GUI thread.
+/// The form for creating the first administrator.
+/// Thread: GUI.
 class AdministratorPage final : public QWidget {
     Q_OBJECT
 public:
     explicit AdministratorPage(const Theme& theme, QWidget* parent = nullptr);
     void focusFirst();
-    void setWorking(bool working); ///< while the site is being made
+    void setWorking(bool working); ///< true while the site is being created
     void showProblem(const QString& text);
 
 signals:

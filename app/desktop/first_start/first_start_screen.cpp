@@ -33,7 +33,8 @@ FirstStartScreen::FirstStartScreen(AppContext& context, const Place& place) : Sc
     m_scroll->column()->addStretch(1);
     m_language = form::languageChoice(context);
     m_scroll->column()->addWidget(m_language, 0, Qt::AlignHCenter);
-    // Built anew in another language or theme while the code was shown: it must not be lost.
+    // If the screen was rebuilt for another language or theme while the code was shown, the code must not be
+    // lost.
     if (const QString code = place.parameters.value(kCode).toString(); !code.isEmpty())
         showRecoveryCode(place.parameters.value(kName).toString(), code);
     else
@@ -77,14 +78,14 @@ QString FirstStartScreen::demonstrationFile(const QString& siteFile) {
 
 void FirstStartScreen::setPage(QWidget* page) {
     if (m_page)
-        m_page->deleteLater(); // the call may come from one of its own buttons
+        m_page->deleteLater(); // the call may come from one of the page's own buttons
     if (m_page)
         m_page->hide();
     m_page = page;
     m_room->addWidget(page);
     if (isVisible())
         page->show(); // now, so that it can take the focus
-    // A page begins at its top, once it has its size.
+    // Scrolls the page to its top once it has its size.
     QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
@@ -133,7 +134,7 @@ void FirstStartScreen::showWelcome() {
     connect(demonstration, &QPushButton::clicked, this, &FirstStartScreen::showDemonstration);
     auto* second = choice(QStringLiteral("view-preview"), tr("Look around first"),
                           tr("Invented people and scripted sessions at every level. Creating them takes about a minute, only once."), demonstration);
-    second->setVisible(!context().site().isOpen()); // an empty site is open: it wants its administrator
+    second->setVisible(!context().site().isOpen()); // an open site without people needs its administrator
     column->addWidget(second);
     setPage(page);
 }
@@ -189,7 +190,8 @@ void FirstStartScreen::showRecoveryCode(const QString& name, const QString& code
     box.layout->setContentsMargins(padding, padding, padding, padding);
     m_code = new RecoveryCodePanel(theme, name, code, RecoveryCodePanel::Backups::none);
     box.layout->addWidget(m_code);
-    context().navigator().note({{kCode, code}, {kName, name}}); // in memory only, and gone with the place
+    // The code is kept in memory only, and discarded with the place.
+    context().navigator().note({{kCode, code}, {kName, name}});
     connect(m_code, &RecoveryCodePanel::finished, this, [this] {
         if (m_actor.kind() == database::ActorKind::person)
             context().logIn(m_actor);

@@ -17,20 +17,21 @@ class RecoveryCodePanel;
 class ScrollPage;
 class StatePanel;
 
-/// The first start on this station: set the site up with its administrator, or look at the demonstration. Also where a
-/// database has no people yet.
+/// The first screen on a new station: set up a site with its administrator, or open the demonstration. It
+/// also appears if the database contains no people yet.
 class FirstStartScreen final : public Screen {
     Q_OBJECT
 public:
     FirstStartScreen(AppContext& context, const Place& place);
-    ~FirstStartScreen() override; ///< a demonstration that is being made is stopped
+    ~FirstStartScreen() override; ///< cancels a demonstration that is being made
 
     QString title() const override;
     QString help() const override;
     void enter() override;
     bool mayLeave() override;
 
-    /// Where the demonstration of this station lies: beside the site's own database, so that both can be there.
+    /// The file of this station's demonstration. It lies beside the site's own database, so that both can
+    /// exist.
     static QString demonstrationFile(const QString& siteFile);
 
 private:
@@ -44,7 +45,7 @@ private:
     void siteMade(const AdministratorRequest& request, core::Result<MadeSite> made);
     void demonstrationMade(core::Result<MadeSite> made);
 
-    std::shared_ptr<WorkToken> m_work; ///< of the demonstration
+    std::shared_ptr<WorkToken> m_work; ///< of the demonstration being made
     QComboBox* m_language;
     ScrollPage* m_scroll;
     QVBoxLayout* m_room = nullptr;
@@ -52,7 +53,7 @@ private:
     QPointer<AdministratorPage> m_administrator;
     QPointer<RecoveryCodePanel> m_code;
     QPointer<StatePanel> m_progress;
-    QPointer<QWidget> m_back; ///< shown when the demonstration failed
+    QPointer<QWidget> m_back; ///< shown if the demonstration failed
     database::Actor m_actor = database::Actor::anonymous();
 };
 

@@ -19,7 +19,7 @@ core::Result<catalogue::Catalogue> loadContent() {
     return catalogue::findContentDirectory().and_then([](const std::string& folder) { return catalogue::Catalogue::load(folder); });
 }
 
-/// What a step makes: "Find the apex, level 1, by Ines Improving, attempt 3 of 5".
+/// Describes a step: "Find the apex, level 1, by Ines Improving, attempt 3 of 5".
 QString doingWords(const session::DemoProgress& now, const catalogue::Catalogue& content, const std::string& language) {
     const auto words = [](const char* text) { return QCoreApplication::translate("SiteMaker", text); };
     const catalogue::Exercise* exercise = content.find(now.exercise);
@@ -43,7 +43,7 @@ core::Result<MadeSite> makeSite(const std::string& file, const database::Databas
     if (!content)
         return tl::unexpected(content.error());
     if (const auto name = database::checkedSiteName(request.siteName); !name)
-        return tl::unexpected(name.error()); // before anything is made
+        return tl::unexpected(name.error()); // before anything is created
     MadeSite made;
     made.catalogue = std::move(*content);
     if (open == nullptr) {

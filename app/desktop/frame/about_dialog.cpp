@@ -12,7 +12,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct AboutDialog {
     Q_DECLARE_TR_FUNCTIONS(AboutDialog)
 };
@@ -42,7 +42,8 @@ QDialog* showAbout(const Theme& theme, QWidget* parent) {
                                                                  "device."), TextStyle::body, "muted")));
     auto* build = centred(kit::label(theme, AboutDialog::tr("Build: %1").arg(QString::fromStdString(core::buildId())), TextStyle::small, "muted"));
     build->setObjectName(QStringLiteral("about.build"));
-    build->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard); // for a report
+    // The text can be copied into a report.
+    build->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     column->addWidget(build);
     auto* close = kit::button(theme, AboutDialog::tr("Close"), "primary");
     close->setObjectName(QStringLiteral("about.close"));

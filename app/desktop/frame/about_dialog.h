@@ -8,7 +8,8 @@ namespace chiron::desktop {
 
 class Theme;
 
-/// What this program is, its version and build, and its licence. Shown without blocking; deletes itself. GUI thread.
+/// Shows the program's purpose, version, build and licence. The dialog does not block and deletes itself.
+/// Thread: GUI.
 QDialog* showAbout(const Theme& theme, QWidget* parent);
 
 } // namespace chiron::desktop

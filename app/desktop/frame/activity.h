@@ -5,7 +5,7 @@
 
 namespace chiron::desktop {
 
-/// Whether an event tells that somebody is at the computer: a key, the pointer, a touch.
+/// Whether an event shows that somebody is using the computer: keyboard, pointer or touch.
 inline bool isActivity(const QEvent& event) {
     switch (event.type()) {
     case QEvent::KeyPress:

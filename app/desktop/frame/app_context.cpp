@@ -8,7 +8,8 @@ namespace chiron::desktop {
 namespace {
 const QString kLanguage = QStringLiteral("language"); // of a person, in the settings
 
-/// The token file is part of the program and checked by a test for each theme: a failure here is a programmer's mistake.
+/// The token file is part of the program and a test checks it for each theme, so a failure here is a
+/// programming error.
 Theme themeOf(const Settings& settings) {
     return Theme::load(settings.theme(), settings.scale()).value();
 }

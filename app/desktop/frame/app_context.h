@@ -13,7 +13,9 @@
 
 namespace chiron::desktop {
 
-/// What screens are given: the parts that main put together. Owns none of the site's data and no rule. GUI thread.
+/// Gives the screens access to the objects that main() assembles, and knows who is logged in. It owns none of
+/// the site's data and contains no rules.
+/// Thread: GUI.
 class AppContext : public QObject {
     Q_OBJECT
 public:
@@ -26,41 +28,47 @@ public:
     Background& background() noexcept { return m_background; }
     const Theme& theme() const noexcept { return m_theme; }
     QLocale locale() const { return Settings::localeOf(language()); }
-    /// Of whoever is logged in, where they have chosen one; otherwise the station's.
+    /// The language that the logged-in person chose, or else the station's.
     QString language() const;
-    QString ownLanguage() const;                   ///< empty: none was chosen
-    void setOwnLanguage(const QString& language);  ///< remembered with the person on this station; empty: the station's again
-    void setStationLanguage(const QString& language); ///< and, so that it is seen, the person's own where they have one
+    QString ownLanguage() const;                   ///< empty if the person chose none
+    /// Stored for the person on this station; empty selects the station's language again.
+    void setOwnLanguage(const QString& language);
+    /// Also replaces the person's own choice, if any, so that the change is visible.
+    void setStationLanguage(const QString& language);
 
-    /// Who is logged in; anonymous before login. Copy it into the work that is handed to Background.
+    /// The person who is logged in; anonymous before login. Copy it into the work that you hand to
+    /// Background.
     const database::Actor& actor() const noexcept { return m_actor; }
     bool loggedIn() const noexcept { return m_actor.kind() == database::ActorKind::person; }
-    /// The login name as it is now: it may have been changed since the login.
+    /// The current login name, which may have changed since the login.
     const std::string& loginName() const noexcept { return m_loginName; }
     void setLoginName(const std::string& name);
     bool has(database::Role role) const { return m_actor.roles().contains(role); }
-    /// Opens the site's database on a worker (what a crash left behind is brought in) and loads the content; siteOpened()
-    /// or siteFailed() follows.
+    /// Opens the site's database on a worker, which also recovers what a crash left behind, and loads the
+    /// content. Emits siteOpened() or siteFailed().
     void openSite();
-    /// A database that was just made (first start, demonstration): takes it over in the place of the file's own.
+    /// Takes over a database that was just created (first start, demonstration) instead of opening the site's
+    /// own file.
     void takeSite(std::unique_ptr<database::Database> database, catalogue::Catalogue catalogue);
 
-    /// After a right password: the home screen. The login screen calls it.
+    /// Goes to the home screen after a correct password. The login screen calls it.
     void logIn(const database::Actor& actor);
-    /// Switch user and log out: back to the login screen; what was recorded is kept.
+    /// Goes back to the login screen, to log out or switch users. Everything recorded is kept.
     void logOut();
-    /// The same without asking the present screen: somebody else takes over a locked window.
+    /// The same without asking the current screen, for the case that another person takes over a locked
+    /// window.
     void logOutNow();
-    /// Theme, scale or language was changed in the settings: everything on the screen is built anew.
+    /// Rebuilds everything on the screen after theme, scale or language was changed in the settings.
     void applyAppearance();
 
-    /// Something shows whether a session is running right now (idle lock, theme changes wait for its end).
+    /// Whether a session is running now. The idle lock and theme changes wait until it ends.
     bool trialRuns() const noexcept { return m_trialRuns; }
     void setTrialRuns(bool runs);
-    /// How many of the person's sessions have comments by others that they have not read; counted where they are shown.
+    /// The number of the person's sessions with comments by others that they have not read. The screens that
+    /// show the comments count them.
     int unread() const noexcept { return m_unread; }
     void setUnread(int sessions);
-    /// A device moved: counts as activity for the idle lock.
+    /// Reports that a device moved, which counts as activity for the idle lock.
     void touch() { emit activity(); }
 
 signals:
@@ -72,9 +80,9 @@ signals:
     void trialRunsChanged(bool runs);
     void unreadChanged(int sessions);
     void activity();
-    void lockAsked(); ///< Ctrl+L or idle: the main window covers itself with the lock
+    void lockAsked(); ///< Ctrl+L or idle: the main window shows the lock
     void unlocked();
-    void backupEnded(); ///< the schedule's, made or failed: what tells of backups reads again
+    void backupEnded(); ///< a scheduled backup succeeded or failed: anything that shows backups reloads
 
 private:
     void setActor(const database::Actor& actor);

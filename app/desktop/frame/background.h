@@ -18,8 +18,8 @@
 
 namespace chiron::desktop {
 
-/// Asks a piece of work to end early, and hears how far it is. Shared by the screen and the worker, because either may
-/// outlive the other.
+/// Lets the GUI cancel a piece of background work and read its progress. The screen and the worker share it,
+/// because either may outlive the other.
 class WorkToken {
 public:
     void cancel() noexcept { m_cancelled.store(true, std::memory_order_relaxed); }
@@ -30,8 +30,9 @@ public:
         m_done.store(done, std::memory_order_relaxed);
     }
     int done() const noexcept { return m_done.load(std::memory_order_relaxed); }
-    int of() const noexcept { return m_of.load(std::memory_order_relaxed); } ///< 0: not known
-    /// What is being done just now, in words for people; empty: nothing more than what was announced.
+    int of() const noexcept { return m_of.load(std::memory_order_relaxed); } ///< 0 if unknown
+    /// What the work is doing now, as text for the user; empty if there is nothing to add to the
+    /// announcement.
     void setDoing(const QString& words) {
         const std::lock_guard lock(m_wordsMutex);
         m_words = words;
@@ -49,14 +50,15 @@ private:
     QString m_words;
 };
 
-/// Work off the GUI thread: lists, scores, Argon2id, backups. `work` runs on a pool thread with connections of its own;
-/// `done` gets its result on the GUI thread, unless `owner` is gone by then. wait() before what the work uses goes. GUI
-/// thread.
+/// Runs work off the GUI thread: lists, scores, Argon2id, backups. `work` runs on a pool thread with its own
+/// database connections. `done` receives the result on the GUI thread, unless `owner` has been destroyed by
+/// then. Call cancelAndWait() before destroying anything that the work uses.
+/// Thread: GUI.
 class Background : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
-    ~Background() override; ///< waits for all of it
+    ~Background() override; ///< waits for all work to end
 
     template <class Work, class Done>
     std::shared_ptr<WorkToken> run(QObject* owner, Work work, Done done) {
@@ -67,7 +69,7 @@ public:
         QPointer<QObject> alive(owner);
         m_pool.start([this, alive, token, work = std::move(work), done = std::move(done)]() mutable {
             using T = std::invoke_result_t<Work, WorkToken&>;
-            auto result = std::make_shared<T>(work(*token)); // shared: posted closures must be copyable
+            auto result = std::make_shared<T>(work(*token)); // shared, because posted closures must be copyable
             QMetaObject::invokeMethod(this, [this, alive, result, done = std::move(done)]() mutable {
                 --m_underWay;
                 if (alive)
@@ -77,15 +79,15 @@ public:
         return token;
     }
 
-    /// Asks everything to end early and waits for it: before the database closes.
+    /// Asks all work to end early and waits for it. Call it before the database closes.
     void cancelAndWait();
-    /// Nothing is running and every result has been delivered.
+    /// True if nothing is running and every result has been delivered.
     bool idle() const { return m_underWay == 0; }
 
 private:
     QThreadPool m_pool;
     std::vector<std::weak_ptr<WorkToken>> m_tokens;
-    int m_underWay = 0; ///< begun, and its result not yet delivered; GUI thread
+    int m_underWay = 0; ///< started, result not yet delivered; GUI thread only
 };
 
 } // namespace chiron::desktop

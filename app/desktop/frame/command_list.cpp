@@ -57,7 +57,7 @@ void addLook(AppContext& context, std::vector<ScreenCommand>& list) {
     };
     list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Larger text and controls")), QKeySequence::ZoomIn, scaleBy(0.25)});
     list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Smaller text and controls")), QKeySequence::ZoomOut, scaleBy(-0.25)});
-    // Each language in its own words.
+    // Each language is named in that language.
     for (const auto& [id, name] : languageChoices())
         list.push_back({words(QT_TRANSLATE_NOOP("Commands", "Language: %1")).arg(name), {}, [&context, language = id] {
                             context.setStationLanguage(language);

@@ -9,13 +9,13 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// A group of commands as the palette and the list of shortcuts show it.
+/// A group of commands, as shown in the palette and in the list of shortcuts.
 struct CommandGroup {
     QString title; ///< translated
     std::vector<ScreenCommand> commands;
 };
 
-/// What the main window itself offers, handed in by it.
+/// The actions that the main window itself offers.
 struct WindowActions {
     std::function<void()> palette;
     std::function<void()> shortcuts;
@@ -24,7 +24,9 @@ struct WindowActions {
     std::function<void()> close;
 };
 
-/// Every command that can be given now: the screen's, the places that the person's roles give, the program's. GUI thread.
+/// All commands that are available now: those of the screen, the screens that the person's roles may open,
+/// and those of the program.
+/// Thread: GUI.
 std::vector<CommandGroup> commandsNow(AppContext& context, Screen* screen, const WindowActions& window);
 
 } // namespace chiron::desktop

@@ -15,10 +15,10 @@ namespace chiron::desktop {
 namespace {
 
 enum Data { kGroup = Qt::UserRole, kCommand };
-constexpr int kFirstFound = 1000; // groups that were found count from here
-constexpr int kGoodFit = 3;       // the letters stand together
+constexpr int kFirstFound = 1000; // indices of the found groups start here
+constexpr int kGoodFit = 3;       // the letters are adjacent
 
-/// By its own words, or by others that somebody may look for it with.
+/// How well a command matches, by its own text or by a synonym.
 int fitOf(const QString& typed, const QString& command) {
     const int own = CommandPalette::fit(typed, command);
     return own < kGoodFit && !furtherWordThatFits(typed, command).isEmpty() ? kGoodFit : own;
@@ -80,7 +80,7 @@ const ScreenCommand& CommandPalette::commandOf(int group, int command) const {
 
 void CommandPalette::type(const QString& text) {
     m_stepped = false;
-    m_found.clear(); // of other letters
+    m_found.clear(); // it belongs to the previous text
     filter();
     emit typed(text);
 }
@@ -90,7 +90,7 @@ void CommandPalette::showFound(std::vector<CommandGroup> found, const QString& w
     const QString chosen = before ? before->text() : QString();
     m_found = std::move(found);
     filter();
-    if (!chosen.isEmpty()) // what comes later does not take the line from under the hand
+    if (!chosen.isEmpty()) // late results must not change the selected line
         if (const auto same = m_list->findItems(chosen, Qt::MatchExactly); !same.isEmpty())
             m_list->setCurrentItem(same.front());
     say(words);
@@ -114,7 +114,7 @@ void CommandPalette::addCommand(int group, int command) {
     const QString keys = given.keys.toString(QKeySequence::NativeText);
     QString text = given.text;
     if (const QString word = group < kFirstFound && fit(m_field->text(), text) < kGoodFit ? furtherWordThatFits(m_field->text(), text) : QString(); !word.isEmpty())
-        text = tr("%1 – %2").arg(text, word); // why it is here
+        text = tr("%1 – %2").arg(text, word); // shows which synonym matched
     auto* item = new QListWidgetItem(keys.isEmpty() ? text : tr("%1   (%2)").arg(text, keys));
     item->setData(kGroup, group);
     item->setData(kCommand, command);
@@ -141,7 +141,7 @@ void CommandPalette::filter() {
     m_list->clear();
     if (m_found.empty()) {
         add(found.begin(), found.end());
-    } else { // a name comes before a command that merely has its letters
+    } else { // a found name comes before a command that only contains the letters
         if (loose != found.begin())
             addHeading(tr("Commands"));
         add(found.begin(), loose);
@@ -160,7 +160,7 @@ void CommandPalette::filter() {
     m_nothing->setVisible(m_list->count() == 0);
 }
 
-/// To the next line that can be chosen; headings cannot.
+/// Moves to the next selectable line, skipping headings.
 void CommandPalette::step(int by) {
     for (int row = m_list->currentRow() + by; row >= 0 && row < m_list->count(); row += by)
         if (m_list->item(row)->flags().testFlag(Qt::ItemIsSelectable)) {

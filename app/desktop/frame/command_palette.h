@@ -12,23 +12,26 @@ class QListWidget;
 
 namespace chiron::desktop {
 
-/// Ctrl+K: type a few letters, press Enter. Every command that can be given now, with its keys. The letters may be anywhere
-/// in the words, in order; words that begin with them come first. What somebody else finds for the letters (people, sessions,
-/// commands of other screens) is listed below, by groups. GUI thread.
+/// The command palette (Ctrl+K): type a few letters and press Enter. It lists every available command with
+/// its shortcut. The typed letters may lie anywhere in the text, in order; commands with a word that begins
+/// with them come first. Results from elsewhere (people, sessions, commands of other screens) are listed
+/// below in groups.
+/// Thread: GUI.
 class CommandPalette final : public QDialog {
     Q_OBJECT
 public:
     CommandPalette(const Theme& theme, std::vector<CommandGroup> groups, QWidget* parent);
 
-    /// How well `typed` fits `text`: 0 not at all; larger is better. Pure; case and accents do not count.
+    /// How well `typed` matches `text`: 0 means no match, larger is better. Pure. Case and accents are
+    /// ignored.
     static int fit(const QString& typed, const QString& text);
 
-    /// What was found for the letters that are typed now, and what is to be said of it (empty: nothing).
+    /// Shows the results for the current text, and a remark about them (none if empty).
     void showFound(std::vector<CommandGroup> found, const QString& words);
     void say(const QString& words);
 
 signals:
-    void typed(const QString& text); ///< after the commands that fit it are shown
+    void typed(const QString& text); ///< emitted after the matching commands are shown
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,12 +47,12 @@ private:
 
     const Theme& m_theme;
     std::vector<CommandGroup> m_groups;
-    std::vector<CommandGroup> m_found; ///< for what is typed now
+    std::vector<CommandGroup> m_found; ///< for the current text
     QLineEdit* m_field;
     QListWidget* m_list;
     QLabel* m_nothing;
     QLabel* m_words;
-    bool m_stepped = false; ///< the person chose a line since the last letter
+    bool m_stepped = false; ///< the person moved the selection since the last letter
 };
 
 } // namespace chiron::desktop

@@ -12,11 +12,11 @@ namespace chiron::desktop {
 namespace {
 
 struct OfCommand {
-    const char* command; ///< as command_list.cpp says it
+    const char* command; ///< as in command_list.cpp
     const char* words;
 };
 
-// As ScreenEntry::furtherWords, of commands that open no screen of the navigation.
+// Like ScreenEntry::furtherWords, for commands that do not open a screen of the navigation.
 constexpr OfCommand kOfCommands[] = {
     {QT_TRANSLATE_NOOP("Commands", "Sessions to review"), QT_TRANSLATE_NOOP("CommandWords", "assess, feedback, look at, mark, grade, inbox, to do")},
     {QT_TRANSLATE_NOOP("Commands", "Comments"), QT_TRANSLATE_NOOP("CommandWords", "feedback, notes, remarks, messages, answers, replies, review")},

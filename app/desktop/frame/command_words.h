@@ -5,11 +5,12 @@
 
 namespace chiron::desktop {
 
-/// Further words by which somebody may look for a command ("sign out" for "Log out"), in the language of the program, with commas between
-/// them; empty where there are none. `command`: its translated text, which is what the palette knows a command by.
+/// Synonyms by which somebody may look for a command ("sign out" for "Log out"), in the program's language,
+/// separated by commas; empty if there are none. `command` is the command's translated text, by which the
+/// palette identifies it.
 QString furtherWordsOf(const QString& command);
 
-/// The one of them that the letters begin a word of; empty: none does.
+/// The synonym with a word that begins with the typed letters; empty if there is none.
 QString furtherWordThatFits(const QString& typed, const QString& command);
 
 } // namespace chiron::desktop

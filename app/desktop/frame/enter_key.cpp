@@ -30,7 +30,7 @@ bool EnterKey::eventFilter(QObject* watched, QEvent* event) {
     const bool pushes = qobject_cast<QPushButton*>(button) || qobject_cast<QToolButton*>(button);
     if (!pushes)
         return false;
-    if (!key.isAutoRepeat()) // held down it presses once
+    if (!key.isAutoRepeat()) // a held key presses only once
         button->click();
     return true;
 }

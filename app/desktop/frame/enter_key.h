@@ -5,8 +5,10 @@
 
 namespace chiron::desktop {
 
-/// Enter presses the button that has the focus, on every screen and in every dialog, whatever the dialog's default is. Text fields, tables
-/// and everything else keep their own meaning of Enter. A filter on the application. GUI thread.
+/// Makes Enter press the focused button on every screen and in every dialog, whatever the dialog's default
+/// button is. In text fields, tables and all other widgets Enter keeps its own meaning. It is an event filter
+/// on the application.
+/// Thread: GUI.
 class EnterKey final : public QObject {
     Q_OBJECT
 public:

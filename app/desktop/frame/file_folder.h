@@ -9,9 +9,11 @@ namespace chiron::desktop {
 
 class Settings;
 
-/// Lets a file dialog begin where something was chosen last for this purpose ("reports"), the first time in `usual`, or else in the
-/// person's documents; and remembers on this station what is chosen now. A folder that is gone is no place to begin. Call it before a
-/// file is suggested (QFileDialog::selectFile). GUI thread.
+/// Opens a file dialog in the folder that was last used for this purpose ("reports"), and remembers on this
+/// station the folder that is chosen now. The first time it opens in `usual`, or else in the person's
+/// documents folder. A remembered folder that no longer exists is ignored. Call it before suggesting a file
+/// name (QFileDialog::selectFile).
+/// Thread: GUI.
 void beginInLastFolder(Settings& settings, QFileDialog& dialog, const QString& purpose, const QString& usual = {});
 
 } // namespace chiron::desktop

@@ -17,7 +17,7 @@ bool FocusKeeper::canTake(const QWidget* control) const {
 
 void FocusKeeper::moved(QWidget* before, QWidget* now) {
     if (now && now != m_place)
-        m_waiting = nullptr; // somebody wanted it elsewhere
+        m_waiting = nullptr; // the person moved it elsewhere
     m_before = before;
     m_place = now;
     m_justMoved = true;
@@ -32,7 +32,7 @@ void FocusKeeper::moved(QWidget* before, QWidget* now) {
         lost(before);
     if (!now || now->window() != &m_window)
         return;
-    now->installEventFilter(this); // from now on: it goes with the control
+    now->installEventFilter(this); // the filter stays until the control is destroyed
     if (qobject_cast<QAbstractItemView*>(now))
         m_list = now;
 }
@@ -47,7 +47,8 @@ bool FocusKeeper::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Hide:
     case QEvent::Show:
         if (canTake(control) && control == m_waiting)
-            QMetaObject::invokeMethod(this, &FocusKeeper::giveBack, Qt::QueuedConnection); // once the others are what they will be
+            // Deferred until the other controls are in their final state.
+            QMetaObject::invokeMethod(this, &FocusKeeper::giveBack, Qt::QueuedConnection);
         else if (!canTake(control) && control == QApplication::focusWidget())
             m_hidden = control;
         else if (!canTake(control) && control == m_before && m_justMoved && (m_movedOn || !m_place))

@@ -7,9 +7,12 @@
 
 namespace chiron::desktop {
 
-/// Keeps the focus where the work is. Qt gives the focus of a control that is disabled or hidden to whatever stands next; a
-/// button whose action is done, or a list that loads anew, would lose it so. Here it goes to the list that was worked in, and
-/// else back to the control once that can take it again. Whoever moves the focus meanwhile keeps it there. GUI thread.
+/// Keeps the keyboard focus where the person is working. When a focused control is disabled or hidden, Qt
+/// moves the focus to the next control; a button whose action has been carried out, or a list that reloads,
+/// would lose the focus in this way. This class returns it to the list that was last used, or else to the
+/// control itself once it can take the focus again. If the person moves the focus in the meantime, it stays
+/// there.
+/// Thread: GUI.
 class FocusKeeper final : public QObject {
     Q_OBJECT
 public:
@@ -25,13 +28,15 @@ private:
     bool canTake(const QWidget* control) const;
 
     QWidget& m_window;
-    QPointer<QWidget> m_before;  ///< had the focus last
-    QPointer<QWidget> m_place;   ///< took it from there
-    QPointer<QWidget> m_list;    ///< the list that had it last
-    QPointer<QWidget> m_hidden;  ///< has been hidden and still has it: Qt moves it next
-    QPointer<QWidget> m_waiting; ///< lost it, and is to have it again
-    bool m_justMoved = false;    ///< in the present turn of the event loop
-    bool m_movedOn = false;      ///< as Qt does for a control that is going, and as Tab does
+    QPointer<QWidget> m_before;  ///< had the focus before m_place
+    QPointer<QWidget> m_place;   ///< has the focus now
+    QPointer<QWidget> m_list;    ///< the list that last had the focus
+    QPointer<QWidget> m_hidden;  ///< hidden or disabled with the focus; Qt moves the focus next
+    QPointer<QWidget> m_waiting; ///< lost the focus and gets it back
+    bool m_justMoved = false;    ///< the focus moved in this turn of the event loop
+    /// The focus moved forward as by Tab, which is also how Qt moves it away from a control that is disabled or
+    /// hidden.
+    bool m_movedOn = false;
 };
 
 } // namespace chiron::desktop

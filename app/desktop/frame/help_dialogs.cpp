@@ -16,7 +16,7 @@ QString words(const char* text) {
     return QCoreApplication::translate("HelpDialogs", text);
 }
 
-/// A dialog with a page that scrolls and a button to close it.
+/// A dialog with a scrolling page and a button to close it.
 QDialog* makeDialog(const Theme& theme, const QString& name, const QString& title, ScrollPage*& page, QWidget* parent) {
     auto* dialog = new QDialog(parent);
     dialog->setObjectName(name);

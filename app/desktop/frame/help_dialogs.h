@@ -9,12 +9,15 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// "?": every shortcut that works now, by group. Shown without blocking; deletes itself. GUI thread.
+/// "?": lists every shortcut that works now, by group. The dialog does not block and deletes itself.
+/// Thread: GUI.
 QDialog* showShortcuts(const Theme& theme, const std::vector<CommandGroup>& groups, QWidget* parent);
-/// F1: what the screen is for, and its own commands. Shown without blocking; deletes itself. GUI thread.
+/// F1: shows the purpose of the screen and its own commands. The dialog does not block and deletes itself.
+/// Thread: GUI.
 QDialog* showHelp(const Theme& theme, Screen& screen, QWidget* parent);
 
-/// Words that had no room where they were said. Shown without blocking; deletes itself. GUI thread.
+/// Shows a text in full that had to be shortened elsewhere. The dialog does not block and deletes itself.
+/// Thread: GUI.
 QDialog* showWords(const Theme& theme, const QString& title, const QString& text, QWidget* parent);
 
 } // namespace chiron::desktop

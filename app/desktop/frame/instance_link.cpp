@@ -27,7 +27,7 @@ QString socketPath(const QString& databaseFile) {
         .filePath(QStringLiteral("chiron-%1.socket").arg(QString::fromLatin1(name)));
 }
 
-/// False where the path is longer than a socket's name may be.
+/// Returns false if the path is longer than a socket's name may be.
 bool addressOf(const QString& path, sockaddr_un& address) {
     const QByteArray bytes = QFile::encodeName(path);
     address = {};
@@ -59,7 +59,7 @@ core::Result<void> InstanceLink::listen() {
     const int made = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (made < 0)
         return core::fail(core::ErrorCode::storage, place + ": " + std::strerror(errno));
-    QFile::remove(m_path); // of a program that died: we hold the lock, so nobody listens there
+    QFile::remove(m_path); // left by a crashed program: this process holds the lock, so nobody listens there
     if (::bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
         const std::string why = std::strerror(errno);
         ::close(made);

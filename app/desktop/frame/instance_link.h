@@ -10,19 +10,21 @@ class QSocketNotifier;
 
 namespace chiron::desktop {
 
-/// Lets a second desktop on the same database raise the first one's window (data.md, Writing). A datagram socket in the
-/// user's runtime folder, named after the database: who holds the database's lock listens, who is refused it knocks. Plain
-/// system calls, because Qt Network would cost the program's start more than everything else on this screen. GUI thread.
+/// Lets a second desktop on the same database raise the first one's window (data.md, Writing). It uses a
+/// datagram socket in the user's runtime folder, named after the database. The process that holds the
+/// database's lock listens on it; a process that is refused the lock sends to it. It uses plain system calls,
+/// because loading Qt Network would add more to the program's start than everything else on this screen.
+/// Thread: GUI.
 class InstanceLink final : public QObject {
     Q_OBJECT
 public:
     explicit InstanceLink(const QString& databaseFile, QObject* parent = nullptr);
-    ~InstanceLink() override; ///< the socket's name goes with it
+    ~InstanceLink() override; ///< removes the socket's name
 
-    /// Only by the holder of the database's lock: a name left over by a crash is replaced. Failure: storage; nothing else
-    /// depends on it.
+    /// Only the holder of the database's lock may call this. A socket name left over by a crash is replaced.
+    /// Errors: storage; nothing else depends on it.
     core::Result<void> listen();
-    /// True when a program that listens was asked to come forward.
+    /// Returns true if a listening program was asked to raise its window.
     static bool raiseOther(const QString& databaseFile);
 
 signals:

@@ -8,7 +8,8 @@
 #include <QLocale>
 #include <QTranslator>
 
-/// The catalogues are part of a static library, whose resources the linker leaves out unless they are asked for.
+/// The catalogues are part of a static library, and the linker leaves out its resources unless they are
+/// requested.
 static void initialiseCatalogues() {
     Q_INIT_RESOURCE(i18n);
 }
@@ -22,9 +23,9 @@ void installLanguage(QCoreApplication& application, const QString& language) {
         delete old;
     }
     QStringList files{QStringLiteral(":/i18n/chiron_%1.qm").arg(language)};
-    if (language != QLatin1String("en")) // Qt's own words are English already
+    if (language != QLatin1String("en")) // Qt's own texts are already English
         files.prepend(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_%1.qm").arg(language));
-    for (const QString& file : files) { // the one installed last is asked first: ours
+    for (const QString& file : files) { // the one installed last takes precedence: Chiron's
         auto* translator = new QTranslator(&application);
         if (translator->load(file))
             QCoreApplication::installTranslator(translator);

@@ -9,12 +9,15 @@ class QCoreApplication;
 
 namespace chiron::desktop {
 
-/// Puts the catalogues of this language in the place of those that are installed: Qt's own where the system has them, then
-/// ours. GUI thread.
+/// Replaces the installed translation catalogues with those of this language: Qt's own, if the system has
+/// them, then Chiron's.
+/// Thread: GUI.
 void installLanguage(QCoreApplication& application, const QString& language);
-/// In its own words, so that whoever reads it finds it: "English", "Deutsch", "Ελληνικά"; others as the system calls them.
+/// The name of a language in that language, so that its speakers recognise it: "English", "Deutsch",
+/// "Ελληνικά"; other languages as the system names them.
 QString languageName(const QString& language);
-/// The languages that the interface can be in, each as its id ("de") and its name in its own words, English first.
+/// The languages of the interface, each with its id ("de") and its name in that language; English comes
+/// first.
 std::vector<std::pair<QString, QString>> languageChoices();
 
 } // namespace chiron::desktop

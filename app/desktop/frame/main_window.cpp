@@ -69,7 +69,7 @@ void MainWindow::build() {
     auto* row = new QHBoxLayout(m_frame);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    // Only what is seen now: the login must be there as soon as an empty window would.
+    // Builds only what is visible now, so that the login appears as quickly as an empty window would.
     m_sideBar = nullptr;
     if (m_context.loggedIn()) {
         m_sideBar = new SideBar(m_context);
@@ -90,12 +90,12 @@ void MainWindow::build() {
     m_column->addWidget(m_messageRoom);
     row->addLayout(m_column, 1);
     if (QWidget* before = centralWidget())
-        before->setEnabled(false); // work that ends before it is deleted must not move the focus into it
-    setCentralWidget(m_frame); // deletes the frame before
-    m_frame->show(); // now: nothing in a hidden frame can take the focus
+        before->setEnabled(false); // work that ends before the deletion must not move the focus into it
+    setCentralWidget(m_frame); // deletes the previous frame
+    m_frame->show(); // now, because nothing in a hidden frame can take the focus
 }
 
-/// The room that messages are shown in; between them it says what helps everywhere.
+/// The room that messages are shown in. Without a message it shows hints that help everywhere.
 QWidget* MainWindow::statusLine() const {
     const Theme& theme = m_context.theme();
     auto* line = new QWidget;
@@ -125,13 +125,15 @@ void MainWindow::tell(const Message& message) {
         m_messages = new MessageBar(m_context.theme(), m_frame);
     const Place& place = m_context.navigator().current();
     if (const ScreenEntry* entry = findScreen(place.screen); entry && !entry->sitting)
-        m_messageRoom->show(); // on the login, too; it stays until somebody goes elsewhere, so that nothing moves twice
+        // The room also appears on the login; it stays until the screen changes, so that nothing moves twice.
+        m_messageRoom->show();
     m_messages->setRoom(m_messageRoom->isHidden() ? nullptr : m_messageRoom);
-    m_frame->layout()->activate(); // its place is known now
+    m_frame->layout()->activate(); // its position is known now
     m_messages->tell(message);
 }
 
-/// A sitting and the login need the whole window: the one has a message float where no control is, the other makes room with the first message.
+/// Training sessions, study sessions and the login need the whole window. During a session a message floats
+/// where there is no control; the login makes room with the first message.
 void MainWindow::showMessageRoom(const Place& place) {
     const ScreenEntry* entry = findScreen(place.screen);
     const bool told = m_messages && m_messages->isVisible();
@@ -153,11 +155,11 @@ void MainWindow::showPlace(const Place& place) {
     if (!entry)
         return;
     if (m_rebuildWanted)
-        build(); // another person: another navigation
+        build(); // another person has another navigation
     else if (m_screen) {
         m_stage->removeWidget(m_screen);
         m_screen->hide();
-        m_screen->setEnabled(false); // work that ends meanwhile must not move the focus into it
+        m_screen->setEnabled(false); // work that ends in the meantime must not move the focus into it
         m_screen->deleteLater(); // the call may come from one of its own buttons
     }
     if (m_sideBar)
@@ -172,7 +174,7 @@ void MainWindow::showPlace(const Place& place) {
     showMessageRoom(place);
     m_screen = entry->make(m_context, place);
     m_stage->addWidget(m_screen);
-    m_screen->show(); // now, so that enter() can give one of its controls the focus
+    m_screen->show(); // now, so that enter() can focus one of its controls
     if (m_sideBar)
         m_sideBar->showCurrent(place.screen);
     setWindowTitle(tr("%1 - Chiron").arg(m_screen->title()));
@@ -188,9 +190,12 @@ void MainWindow::renewShortcuts() {
             if (command.keys.isEmpty() || !command.registersKeys || !command.act)
                 continue;
             auto* shortcut = new QShortcut(command.keys, this);
-            connect(shortcut, &QShortcut::activated, m_shortcuts, command.act, Qt::QueuedConnection); // the act may renew the shortcuts
+            // The call is queued, because the action may replace the shortcuts.
+            connect(shortcut, &QShortcut::activated, m_shortcuts, command.act, Qt::QueuedConnection);
             connect(m_shortcuts, &QObject::destroyed, shortcut, [shortcut] {
-                shortcut->setEnabled(false); // at once: two for the same keys would be ambiguous, and neither would act
+                // This happens at once, because two shortcuts for the same keys are ambiguous and neither
+                // acts.
+                shortcut->setEnabled(false);
                 shortcut->deleteLater();
             });
         }

@@ -18,8 +18,9 @@ struct Message;
 class Screen;
 class SideBar;
 
-/// The window: navigation, the present screen, messages. Builds the screens that the navigator asks for, and everything
-/// anew when the appearance changes. GUI thread.
+/// The main window, with the navigation, the current screen and the messages. It builds the screens that the
+/// navigator asks for, and rebuilds everything when the appearance changes.
+/// Thread: GUI.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ public:
     Screen* screen() const { return m_screen; }
 
 signals:
-    void firstPainted(); ///< once: what is slow to load may begin
+    void firstPainted(); ///< emitted once; slow loading may start now
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -49,13 +50,14 @@ private:
     AppContext& m_context;
     WindowActions m_actions;
     PaletteFinder* m_finder = nullptr;
-    QObject* m_shortcuts = nullptr; ///< parent of the keys that work now
+    QObject* m_shortcuts = nullptr; ///< parent of the active shortcuts
     QWidget* m_frame = nullptr;
-    SideBar* m_sideBar = nullptr;     ///< null before somebody is logged in
+    SideBar* m_sideBar = nullptr;     ///< null before login
     QVBoxLayout* m_column = nullptr;
-    QWidget* m_banner = nullptr;      ///< made when it is first needed, as the messages are
+    QWidget* m_banner = nullptr;      ///< created when first needed, like the messages
     MessageBar* m_messages = nullptr;
-    QWidget* m_messageRoom = nullptr; ///< below the screen, so that no message covers a control or moves one
+    /// Lies below the screen, so that a message neither covers a control nor moves one.
+    QWidget* m_messageRoom = nullptr;
     QVBoxLayout* m_stage = nullptr;
     Screen* m_screen = nullptr;
     bool m_rebuildWanted = false;

@@ -21,12 +21,12 @@ namespace {
 
 constexpr int kShown_ms = 8000; // long enough to read two lines and reach for Undo
 constexpr int kWatch_ms = 200;
-constexpr double kWidths_px[] = {760, 560, 400, 300}; // where it floats
+constexpr double kWidths_px[] = {760, 560, 400, 300}; // while it floats
 constexpr double kMargin_px = 12;
-constexpr double kAbove_px = 2; // within its room
+constexpr double kAbove_px = 2; // above the text, within its room
 constexpr double kBelow_px = 6;
 constexpr double kPadding_px = 3;
-constexpr int kFrame_px = 2; // the style sheet's lines
+constexpr int kFrame_px = 2; // lines of the style sheet
 constexpr double kStep_px = 8;
 
 struct Look {
@@ -49,25 +49,25 @@ Look lookOf(MessageKind kind) {
     return {};
 }
 
-/// Something that can be pressed, typed into or moved, and how bad it would be to cover it.
+/// A widget that can be pressed, typed into or moved, and the cost of covering it.
 struct UsablePart {
     QRect place;
     int weight = 0;
 };
 
-constexpr int kScene = 1; // large, and still seen around a message
+constexpr int kScene = 1; // large, and still visible around a message
 constexpr int kControl = 100;
 
 int weightOf(const QWidget& part) {
     if (qobject_cast<const QScrollArea*>(&part))
-        return 0; // what lies in it counts
+        return 0; // its contents count instead
     for (const char* kind : {"QAbstractButton", "QLineEdit", "QComboBox", "QAbstractSpinBox", "QAbstractSlider", "QAbstractItemView", "QTextEdit", "QPlainTextEdit", "QTabBar"})
         if (part.inherits(kind))
             return kControl;
     return part.focusPolicy() != Qt::NoFocus || part.testAttribute(Qt::WA_NativeWindow) ? kScene : 0;
 }
 
-/// Those that lie in `over`, without what is in `besides`.
+/// The usable parts within `over`, except those in `besides`.
 std::vector<UsablePart> usableParts(const QWidget& over, const QWidget& besides) {
     std::vector<UsablePart> parts;
     for (const QWidget* each : over.findChildren<QWidget*>()) {
@@ -160,7 +160,7 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     return QFrame::eventFilter(watched, event);
 }
 
-/// Of everything in the row but the words, with the spaces between.
+/// The width of everything in the row except the text, including spacing.
 int MessageBar::widthOfOthers() const {
     const QMargins margins = layout()->contentsMargins();
     int width = margins.left() + margins.right() + kFrame_px;
@@ -170,7 +170,7 @@ int MessageBar::widthOfOthers() const {
     return width;
 }
 
-/// As many words as have room; the others are shown when asked for.
+/// Shows as many words as fit; "Show all" reveals the rest.
 void MessageBar::fitText(int width, int height) {
     const QFontMetrics metrics(m_text->font());
     const auto fits = [&](const QString& words) {
@@ -178,7 +178,7 @@ void MessageBar::fitText(int width, int height) {
         return metrics.boundingRect(wide, Qt::TextWordWrap, words).height() <= height - 2 * m_theme.px(kPadding_px) - kFrame_px;
     };
     m_more->hide();
-    const QString words = m_whole.simplified(); // an end of a line would cost one
+    const QString words = m_whole.simplified(); // a line break would waste space
     for (const QString& all : {m_whole, words})
         if (fits(all)) {
             m_text->setText(all);
@@ -198,7 +198,7 @@ void MessageBar::fitText(int width, int height) {
     m_text->setToolTip(m_whole);
 }
 
-/// Its place: in its room, or floating.
+/// Positions the bar in its room, or floating.
 void MessageBar::settle() {
     const QWidget* over = parentWidget();
     if (!over)
@@ -216,8 +216,8 @@ void MessageBar::settle() {
     setGeometry(place);
 }
 
-/// Without a room: where it covers no control and is not between the pointer and what it points at; low rather than high. Where there is no
-/// such place, over the scene rather than over a control.
+/// The position without a room: where it covers no control and does not lie between the pointer and its
+/// target, preferably low. If there is no such position, it covers the scene rather than a control.
 QRect MessageBar::freePlace() const {
     const QWidget& over = *parentWidget();
     const std::vector<UsablePart> parts = usableParts(over, *this);
@@ -244,7 +244,7 @@ QRect MessageBar::freePlace() const {
     return best;
 }
 
-/// Over everything that is there.
+/// Raises the bar above everything else.
 void MessageBar::rise() {
     const QWidget* over = parentWidget();
     if (!over)
@@ -253,7 +253,7 @@ void MessageBar::rise() {
     const QList<QWidget*> others = over->findChildren<QWidget*>();
     if (std::any_of(others.begin(), others.end(), [this](const QWidget* other) { return other != this && other->testAttribute(Qt::WA_NativeWindow); })) {
         setAttribute(Qt::WA_DontCreateNativeAncestors);
-        setAttribute(Qt::WA_NativeWindow); // else the window of a 3D scene would cover it
+        setAttribute(Qt::WA_NativeWindow); // otherwise the window of a 3D scene would cover it
     }
     raise();
     if (!m_room)
@@ -279,7 +279,7 @@ void MessageBar::tell(const Message& message) {
     m_act = message.action;
     rise();
     show();
-    settle(); // styled now, its sizes are known
+    settle(); // after styling, so that its sizes are known
     m_timer->stop();
     if (message.kind != MessageKind::error)
         m_timer->start(kShown_ms);

@@ -13,23 +13,27 @@ class QTimer;
 
 namespace chiron::desktop {
 
-/// The message at the bottom of the window: sign, words, perhaps one action ("Undo"), close. Errors stay, others go. It lies in a room that
-/// is kept for it, so that nothing moves and no control is covered when it comes or goes. Words that have no room there are shortened and shown
-/// whole when asked for. Without a room (a sitting needs the whole window) it floats where no control is that can be used. GUI thread.
+/// The message at the bottom of the window: icon, text, an optional action ("Undo") and a close button.
+/// Errors stay until they are closed, others disappear after a while. The bar lies in a reserved room, so
+/// that showing or hiding a message moves nothing and covers no control. A text that is too long for it is
+/// shortened and shown in full on request. Without a reserved room (training sessions and study runs need the
+/// whole window) the bar floats where it covers no usable control.
+/// Thread: GUI.
 class MessageBar final : public QFrame {
     Q_OBJECT
 public:
-    /// Floats over `parent`, until it is given a room in it.
+    /// The bar floats over `parent` until setRoom() gives it a room there.
     explicit MessageBar(const Theme& theme, QWidget* parent = nullptr);
     void tell(const Message& message);
     /// `room` lies within the parent and outlives the bar, or is null.
     void setRoom(QWidget* room);
 
-    /// The height that a room needs: of two lines, or a button.
+    /// The height that a room needs for two lines of text or a button.
     static int roomHeight(const Theme& theme);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; ///< size and place of parent and room
+    /// Follows size and position of parent and room.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void build();
@@ -48,7 +52,7 @@ private:
     QPushButton* m_action = nullptr;
     QPushButton* m_close = nullptr;
     QTimer* m_timer = nullptr;
-    QTimer* m_watch = nullptr; ///< while it floats: controls may come
+    QTimer* m_watch = nullptr; ///< runs while the bar floats, because controls may appear below it
     QString m_whole;
     std::function<void()> m_act;
 };

@@ -9,24 +9,28 @@
 
 namespace chiron::desktop {
 
-/// What was tried when an error came: its words must not say "saved" where something was only read.
+/// What the program was doing when an error occurred. The message must not say that something was saved if it
+/// was only being read.
 enum class Tried {
-    saving,  ///< or changing, making, running
-    reading, ///< of what is stored
-    opening, ///< of the site itself
+    saving,  ///< also changing, making or running something
+    reading, ///< reading stored data
+    opening, ///< opening the site itself
 };
 
 enum class MessageKind { done, information, warning, error };
 
-/// One short message at the bottom of the window, in words and with a sign: what happened, what was kept, what to do.
+/// One short message at the bottom of the window, as text with an icon: what happened, what was kept, what to
+/// do.
 struct Message {
     MessageKind kind = MessageKind::information;
     QString text;
-    QString actionText; ///< "Undo"; empty: none
+    QString actionText; ///< for example "Undo"; empty if there is no action
     std::function<void()> action;
 };
 
-/// Screens tell; the main window shows. Messages that are errors stay until closed, others go after some seconds. GUI thread.
+/// Passes messages from the screens to the main window, which shows them. Errors stay until they are closed;
+/// others disappear after some seconds.
+/// Thread: GUI.
 class Messages : public QObject {
     Q_OBJECT
 public:
@@ -36,14 +40,15 @@ public:
     void done(const QString& text) { tell({MessageKind::done, text, {}, {}}); }
     void information(const QString& text) { tell({MessageKind::information, text, {}, {}}); }
     void warning(const QString& text) { tell({MessageKind::warning, text, {}, {}}); }
-    /// `what` is the sentence of the screen ("The session could not be opened."); the error's own words follow.
+    /// `what` is the screen's own sentence ("The session could not be opened."); the error's text follows it.
     void error(const QString& what, const core::Error& error, Tried tried = Tried::saving);
 
 signals:
     void told(const chiron::desktop::Message& message);
 };
 
-/// An error in words for people: what kind it is, what to do, then the message's own details.
+/// Describes an error for the user: what kind of error it is, what to do, and then the details of its
+/// message.
 QString inWords(const core::Error& error, Tried tried = Tried::saving);
 
 } // namespace chiron::desktop

@@ -9,7 +9,9 @@
 
 namespace chiron::desktop {
 
-/// Where the program is and was. Screens ask to go somewhere; the main window listens and builds the screen. GUI thread.
+/// Keeps the current place and the history of places. Screens ask to go somewhere; the main window listens
+/// and builds the screen.
+/// Thread: GUI.
 class Navigator : public QObject {
     Q_OBJECT
 public:
@@ -17,20 +19,22 @@ public:
 
     const Place& current() const noexcept { return m_current; }
     bool canGoBack() const noexcept { return !m_past.empty(); }
-    /// Asks to go there; what is now becomes the past. Nothing happens where the present screen may not be left.
+    /// Goes to a place and adds the current one to the history. Does nothing if the current screen may not be
+    /// left.
     void go(const Place& place);
     void go(const QString& screen, const QVariantMap& parameters = {}) { go(Place{screen, parameters}); }
-    /// The same without a past: for screens that nobody returns to (training -> debrief, login -> home).
+    /// The same without adding to the history, for screens that nobody returns to (training -> debrief, login
+    /// -> home).
     void replace(const Place& place);
-    /// replace() that asks nobody.
+    /// The same as replace(), but without asking whether the current screen may be left.
     void replaceNow(const Place& place);
     void back();
-    /// Forgets the past: after login and logout.
+    /// Clears the history, after login and logout.
     void forget() { m_past.clear(); }
-    /// The present screen now shows something else (a filter, a moment); it is not built anew.
+    /// Records that the current screen now shows something else (a filter, a moment), without rebuilding it.
     void note(const QVariantMap& parameters) { m_current.parameters = parameters; }
 
-    /// Asked before the present screen is left; set by the main window.
+    /// The guard is asked before the current screen is left. The main window sets it.
     void setGuard(std::function<bool()> mayLeave) { m_mayLeave = std::move(mayLeave); }
 
 signals:

@@ -15,7 +15,7 @@ namespace chiron::desktop {
 namespace {
 
 constexpr int kPause_ms = 120;
-constexpr int kShortest = 2; // letters: one is in nearly everything
+constexpr int kShortest = 2; // a single letter matches nearly everything
 
 QString titleOfKind(ThingKind kind) {
     switch (kind) {
@@ -33,7 +33,7 @@ QString titleOfKind(ThingKind kind) {
     return {};
 }
 
-/// Gives the focus to the button with these words once it can be pressed; the screen may still be loading.
+/// Focuses the button with this text once it is enabled, because the screen may still be loading.
 class FocusWhenReady final : public QObject {
 public:
     FocusWhenReady(QWidget* screen, QString text) : QObject(screen), m_screen(screen), m_text(std::move(text)) {
@@ -83,7 +83,7 @@ void PaletteFinder::forget() {
 
 void PaletteFinder::serve(CommandPalette& palette) {
     m_palette = &palette;
-    m_index.reset(); // what was recorded meanwhile is to be found, too
+    m_index.reset(); // so that new recordings are found, too
     if (m_work)
         m_work->cancel();
     m_work.reset();
@@ -99,7 +99,8 @@ void PaletteFinder::serve(CommandPalette& palette) {
     QTimer::singleShot(0, this, &PaletteFinder::collectNext);
 }
 
-// One screen a turn of the event loop: what somebody types meanwhile is not kept waiting. A screen that was not entered reads nothing.
+// Collects one screen per turn of the event loop, so that typing stays responsive. The screens are not
+// entered, so they read nothing.
 void PaletteFinder::collectNext() {
     if (m_toCollect.isEmpty() || !m_palette)
         return;
@@ -110,7 +111,7 @@ void PaletteFinder::collectNext() {
         Elsewhere found{id, screen->title(), {}};
         for (const ScreenCommand& command : screen->commands())
             found.commands << command.text;
-        m_context.navigator().note(before); // some note what they show
+        m_context.navigator().note(before); // some screens note their state when constructed
         m_elsewhere.push_back(std::move(found));
     }
     QTimer::singleShot(0, this, &PaletteFinder::collectNext);
@@ -133,7 +134,7 @@ void PaletteFinder::find() {
         return;
     }
     if (m_work)
-        return; // it is being read; what is typed then is looked for
+        return; // reading is in progress; its result is searched for the latest text
     m_palette->say(tr("Searching people, sessions and studies …"));
     SearchQuestion question{m_context.actor(), m_context.language(), m_context.locale(), m_context.site().catalogue()};
     m_work = m_context.background().run(
@@ -155,7 +156,7 @@ std::vector<ScreenCommand> PaletteFinder::commandsElsewhere(const QString& typed
     std::vector<ScreenCommand> list;
     for (const Elsewhere& there : m_elsewhere) {
         if (there.screen == m_context.navigator().current().screen)
-            continue; // listed as what can be done here
+            continue; // already listed as a command of this screen
         for (const QString& command : there.commands)
             if (CommandPalette::fit(typed, command) >= kGoodFit && static_cast<int>(list.size()) < kMost)
                 list.push_back({tr("%1: %2").arg(there.title, command), {}, [this, screen = there.screen, command] {

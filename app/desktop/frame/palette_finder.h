@@ -15,17 +15,18 @@ class AppContext;
 class CommandPalette;
 class WorkToken;
 
-/// Finds for the palette what is not on the present screen: people, exercises, sessions and studies by name, on a worker and read
-/// once for each opening; and the commands of the other screens, each of which leads to its screen with the focus on its button, so
-/// that nothing is done to something that is not seen. GUI thread.
+/// Finds for the command palette what is not on the current screen. People, exercises, sessions and studies
+/// are found by name; a worker reads them once per opening of the palette. Commands of other screens lead to
+/// their screen with the focus on their button, so that nothing happens to something that is not visible.
+/// Thread: GUI.
 class PaletteFinder final : public QObject {
     Q_OBJECT
 public:
-    static constexpr int kMost = 6; ///< of one kind
+    static constexpr int kMost = 6; ///< results shown per kind
 
     PaletteFinder(AppContext& context, QObject* parent);
 
-    void serve(CommandPalette& palette); ///< until that closes
+    void serve(CommandPalette& palette); ///< until the palette closes
 
 private:
     void forget();
@@ -43,12 +44,12 @@ private:
 
     AppContext& m_context;
     QPointer<CommandPalette> m_palette;
-    QTimer m_pause; ///< between two letters nobody needs an answer
+    QTimer m_pause; ///< delays the search until typing pauses
     QString m_typed;
     std::shared_ptr<const SearchIndex> m_index;
     std::shared_ptr<WorkToken> m_work;
     QStringList m_toCollect;
-    std::vector<Elsewhere> m_elsewhere; ///< of this person, in this language
+    std::vector<Elsewhere> m_elsewhere; ///< for the current person and language
     bool m_collected = false;
 };
 

@@ -13,7 +13,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct PaletteSearch {
     Q_DECLARE_TR_FUNCTIONS(PaletteSearch)
 };
@@ -26,7 +26,7 @@ void add(SearchIndex& index, ThingKind kind, const QString& text, const QString&
     of(index, kind).push_back({text, forSearch(text + QLatin1Char(' ') + more), std::move(place)});
 }
 
-/// Somebody who may not list something finds none of it; anything else is told.
+/// Returns whether the reading succeeded. A missing permission gives no results; any other error is reported.
 template <class T>
 bool isThere(const core::Result<T>& read, SearchIndex& index) {
     if (!read && read.error().code != core::ErrorCode::notAllowed)
@@ -99,7 +99,7 @@ void addStudies(SearchIndex& index, database::Connection& connection, const Sear
     }
 }
 
-/// 0: a word is missing; 1: all are there; 2: each begins a word.
+/// 0: a word is missing; 1: all words occur; 2: each is at the beginning of a word.
 int fitOf(const QStringList& words, const QString& folded) {
     int fit = 2;
     for (const QString& word : words) {

@@ -13,26 +13,28 @@
 
 namespace chiron::desktop {
 
-/// What the palette finds by name, beside commands.
+/// The kinds of items that the palette finds by name, besides commands.
 enum class ThingKind { person, exercise, session, study, count };
 
-/// One of them, and where it leads.
+/// One such item, and the place that it leads to.
 struct NamedThing {
     QString text;
-    QString folded; ///< as forSearch() makes it
+    QString folded; ///< as forSearch() returns it
     Place place;
 };
 
-/// Letters as they are compared: lower case, without accents. Pure.
+/// Normalises text for comparison: lower case, without accents. Pure.
 QString forSearch(const QString& text);
 
-/// Everything that somebody may find, as it was when it was read. A value; safe to read on any thread.
+/// Everything that a person may find, as it was at the time of reading. It is a value and safe to read on any
+/// thread.
 struct SearchIndex {
-    std::array<std::vector<NamedThing>, static_cast<std::size_t>(ThingKind::count)> things; ///< sessions newest first
-    std::vector<core::Error> problems; ///< what could not be read; a refusal is none
+    /// Sessions are in the order newest first.
+    std::array<std::vector<NamedThing>, static_cast<std::size_t>(ThingKind::count)> things;
+    std::vector<core::Error> problems; ///< reading errors; a denied permission is not one
 };
 
-/// For whom and in which language.
+/// Who searches, and in which language.
 struct SearchQuestion {
     database::Actor actor;
     QString language;
@@ -40,10 +42,12 @@ struct SearchQuestion {
     catalogue::Catalogue catalogue;
 };
 
-/// Reads all of it, as far as the repositories let this person. Blocking: a worker's task. Ends early when `cancel` is set.
+/// Reads everything that the repositories allow this person to see. Ends early when `cancel` is set.
+/// Thread: worker; blocks.
 SearchIndex readSearchIndex(const database::Database& database, const SearchQuestion& question, const std::atomic<bool>& cancel);
 
-/// Those of one kind that have every typed word in them, the beginnings of words first; some, and how many there are in all.
+/// The items of one kind that contain every typed word, those with a word that begins with it first: the best
+/// ones, and the number of all.
 struct FoundThings {
     std::vector<const NamedThing*> best;
     int all = 0;

@@ -6,8 +6,9 @@
 
 namespace chiron::desktop {
 
-/// Where somebody is in the program: a screen's id and what it shows ({"session": 7, "at_s": 12.5}). A value; everything
-/// that a screen needs to be opened again (back, a new theme or language) is in it.
+/// Where a person is in the program: the id of a screen and what it shows ({"session": 7, "at_s": 12.5}). It
+/// is a value that contains everything needed to open the screen again (for Back, a new theme or a new
+/// language).
 struct Place {
     QString screen;
     QVariantMap parameters;

@@ -39,7 +39,8 @@ QString databaseFile(const QCommandLineParser& arguments) {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("chiron/chiron.db"));
 }
 
-/// A second desktop on this database brings this window forward; if we are the second, the first one comes and we go.
+/// A second desktop on this database raises this window. If this is the second one, it raises the first and
+/// exits.
 void connectInstances(AppContext& context, MainWindow& window, InstanceLink& link, QApplication& application) {
     QObject::connect(&context, &AppContext::siteOpened, &link, [&context, &link] {
         if (const auto listens = link.listen(); !listens)
@@ -87,7 +88,7 @@ bool asksForText(int argc, const char* const* argv) {
 int tellText(const QStringList& arguments) {
     QCommandLineParser parser;
     describe(parser);
-    parser.process(arguments); // prints and ends the program
+    parser.process(arguments); // prints the text and ends the program
     return 0;
 }
 
@@ -103,7 +104,7 @@ int runProgram(QApplication& application) {
     applyAppearance(application, context);
     traceStart("appearance");
     QObject::connect(&context, &AppContext::appearanceChanged, &application, [&] { applyAppearance(application, context); });
-    MainWindow window(context); // after the connection above: the window is built anew in the new look
+    MainWindow window(context); // after the connection above, so that the window is rebuilt in the new look
     context.navigator().replace(firstPlace(site));
     QObject::connect(&window, &MainWindow::firstPainted, &context, [&] {
         traceStart("first_paint");

@@ -9,19 +9,21 @@ class AppContext;
 class DesktopSite;
 struct Place;
 
-/// Puts theme, fonts and translations of the context's settings on the application. GUI thread.
+/// Applies the theme, fonts and translations from the context's settings to the application.
+/// Thread: GUI.
 void applyAppearance(QApplication& application, AppContext& context);
 
-/// Where the program begins: a site folder without its file is a site that was lost, and no first start.
+/// The place where the program starts. A site folder without its database file means that the site was lost,
+/// not that this is the first start.
 Place firstPlace(const DesktopSite& site);
 
-/// Whether the arguments ask for help or the version alone, which need no display.
+/// Whether the arguments ask only for help or the version, which need no display.
 bool asksForText(int argc, const char* const* argv);
 
-/// Prints the help or the version, and returns the exit status. `arguments` begin with the program's name.
+/// Prints the help or the version and returns the exit status. `arguments` begins with the program's name.
 int tellText(const QStringList& arguments);
 
-/// The whole program: arguments, site, window, event loop. Returns the exit status (cli.md's numbers).
+/// Runs the whole program: arguments, site, window, event loop. Returns the exit status (cli.md's numbers).
 int runProgram(QApplication& application);
 
 } // namespace chiron::desktop

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
-// Qt's own words that our dialogs show: Debian's Qt has no Greek catalogue, and a button must not fall back to English. They
-// are translated in our catalogues under Qt's contexts; nothing here runs.
+// Qt's own texts in the program's dialogs. Debian's Qt has no Greek catalogue, and a button must not fall
+// back to English. They are translated in Chiron's catalogues under Qt's contexts; nothing in this file runs.
 [[maybe_unused]] static const char* const kQtWords[] = {
     QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
     QT_TRANSLATE_NOOP("QPlatformTheme", "Cancel"),

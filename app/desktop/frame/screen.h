@@ -13,33 +13,38 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// Something that can be done on a screen: in the command palette (Ctrl+K), in the list of shortcuts (?) and by its keys.
+/// A command of a screen, reachable from the command palette (Ctrl+K), the list of shortcuts (?) and its own
+/// keys.
 struct ScreenCommand {
-    QString text;      ///< translated, as a button would say it
+    QString text;      ///< translated, worded like a button
     QKeySequence keys; ///< may be empty
     std::function<void()> act;
-    bool registersKeys = true; ///< false: the screen handles the keys itself; they are only listed
+    bool registersKeys = true; ///< false: the screen handles the keys itself, and they are only listed
 };
 
-/// One screen. Built when somebody goes there, destroyed when they leave; a change of theme, scale or language builds it
-/// anew from its Place, so texts and colours are read once, in the constructor. Show something at once; whatever needs the
-/// database starts in enter() and comes through Background. GUI thread.
+/// One screen. It is constructed when the person goes there and destroyed when they leave. A change of theme,
+/// scale or language constructs it again from its Place, so texts and colours are read once, in the
+/// constructor. Show something at once; start whatever needs the database in enter() and run it through
+/// Background.
+/// Thread: GUI.
 class Screen : public QWidget {
     Q_OBJECT
 public:
     Screen(AppContext& context, const Place& place, QWidget* parent = nullptr);
 
     virtual QString title() const = 0; ///< translated
-    /// Called once, after the screen has been put into the window: load, set the focus.
+    /// Called once, after the screen has been put into the window. Load data and set the focus here.
     virtual void enter() {}
-    /// Asked before leaving (also before closing the program): false keeps the person here; may ask them.
+    /// Called before the screen is left, and before the program closes. Returning false keeps the person
+    /// here; the function may ask them.
     virtual bool mayLeave() { return true; }
-    /// While true the screen must not be locked, rebuilt or interrupted: a trial runs.
+    /// While this is true (a trial is running) the screen must not be locked, rebuilt or interrupted.
     virtual bool isBusy() const { return false; }
     virtual std::vector<ScreenCommand> commands() { return {}; }
-    /// Translated help on F1: what this screen is for and how to use it. A few plain paragraphs, separated by blank lines.
+    /// Translated help text for F1: the purpose of this screen and how to use it, in a few plain paragraphs
+    /// separated by blank lines.
     virtual QString help() const = 0;
-    /// F1, before the help is shown: true where the screen has shown something better itself.
+    /// Called on F1 before the help is shown; true if the screen has shown something more helpful itself.
     virtual bool helpItself() { return false; }
 
 protected:

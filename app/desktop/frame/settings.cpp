@@ -22,7 +22,7 @@ QString settingsFile(const QString& given) {
         .filePath(QStringLiteral("chiron/desktop.ini"));
 }
 
-/// The row of a language; English's where there is none.
+/// The entry of a language, or English if it is unknown.
 const core::Language& languageOf(const QString& id) {
     const auto found = std::find_if(core::kLanguages.begin(), core::kLanguages.end(), [&](const core::Language& language) { return id == asText(language.id); });
     return found == core::kLanguages.end() ? core::kLanguages.front() : *found;

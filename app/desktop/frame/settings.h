@@ -9,31 +9,34 @@
 
 namespace chiron::desktop {
 
-/// What this station remembers of how somebody likes the program: how it looks and sounds, never what was recorded. An INI
-/// file in the user's configuration folder; a broken one gives the defaults. GUI thread.
+/// A user's preferences on this station, such as appearance and sound; never recorded data. They are stored
+/// in an INI file in the user's configuration folder; an unreadable file gives the defaults.
+/// Thread: GUI.
 class Settings {
 public:
-    /// Empty: the user's own file.
+    /// An empty name selects the user's own file.
     explicit Settings(const QString& file = {});
 
-    QString language() const; ///< "en", "de", "el"; the system's where it is one of them
+    QString language() const; ///< "en", "de", "el"; the default is the system's language if it is one of them
     void setLanguage(const QString& language);
     static bool isLanguage(const QString& language);
-    static QLocale localeOf(const QString& language); ///< its numbers and dates
+    static QLocale localeOf(const QString& language); ///< for its number and date formats
     ThemeName theme() const;
     void setTheme(ThemeName theme);
     double scale() const; ///< 1..2
     void setScale(double scale);
     bool sound() const;
     void setSound(bool on);
-    bool soundCue(const QString& cue) const; ///< "contact", "force", "lean", "warning": heard where sound is on
+    /// "contact", "force", "lean", "warning": whether the cue is audible while sound is on.
+    bool soundCue(const QString& cue) const;
     void setSoundCue(const QString& cue, bool on);
     QString backupFolder() const; ///< empty: beside the database
     void setBackupFolder(const QString& folder);
-    QString lastFolder(const QString& purpose) const; ///< of a file dialog (frame/file_folder.h); empty: none was chosen yet
+    /// Of a file dialog (frame/file_folder.h); empty if none was chosen yet.
+    QString lastFolder(const QString& purpose) const;
     void setLastFolder(const QString& purpose, const QString& folder);
 
-    /// Small things that belong to one person here (handedness, last device): key as "handedness".
+    /// Small settings of one person on this station (handedness, last device); a key looks like "handedness".
     QVariant ofPerson(qint64 person, const QString& key, const QVariant& otherwise) const;
     void setOfPerson(qint64 person, const QString& key, const QVariant& value);
 

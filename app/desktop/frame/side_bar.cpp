@@ -11,7 +11,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kCompactAbove = 1.5; // of the scale: a window of 720 pixels then has no room for every word
+constexpr double kCompactAbove = 1.5; // scale above which a window of 720 pixels has no room for all texts
 }
 
 SideBar::SideBar(AppContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
@@ -72,7 +72,8 @@ QWidget* SideBar::entries() {
         button->setCheckable(true);
         connect(button, &QPushButton::clicked, this, [this, id] {
             m_context.navigator().go(id);
-            showCurrent(m_context.navigator().current().screen); // a screen that may not be left keeps its mark
+            // A screen that may not be left keeps its highlight.
+            showCurrent(m_context.navigator().current().screen);
         });
         m_buttons.emplace_back(id, button);
         column->addWidget(button);
@@ -81,7 +82,8 @@ QWidget* SideBar::entries() {
     return list;
 }
 
-/// One below the other; at a large scale side by side and without words, so that there is room for the places above.
+/// Arranges buttons below each other, or at a large scale side by side and without text, so that the entries
+/// above have room.
 QBoxLayout* SideBar::inOnePlace(std::initializer_list<QPushButton*> buttons) const {
     const bool compact = m_context.theme().scale() > kCompactAbove;
     auto* place = new QBoxLayout(compact ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

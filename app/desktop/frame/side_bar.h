@@ -10,8 +10,9 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// Navigation by role at the left: the screens that the person's roles give, who is logged in, lock, switch user. Built
-/// anew with every change of person or appearance. GUI thread.
+/// Navigation at the left: the screens that the person's roles allow, who is logged in, lock and switch user.
+/// It is rebuilt on every change of person or appearance.
+/// Thread: GUI.
 class SideBar final : public QWidget {
     Q_OBJECT
 public:
@@ -25,7 +26,7 @@ signals:
 private:
     QWidget* entries();
     QWidget* personArea();
-    void showUnread(int sessions); ///< on the way to Home, where they are listed
+    void showUnread(int sessions); ///< on the Home entry, because Home lists these sessions
     QBoxLayout* inOnePlace(std::initializer_list<QPushButton*> buttons) const;
     QPushButton* entry(const QString& icon, const QString& text, const QString& name);
 

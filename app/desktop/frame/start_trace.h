@@ -7,9 +7,9 @@
 
 namespace chiron::desktop {
 
-/// Where the environment's CHIRON_START_TRACE is set: one line on the standard error, "chiron-start <what> <monotonic ns>
-/// <processor time of the process, ns>".
-/// Costs nothing else. Any thread.
+/// If the environment variable CHIRON_START_TRACE is set, prints one line to standard error: "chiron-start
+/// <what> <monotonic ns> <processor time of the process, ns>". Otherwise it costs nothing.
+/// Thread: any.
 inline void traceStart(const char* what) {
     static const bool wanted = std::getenv("CHIRON_START_TRACE") != nullptr;
     if (!wanted)

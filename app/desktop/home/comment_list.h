@@ -10,20 +10,26 @@
 
 namespace chiron::desktop {
 
-/// A comment that a person wrote or received, with the session that it is about.
+/// A comment that a person wrote or received, with the session that it belongs to.
 struct FoundComment {
     SessionRow row;
     NamedComment named;
-    bool received = false; ///< by somebody else, on a session of the person or after what the person wrote; else written, or said beside it
-    int place = 0;         ///< among all comments on its session, from 0 in the order of writing
-    int onSession = 0;     ///< how many these are
+    /// True if another person wrote it on the person's own session, or after a comment by the person. False
+    /// if the person wrote it, or another wrote it before the person took part.
+    bool received = false;
+    int place = 0;         ///< index among all comments on its session, from 0, in order of writing
+    int onSession = 0;     ///< number of all comments on its session
 };
 
-/// Up to which of a session's comments (counted from 1; 0: of none) there is something for `self` to read: what others wrote on a session of
-/// `self`'s own, and what they wrote after `self` on another's. `authors`: of all its comments, in the order of writing.
+/// Returns the number, counted from 1, of the last comment on a session that `self` should read, or 0 if
+/// there is none. These are comments by others on a session of `self` (`own`), and comments by others that
+/// follow one by `self` on another person's session. `authors` lists the authors of all its comments in order
+/// of writing.
 int newsUpTo(const std::vector<database::PersonId>& authors, database::PersonId self, bool own);
 
-/// Everything that the actor wrote or received, the newest comment first. Blocking: a worker's task. Failure: the repositories'.
+/// Reads everything that the actor wrote or received, newest comment first.
+/// Thread: worker; blocks.
+/// Errors: those of the repositories.
 core::Result<std::vector<FoundComment>> readComments(const database::Database& database, const database::Actor& actor, const ExerciseTitles& titles);
 
 } // namespace chiron::desktop

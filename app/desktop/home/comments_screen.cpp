@@ -186,7 +186,7 @@ QWidget* CommentsScreen::card(const FoundComment& comment, bool unread) {
     words->addWidget(kit::label(theme, text.empty() ? tr("(erased)") : QString::fromStdString(text)));
     line->addLayout(words, 1);
     const bool running = comment.row.summary.state == database::SessionState::running;
-    if (!comment.row.summary.sealed && !running) { // else there is nothing that may be opened
+    if (!comment.row.summary.sealed && !running) { // otherwise there is nothing that may be opened
         auto* watch = leadsToItsMoment(comment) ? kit::button(theme, tr("Watch"), "", QStringLiteral("go-jump"))
                                                 : kit::button(theme, tr("Open the debrief"), "", QStringLiteral("view-statistics"));
         watch->setObjectName(QStringLiteral("comments.open.%1").arg(comment.named.comment.id));

@@ -13,8 +13,9 @@ namespace chiron::desktop {
 
 class StatePanel;
 
-/// All comments that a person received or wrote, unread ones first, each with the way to its moment. What is shown here counts as read.
-/// Place: {which: received, written}; absent: all. GUI thread.
+/// Lists all comments that a person received or wrote, unread ones first, each with a link to its moment. A
+/// comment shown here counts as read. The place is {which: received, written}; without `which` all are shown.
+/// Thread: GUI.
 class CommentsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ private:
     void show(std::vector<FoundComment> comments);
     void build();
     void fill();
-    void addMore(); ///< the next ones
+    void addMore(); ///< shows the next ones
     QWidget* card(const FoundComment& comment, bool unread);
     QString headOf(const FoundComment& comment) const;
     bool isUnread(const FoundComment& comment) const;
@@ -42,8 +43,8 @@ private:
     QWidget* m_holder = nullptr;
     QWidget* m_more = nullptr;
     std::vector<FoundComment> m_comments;
-    std::vector<const FoundComment*> m_chosen; ///< of m_comments, in the order shown
-    std::vector<bool> m_unread;                ///< of m_comments, as it was when the screen was opened
+    std::vector<const FoundComment*> m_chosen; ///< points into m_comments, in the order shown
+    std::vector<bool> m_unread;                ///< per entry of m_comments, as of opening the screen
     std::size_t m_shown = 0;
 };
 

@@ -9,12 +9,12 @@
 
 namespace chiron::desktop {
 
-/// One exercise: picture, what it is for, and a button for each level that says where the person stands there. A button opens
-/// the set-up screen with its level.
+/// Shows one exercise: picture, purpose, and one button per level that states the person's standing. A button
+/// opens the set-up screen at its level.
 class ExerciseCard final : public QFrame {
     Q_OBJECT
 public:
-    /// `standings` may be empty: then no level says anything of the person.
+    /// If `standings` is empty, the levels show no standing.
     ExerciseCard(AppContext& context, const catalogue::Exercise& exercise, std::span<const session::LevelStanding> standings,
                  QWidget* parent = nullptr);
 
@@ -24,7 +24,7 @@ private:
     AppContext& m_context;
 };
 
-/// A text of the content in the language of the program.
+/// A text from the content, in the language of the program.
 QString textIn(const catalogue::Translated& text, const AppContext& context);
 /// "Passed (felt)", "Tried twice, not passed yet", "New".
 QString standingWords(const session::LevelStanding& standing);

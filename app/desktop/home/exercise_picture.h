@@ -11,11 +11,11 @@ namespace chiron::desktop {
 
 class LevelPicture;
 
-/// From this scale on words need the room that a picture would take.
+/// From this interface scale upwards the text needs the room that a picture would take.
 inline constexpr double kNoPictureScale = 1.5;
 
-/// A picture of a level in a frame, as its exercise paints it (ExerciseFace::picture). Decorative: what it shows is said in words beside
-/// it.
+/// A framed picture of a level, painted by its exercise (ExerciseFace::picture). It is decorative: the text
+/// beside it says what it shows.
 class ExercisePicture final : public QWidget {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ protected:
 private:
     const Theme& m_theme;
     QSize m_size;
-    std::unique_ptr<LevelPicture> m_picture; ///< null: a frame alone
+    std::unique_ptr<LevelPicture> m_picture; ///< null: only the frame is drawn
 };
 
 } // namespace chiron::desktop

@@ -7,7 +7,8 @@ namespace chiron::desktop {
 
 class StatePanel;
 
-/// Every exercise with its levels, and where the person stands at each. Open to everybody: who may log in may train.
+/// Lists every exercise with its levels and the person's standing at each. Everybody may open it, because
+/// whoever may log in may train.
 class ExercisesScreen final : public Screen {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@
 
 namespace chiron::desktop {
 
-/// Of exercises with graspers, from the side: tube, objects and dish in their true proportions.
+/// Pictures of exercises with graspers, seen from the side: tube, objects and dish in true proportion.
 class GraspPicture : public LevelPicture {
 public:
     using LevelPicture::LevelPicture;
@@ -17,7 +17,8 @@ protected:
     static constexpr double kFloorAt = 0.80; ///< of the picture's height, from the top
 
     void paintFloor(QPainter& painter, double y) const;
-    /// Shaft from outside, two blades to the tip; `opening` between their ends, pixels.
+    /// Draws the shaft, from outside the picture, and the two blades down to the tip; `opening` is the
+    /// distance between the blades' ends in pixels.
     void paintGrasper(QPainter& painter, QPointF tip, QPointF from, double opening) const;
 };
 

@@ -18,16 +18,16 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNewest = 300;        // among them those who trained lately are found
-constexpr std::size_t kShown = 8;   // lines of a list on the home screen
+constexpr int kNewest = 300;        // sessions in which to look for people who trained recently
+constexpr std::size_t kShown = 8;   // lines per list on the home screen
 constexpr std::size_t kOwnShown = 5;
-constexpr int kLookedThrough = 50; // sessions with something to read, the newest
+constexpr int kLookedThrough = 50; // of the newest sessions with comments
 
 using database::Role;
 using database::SessionFilter;
 using database::SessionReader;
 
-/// Who asks, what for, and what everybody is called.
+/// Who asks for what, and the names of people.
 struct HomeReading {
     const HomeQuestion& question;
     const PeopleNames& names;
@@ -157,7 +157,7 @@ core::Result<void> readForAdmin(database::Database& database, database::Connecti
 void readRecovered(SessionReader& reader, const HomeReading& reading, HomeData& data) {
     for (const session::RecoveredSession& recovered : reading.question.recovered) {
         auto record = reader.session(recovered.session);
-        if (record) // else it is somebody else's, who is told when they come
+        if (record) // otherwise it belongs to another person, who sees it after logging in
             data.recovered.push_back({reading.row(std::move(record->summary)), recovered.framesFromRing, recovered.problem});
     }
 }

@@ -77,7 +77,7 @@ QPushButton* HomeScreen::tryButton(const session::LevelStanding& level, const ch
     return button;
 }
 
-// What came of the last session of this exercise: where "next" comes from.
+// The result of the last session of this exercise, from which "next" follows.
 QString HomeScreen::lastResult(const HomeData& home, const session::LevelStanding& next) const {
     const auto row = std::find_if(home.own.begin(), home.own.end(), [&](const SessionRow& each) { return each.summary.exercise == next.exercise; });
     if (row == home.own.end())

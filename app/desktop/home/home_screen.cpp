@@ -64,7 +64,7 @@ void HomeScreen::show(const HomeData& home) {
     addCommented(column, home);
     addRecoveryCode(column, home);
     const bool trainee = context().has(database::Role::trainee);
-    const bool nothingElse = home.accounts == 1 && home.own.empty(); // a site of one who has only just made it
+    const bool nothingElse = home.accounts == 1 && home.own.empty(); // a new site with only one person
     const bool admin = context().has(database::Role::admin);
     if (nothingElse && !trainee)
         addOwnTraining(column, home);
@@ -98,7 +98,8 @@ QPushButton* HomeScreen::opener(const QString& text, const QString& screen, cons
     return button;
 }
 
-// Until it is done: a site with one administrator who forgets the password has nobody to ask.
+// Shown until it is done, because the only administrator of a site has nobody to ask after forgetting the
+// password.
 void HomeScreen::addRecoveryCode(QVBoxLayout& column, const HomeData& home) {
     if (!home.lacksRecoveryCode)
         return;
@@ -112,7 +113,7 @@ void HomeScreen::addRecoveryCode(QVBoxLayout& column, const HomeData& home) {
     column.addWidget(notice);
 }
 
-// What has not been read yet, until its debrief was opened.
+// Unread comments, shown until the debrief of their session was opened.
 void HomeScreen::addCommented(QVBoxLayout& column, const HomeData& home) {
     const Theme& theme = context().theme();
     int unread = 0;

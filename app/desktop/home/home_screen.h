@@ -11,9 +11,10 @@ namespace chiron::desktop {
 
 class StatePanel;
 
-/// Where everybody starts, ordered by what is to be done (experience.md): what an administrator has to see to, the own next step, the
-/// parts of the other roles, and last what is in order. Who is no trainee may train as well, and finds that after the part of their role;
-/// while the site has nobody else it comes first. From here a running exercise is two actions away.
+/// The screen after login, ordered by what needs to be done (experience.md): tasks for an administrator, the
+/// person's own next step, the parts of the other roles, and last what is in order. People without the
+/// trainee role may train as well and find that below the part of their role, or first as long as the site
+/// has no other people. A running exercise is two actions away from here.
 class HomeScreen final : public Screen {
     Q_OBJECT
 public:
@@ -30,27 +31,31 @@ private:
     void addRecovered(QVBoxLayout& column, const HomeData& home);
     void addRecoveryCode(QVBoxLayout& column, const HomeData& home);
     void addCommented(QVBoxLayout& column, const HomeData& home);
-    void addComments(QVBoxLayout& column); ///< the way to all of them, read ones too
+    void addComments(QVBoxLayout& column); ///< button that opens all comments, read ones too
     void addTrainee(QVBoxLayout& column, const HomeData& home);
     void addTrainer(QVBoxLayout& column, const HomeData& home);
     void addResearcher(QVBoxLayout& column);
-    void addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk); ///< the cards that ask for something, or those in order
+    /// `thatAsk`: the cards that need action; otherwise those in order.
+    void addAdmin(QVBoxLayout& column, const HomeData& home, bool thatAsk);
     QWidget* continueCard(const HomeData& home);
-    /// For who has not trained yet: straight to a few trials that do not count. Null where there is no exercise.
+    /// For people who have not trained yet: starts a few trials that do not count. Null if there is no
+    /// exercise.
     QWidget* tryCard(const HomeData& home);
-    QVBoxLayout* besidePicture(QVBoxLayout& card, const catalogue::ExerciseLevel& level); ///< for the words; no picture where the text is large
+    /// Column for text beside a picture; no picture if the text is large.
+    QVBoxLayout* besidePicture(QVBoxLayout& card, const catalogue::ExerciseLevel& level);
     QPushButton* tryButton(const session::LevelStanding& level, const char* kind);
-    void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< of who is no trainee
-    QString lastResult(const HomeData& home, const session::LevelStanding& next) const; ///< empty: none yet
+    void addOwnTraining(QVBoxLayout& column, const HomeData& home); ///< for people without the trainee role
+    /// Empty if there is none yet.
+    QString lastResult(const HomeData& home, const session::LevelStanding& next) const;
     QWidget* progressCard(const HomeData& home);
     QWidget* peopleCard(const HomeData& home);
-    /// A card that says how something is and opens its screen.
+    /// A card that describes the state of something and opens its screen.
     struct StateCard {
         QString screen, title, text;
         const char* noticeKind;
         QString notice;
         QString action;
-        bool asks = false; ///< somebody has to do something about it
+        bool asks = false; ///< someone has to act on it
     };
     QWidget* stateCard(const StateCard& card);
     std::vector<StateCard> adminCards(const HomeData& home) const;

@@ -9,14 +9,16 @@ class QPainter;
 
 namespace chiron::desktop {
 
-/// What a picture of a level is painted in.
+/// The context in which a picture of a level is painted.
 struct PictureFrame {
     const Theme& theme;
-    QSize size; ///< pixels
-    bool objectShown = true; ///< the level lets it be seen; else it is dashed
+    QSize size; ///< in pixels
+    bool objectShown = true; ///< the level shows the object; otherwise it is drawn dashed
 };
 
-/// The picture of a level, painted from its content as one exercise does. Decorative. GUI thread.
+/// Paints a picture of a level from the level's content, in the way of its exercise. The picture is
+/// decorative.
+/// Thread: GUI.
 class LevelPicture {
 public:
     explicit LevelPicture(const PictureFrame& frame) : m_theme(frame.theme), m_visible(frame.objectShown), m_size(frame.size) {}
@@ -24,7 +26,7 @@ public:
     LevelPicture& operator=(const LevelPicture&) = delete;
     virtual ~LevelPicture() = default;
 
-    /// On the ground that is painted already, from (0, 0) on.
+    /// Paints the picture from (0, 0) over a background that is already painted.
     virtual void paint(QPainter& painter) const = 0;
 
 protected:
@@ -32,7 +34,7 @@ protected:
     int height() const { return m_size.height(); }
 
     const Theme& m_theme;
-    bool m_visible; ///< the object
+    bool m_visible; ///< whether the object is visible
 
 private:
     QSize m_size;

@@ -24,7 +24,7 @@ QWidget* SessionLines::line(const SessionRow& row, bool names) {
     const QString attempt = SessionWords::what(session, row.exercise, m_context.locale());
     const QString what = names ? tr("%1: %2").arg(row.person, attempt) : attempt;
     const QString when = SessionWords::ago(SessionWords::timeOf(session.startedUtc), QDateTime::currentDateTimeUtc(), m_context.locale());
-    // What did not come to its end says why; the rest says whether it was passed.
+    // An unfinished session gives the reason; any other says whether it was passed.
     const QString came = SessionWords::cameTo(session);
     const WordSign sign = SessionWords::cameToSign(session);
 

@@ -9,11 +9,12 @@
 
 namespace chiron::desktop {
 
-/// A few sessions, one button a line: what it was, when, and what it came to, by sign and word. A button opens the debrief.
+/// Lists a few sessions, one button per line: exercise, date, and the outcome as icon and text. A button
+/// opens the debrief.
 class SessionLines final : public QWidget {
     Q_OBJECT
 public:
-    /// `names`: say whose session it is.
+    /// `names`: show whose session it is.
     SessionLines(AppContext& context, const std::vector<SessionRow>& rows, bool names, QWidget* parent = nullptr);
 
 private:

@@ -15,7 +15,8 @@ IdleLock::IdleLock(int idle_ms, QObject* parent) : QObject(parent), m_idle_ms(id
 }
 
 void IdleLock::touch() {
-    m_sinceTouch.start(); // the timer runs on and looks here when it ends: no timer is moved a thousand times a second
+    // The timer checks this when it expires, which avoids restarting a timer a thousand times per second.
+    m_sinceTouch.start();
 }
 
 void IdleLock::setHeld(bool held) {

@@ -7,8 +7,10 @@
 
 namespace chiron::desktop {
 
-/// Notices that nobody has touched key, pointer or device for a while. An event filter on the application; devices call
-/// touch(). Asleep while held (a trial runs) or while nobody is logged in; then the whole time counts again. GUI thread.
+/// Emits idle() when nobody has used keyboard, pointer or device for a while. It is an event filter on the
+/// application; devices call touch(). It does not run while held (a trial runs) or while nobody is logged in;
+/// afterwards the full time counts from the start.
+/// Thread: GUI.
 class IdleLock : public QObject {
     Q_OBJECT
 public:
@@ -16,10 +18,10 @@ public:
 
     explicit IdleLock(int idle_ms = kIdle_ms, QObject* parent = nullptr);
 
-    void touch();              ///< somebody is there
-    void setHeld(bool held);   ///< a trial runs: never idle
-    void setActive(bool active); ///< somebody is logged in
-    void setIdle(int idle_ms);   ///< how long is too long
+    void touch();              ///< reports that somebody is there
+    void setHeld(bool held);   ///< true while a trial runs: never idle
+    void setActive(bool active); ///< true while somebody is logged in
+    void setIdle(int idle_ms);   ///< sets the idle time
 
 signals:
     void idle();

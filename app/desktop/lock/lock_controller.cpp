@@ -23,7 +23,7 @@ LockController::LockController(AppContext& context, QMainWindow& window)
             if (isLocked())
                 cover();
         },
-        Qt::QueuedConnection); // after the window has been built anew
+        Qt::QueuedConnection); // after the window has been rebuilt
     m_idle.setHeld(context.trialRuns());
     m_idle.setActive(context.loggedIn());
 }
@@ -47,7 +47,7 @@ void LockController::cover() {
     connect(m_cover, &LockCover::switchAsked, this, &LockController::switchUser);
     m_window.setWindowTitle(tr("Locked - Chiron"));
     if (m_window.centralWidget())
-        m_window.centralWidget()->hide(); // not only behind the cover: also for screen readers
+        m_window.centralWidget()->hide(); // hidden, not just covered, also from screen readers
     m_cover->show();
     m_cover->raise();
     m_cover->focusFirst();
@@ -101,7 +101,7 @@ void LockController::tryUnlock(const QString& password) {
 void LockController::switchUser() {
     for (const QPointer<QWidget>& other : std::exchange(m_hidden, {}))
         if (other)
-            other->close(); // what somebody else had open is not for the next person
+            other->close(); // the next person must not see what somebody else had open
     m_context.logOutNow();
     m_titleBefore = m_window.windowTitle();
     m_focusBefore = nullptr;
@@ -124,7 +124,8 @@ bool LockController::mayPass(QObject* watched, const QEvent& event) const {
     default:
         return true;
     }
-    if (!watched->isWidgetType()) // a window's own event becomes one of its widgets; a shortcut's does not
+    // A window's own event is forwarded to one of its widgets; a shortcut's is not.
+    if (!watched->isWidgetType())
         return event.type() != QEvent::Shortcut;
     auto* widget = static_cast<QWidget*>(watched);
     return widget == m_cover || m_cover->isAncestorOf(widget);
@@ -139,7 +140,8 @@ bool LockController::eventFilter(QObject* watched, QEvent* event) {
         auto* widget = static_cast<QWidget*>(watched);
         if (widget->isWindow() && widget != &m_window && !m_cover->isAncestorOf(widget)) {
             m_hidden.emplace_back(widget);
-            QMetaObject::invokeMethod(widget, &QWidget::hide, Qt::QueuedConnection); // a window that came up meanwhile
+            // This window was opened while the program was locked.
+            QMetaObject::invokeMethod(widget, &QWidget::hide, Qt::QueuedConnection);
         }
     }
     return !mayPass(watched, *event);

@@ -13,9 +13,10 @@ namespace chiron::desktop {
 class AppContext;
 class LockCover;
 
-/// Locks the window: when nobody has touched anything for ten minutes, or when asked (Ctrl+L); never while a trial runs.
-/// While locked nothing of the program can be seen or reached (other windows of it are hidden, keys go to the cover only),
-/// and nothing that is under way is stopped. Lives as long as the window. GUI thread.
+/// Locks the window after ten minutes without input, or on request (Ctrl+L), but never while a trial runs.
+/// While it is locked, nothing of the program can be seen or reached: other windows are hidden and keys go to
+/// the cover only. Work in progress continues. The controller lives as long as the window.
+/// Thread: GUI.
 class LockController final : public QObject {
     Q_OBJECT
 public:
@@ -23,7 +24,7 @@ public:
 
     IdleLock& idleLock() { return m_idle; }
     bool isLocked() const { return m_cover != nullptr; }
-    void lock(); ///< nothing happens where nobody is logged in, or a trial runs
+    void lock(); ///< does nothing if nobody is logged in or a trial runs
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -42,7 +43,7 @@ private:
     LockCover* m_cover = nullptr;
     QString m_titleBefore;
     QPointer<QWidget> m_focusBefore;
-    std::vector<QPointer<QWidget>> m_hidden; ///< other windows, shown again afterwards
+    std::vector<QPointer<QWidget>> m_hidden; ///< other windows, shown again on unlock
 };
 
 } // namespace chiron::desktop

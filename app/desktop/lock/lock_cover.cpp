@@ -102,7 +102,7 @@ void LockCover::showRefusal(const database::Refusal& refusal) {
     if (m_password->isEnabled())
         m_password->setFocus();
     else
-        setFocus(); // on no control, so that Return does nothing meanwhile
+        setFocus(); // on no control, so that Return does nothing in the meantime
 }
 
 } // namespace chiron::desktop

@@ -14,7 +14,8 @@ namespace chiron::desktop {
 class NoticeArea;
 class WaitCountdown;
 
-/// What a locked window shows: who locked it, their password, "Switch user". Opaque, over the whole window. GUI thread.
+/// The opaque cover of a locked window: who locked it, a field for their password, and "Switch user".
+/// Thread: GUI.
 class LockCover final : public QWidget {
     Q_OBJECT
 public:

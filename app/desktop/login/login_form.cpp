@@ -16,7 +16,7 @@ LoginForm::LoginForm(const Theme& theme, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(12));
-    m_hint = new NoticeArea(theme, NoticeArea::Room::none); // said before anybody points at anything
+    m_hint = new NoticeArea(theme, NoticeArea::Room::none); // shown before the person points at anything
     column->addWidget(m_hint);
     m_names = new NameList(theme);
     column->addWidget(m_names);
@@ -62,7 +62,7 @@ void LoginForm::renew() {
         m_enter->setText(m_working ? tr("Checking …") : tr("Log in"));
 }
 
-/// What was said about another name would stand beside what the list says about this one.
+/// Clears a message about another name, which would otherwise stand beside the list's message about this one.
 void LoginForm::nameChanged() {
     if (m_saysOfName)
         m_notice->clear();
@@ -93,7 +93,7 @@ void LoginForm::showRefusal(const database::Refusal& refusal) {
     if (m_password->isEnabled())
         m_password->setFocus();
     else
-        setFocus(); // on no control, so that Return does nothing meanwhile
+        setFocus(); // on no control, so that Return does nothing in the meantime
 }
 
 void LoginForm::clearPassword() {

@@ -16,7 +16,9 @@ class NameList;
 class NoticeArea;
 class WaitCountdown;
 
-/// Name, password, "Log in", and what is said about a refusal. Light: it is the first thing that is painted. GUI thread.
+/// The login form: name, password, "Log in", and the message about a refused login. It is kept light, because
+/// it is the first thing that is painted.
+/// Thread: GUI.
 class LoginForm final : public QWidget {
     Q_OBJECT
 public:
@@ -24,7 +26,7 @@ public:
 
     void setNames(const std::vector<database::LoginName>& names);
     void showDemonstrationHint(const QString& text);
-    void setWorking(bool working); ///< while the password is being checked
+    void setWorking(bool working); ///< true while the password is being checked
     void showRefusal(const database::Refusal& refusal);
     void clearPassword();
     void focusFirst();
@@ -48,7 +50,7 @@ private:
     QPushButton* m_forgotten;
     WaitCountdown* m_wait;
     bool m_working = false;
-    bool m_saysOfName = false; ///< the notice is about the name that was sent
+    bool m_saysOfName = false; ///< the notice concerns the name that was sent
 };
 
 } // namespace chiron::desktop

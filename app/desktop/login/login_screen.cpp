@@ -24,9 +24,9 @@ namespace chiron::desktop {
 
 namespace {
 
-const QString kFailed = QStringLiteral("failed"); // the site could not be opened when this place was left
+const QString kFailed = QStringLiteral("failed"); // parameter of the place: the site could not be opened
 
-/// Somebody who was let in, or why not; with the new recovery code where one was used.
+/// The person who was let in, or the reason why not; with the new recovery code if one was used.
 struct Recovered {
     tl::expected<database::Actor, database::Refusal> actor;
     std::string newCode;
@@ -48,7 +48,7 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_scroll);
-    auto* heading = new QHBoxLayout; // side by side: a window of 720 pixels has the whole form without scrolling
+    auto* heading = new QHBoxLayout; // side by side, so that the whole form fits 720 pixels without scrolling
     heading->setSpacing(theme.px(12));
     heading->addStretch();
     heading->addWidget(logo(theme, 44));
@@ -74,7 +74,8 @@ LoginScreen::LoginScreen(AppContext& context, const Place& place) : Screen(conte
     m_site->showLoading(tr("Opening the site …"));
 }
 
-// After the first paint: a form of many controls that nobody can use before the names are there.
+// Called after the first paint, because the form has many controls and is of no use before the names are
+// loaded.
 void LoginScreen::makeForm() {
     if (m_form)
         return;
@@ -100,7 +101,7 @@ void LoginScreen::enter() {
     if (context().site().isOpen())
         loadNames();
     else if (place().parameters.value(kFailed).toBool())
-        openAgain(); // built anew after a failure: nobody else would tell
+        openAgain(); // rebuilt after a failure, so the error must be found again
 }
 
 void LoginScreen::openAgain() {
@@ -117,7 +118,7 @@ void LoginScreen::siteFailed(const core::Error& error) {
     examine(tr("The site could not be opened."), error, [this] { openAgain(); });
 }
 
-// A file that is damaged or gone is brought back on a screen of its own; everything else is told here.
+// A damaged or missing file is restored on a screen of its own. Every other error is shown here.
 void LoginScreen::examine(const QString& what, const core::Error& error, std::function<void()> again) {
     const auto token = context().background().run(
         this,
@@ -131,7 +132,7 @@ void LoginScreen::examine(const QString& what, const core::Error& error, std::fu
             context().site().close(); // a restore needs its lock
             context().navigator().replace(RestoreScreen::placeFor(file));
         });
-    m_site->showLoading(tr("Checking the site's file …"), token); // a large one takes a while
+    m_site->showLoading(tr("Checking the site's file …"), token); // a large file takes a while
 }
 
 void LoginScreen::loadNames() {
@@ -141,7 +142,7 @@ void LoginScreen::loadNames() {
         [this](core::Result<std::vector<database::LoginName>> names) { namesLoaded(std::move(names)); });
 }
 
-/// A site without a name, or one whose name cannot be read, shows none: the list of names tells what is wrong.
+/// Shows no name if the site has none or it cannot be read; the list of names reports such an error.
 void LoginScreen::loadSiteName() {
     context().background().run(
         this, [&database = context().site().database()](WorkToken&) { return readSiteName(database, database::Actor::anonymous()); },
@@ -159,7 +160,7 @@ void LoginScreen::namesLoaded(core::Result<std::vector<database::LoginName>> nam
         });
         return;
     }
-    if (names->empty()) { // a site always keeps an administrator: so nobody was ever added
+    if (names->empty()) { // a site always keeps an administrator, so nobody has been added yet
         context().navigator().replace({QStringLiteral("first_start"), {}});
         return;
     }
@@ -184,13 +185,13 @@ void LoginScreen::setPage(QWidget* page) {
         return;
     m_room->addWidget(page);
     page->show(); // now, so that it can take the focus
-    // A page begins at its top, once it has its size.
+    // Scrolls the page to its top once it has its size.
     QMetaObject::invokeMethod(this, [this] { m_scroll->verticalScrollBar()->setValue(0); }, Qt::QueuedConnection);
 }
 
 void LoginScreen::showForm() {
     setPage(nullptr);
-    m_form->clearPassword(); // whoever comes back may be somebody else
+    m_form->clearPassword(); // the next person may be another one
     m_form->setWorking(false);
     m_form->focusFirst();
 }

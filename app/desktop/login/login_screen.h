@@ -20,8 +20,9 @@ class RecoveryPage;
 class ScrollPage;
 class StatePanel;
 
-/// Who is this? People by name, the password, what to do when it is forgotten. The first screen that is painted: its names
-/// come from the background once the site is open. Passwords are checked on a worker.
+/// The login screen: choose a name, enter the password, or learn what to do when it is forgotten. It is the
+/// first screen that is painted, so the names are loaded in the background once the site is open. Passwords
+/// are checked on a worker.
 class LoginScreen final : public Screen {
     Q_OBJECT
 public:
@@ -49,11 +50,11 @@ private:
     void recover(RecoveryPage* page, const QString& name, const QString& code, const QString& newPassword);
 
     ScrollPage* m_scroll;
-    QLabel* m_siteName; ///< below the program's
-    StatePanel* m_site; ///< opening, failed, or there
+    QLabel* m_siteName; ///< below the program's name
+    StatePanel* m_site; ///< shows the site as opening, failed or open
     QVBoxLayout* m_room = nullptr;
     QWidget* m_page = nullptr;
-    LoginForm* m_form = nullptr; ///< kept behind the other pages
+    LoginForm* m_form = nullptr; ///< kept alive behind the other pages
 };
 
 } // namespace chiron::desktop

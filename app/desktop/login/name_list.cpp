@@ -43,7 +43,8 @@ NameList::NameList(const Theme& theme, QWidget* parent) : QWidget(parent) {
     connect(m_list, &QListWidget::itemClicked, this, take);
     connect(m_list, &QListWidget::itemActivated, this, take);
     connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-        if (item && !item->isHidden() && m_list->hasFocus()) // letters typed there find hidden names, too
+        // Typing letters in the list also finds hidden names.
+        if (item && !item->isHidden() && m_list->hasFocus())
             m_field->setText(item->data(kLoginName).toString());
     });
 }

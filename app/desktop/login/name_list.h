@@ -13,20 +13,24 @@ class QListWidget;
 
 namespace chiron::desktop {
 
-/// Who may log in: a field to type a name in, and under it the people whose names go with what is typed. GUI thread.
+/// Chooses who logs in: a field to type a name into, and below it the people whose names contain the typed
+/// text.
+/// Thread: GUI.
 class NameList final : public QWidget {
     Q_OBJECT
 public:
     explicit NameList(const Theme& theme, QWidget* parent = nullptr);
 
     void setNames(const std::vector<database::LoginName>& names);
-    QString name() const; ///< login name as typed or chosen
+    QString name() const; ///< the login name as typed or chosen
     void setName(const QString& name);
     void focusField();
-    void hideExplanation(); ///< why the list is empty, until another name is typed: something else is said about it
+    /// Hides the reason why the list is empty, until the name changes, because another message concerns that
+    /// name.
+    void hideExplanation();
 
 signals:
-    void chosen(const QString& name); ///< by click, Return or Enter: the password is next
+    void chosen(const QString& name); ///< by click, Return or Enter; the password comes next
     void nameChanged();
 
 protected:

@@ -12,7 +12,8 @@ namespace chiron::desktop {
 class NoticeArea;
 class PasswordFields;
 
-/// After a login with a password that somebody else has set: a new one of one's own before anything else. GUI thread.
+/// Asks for a new password of the person's own after a login with a password that somebody else has set.
+/// Thread: GUI.
 class NewPasswordPage final : public QWidget {
     Q_OBJECT
 public:

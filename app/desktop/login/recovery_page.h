@@ -15,7 +15,8 @@ class NoticeArea;
 class PasswordFields;
 class WaitCountdown;
 
-/// A forgotten password: who to ask, and for the administrator the recovery code. GUI thread.
+/// Help with a forgotten password: whom to ask, and for an administrator a form for the recovery code.
+/// Thread: GUI.
 class RecoveryPage final : public QWidget {
     Q_OBJECT
 public:

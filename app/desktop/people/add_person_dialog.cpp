@@ -50,7 +50,7 @@ void AddPersonDialog::submit() {
 void AddPersonDialog::added(const core::Result<database::PersonId>& id, const QString& name, const std::string& password) {
     setWorking(false);
     if (!id) {
-        // Name and password were checked while they were typed, so what is left of bad input is a name that is taken.
+        // Name and password were checked during typing, so badInput can only mean that the name is taken.
         const bool taken = id.error().code == core::ErrorCode::badInput;
         if (taken)
             m_name->showTaken();

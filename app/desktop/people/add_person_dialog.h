@@ -15,7 +15,8 @@ class LoginNameField;
 class PasswordChoice;
 class RoleChoice;
 
-/// Adds a person: name, roles, first password. GUI thread.
+/// Adds a person: name, roles, first password.
+/// Thread: GUI.
 class AddPersonDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -41,7 +41,7 @@ void EditPersonDialog::renew() {
     sayWhatRenamingDoes();
 }
 
-/// Capital letters alone make no other login name.
+/// Names that differ only in case are the same login name.
 void EditPersonDialog::sayWhatRenamingDoes() {
     const bool renames = m_name->isGood() && database::nameKey(m_name->name().toStdString()) != database::nameKey(m_person.name);
     QStringList words;
@@ -72,7 +72,7 @@ void EditPersonDialog::saved(const core::Result<void>& done) {
         emit changed();
         context().messages().done(tr("%1 is saved.").arg(name));
         accept();
-    } else if (done.error().code == core::ErrorCode::badInput) { // the rest was checked while it was typed
+    } else if (done.error().code == core::ErrorCode::badInput) { // the rest was checked during typing
         m_name->showTaken();
     } else {
         say("bad", tr("%1 was not changed.\n%2").arg(QString::fromStdString(m_person.name), inWords(done.error())));

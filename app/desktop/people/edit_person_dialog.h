@@ -12,7 +12,8 @@ namespace chiron::desktop {
 
 class LoginNameField;
 
-/// Changes a person's full name and login name. GUI thread.
+/// Changes a person's full name and login name.
+/// Thread: GUI.
 class EditPersonDialog final : public FormDialog {
     Q_OBJECT
 public:

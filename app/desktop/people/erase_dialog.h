@@ -8,7 +8,9 @@ class QCheckBox;
 
 namespace chiron::desktop {
 
-/// Erases a person for ever: says what goes and what stays, and asks for the person's login name typed out as well. GUI thread.
+/// Erases a person permanently. It says what is erased and what stays, and also requires the person's login
+/// name to be typed.
+/// Thread: GUI.
 class EraseDialog final : public ErasureDialog {
     Q_OBJECT
 public:

@@ -9,7 +9,9 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// Erases a participant of a study who has withdrawn: who they were and their free answers, and the recordings where they wished so. GUI thread.
+/// Erases a participant who has withdrawn from a study: their identity and free answers, and also the
+/// recordings if they wished so.
+/// Thread: GUI.
 class EraseParticipantDialog final : public ErasureDialog {
     Q_OBJECT
 public:
@@ -19,7 +21,7 @@ private:
     void load();
     void loaded(core::Result<std::vector<session::WithdrawnParticipant>> withdrawn);
     void renewWords();
-    const session::WithdrawnParticipant* chosen() const; ///< null: nobody waits
+    const session::WithdrawnParticipant* chosen() const; ///< null if nobody is waiting to be erased
     bool isChosen() const override { return chosen() != nullptr; }
     QString whom() const override;
     Erasure erasure() const override;

@@ -14,7 +14,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Either the administrator was not let in, or the erasure went so.
+/// Either the refusal of the administrator's login, or the result of the erasure.
 struct Outcome {
     std::optional<database::Refusal> refusal;
     core::Result<void> done;
@@ -86,7 +86,7 @@ void ErasureDialog::finished(const core::Result<void>& done) {
     } else if (done.error().code == core::ErrorCode::wrongUse) {
         say("bad", cannotWords());
     } else if (done.error().code == core::ErrorCode::storage) {
-        emit changed(); // the list shows how far it came
+        emit changed(); // the list shows how far the erasure got
         say("bad", tr("The erasure of %1 is not complete: the file may still contain old copies. Press the button again to continue where "
                       "it stopped.\n%2")
                        .arg(whom(), inWords(done.error())));

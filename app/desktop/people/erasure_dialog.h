@@ -14,8 +14,9 @@ namespace chiron::desktop {
 class FieldNote;
 class WaitCountdown;
 
-/// What erasing somebody always asks for: a reason, which is kept, and the administrator's own password. Where an erasure stopped half-way it
-/// can be sent again and goes on. GUI thread.
+/// The common part of the dialogs that erase somebody: it asks for a reason, which is kept, and for the
+/// administrator's own password. An erasure that stopped half-way can be submitted again and then continues.
+/// Thread: GUI.
 class ErasureDialog : public FormDialog {
     Q_OBJECT
 protected:
@@ -23,14 +24,14 @@ protected:
 
     ErasureDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent);
     QLineEdit* addReason();
-    void addPassword(); ///< and the button; last
+    void addPassword(); ///< also adds the button; call it last
     void renew();
 
-    virtual bool isChosen() const = 0;        ///< it is certain who is meant
+    virtual bool isChosen() const = 0;        ///< it is clear who is to be erased
     virtual QString whom() const = 0;
-    virtual Erasure erasure() const = 0;      ///< runs on a worker
+    virtual Erasure erasure() const = 0;      ///< the work, which runs on a worker
     virtual QString doneWords() const = 0;
-    virtual QString cannotWords() const = 0;  ///< the data layer says that it is not the time
+    virtual QString cannotWords() const = 0;  ///< text for the case that the data layer does not allow it yet
 
     void submit() override;
 

@@ -34,7 +34,8 @@ FormDialog::FormDialog(AppContext& context, const QString& objectName, const QSt
     m_form->setSpacing(theme.px(12));
     m_form->addWidget(kit::label(theme, title, TextStyle::heading));
     m_page->column()->addWidget(m_body);
-    m_notice = new NoticeArea(theme, NoticeArea::Room::none); // nothing moves: the buttons stand below the page
+    // No room is needed, because the buttons stand below the page and nothing moves.
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none);
     m_notice->setObjectName(objectName + QStringLiteral(".notice"));
     m_page->column()->addWidget(m_notice);
     m_page->column()->addStretch();
@@ -99,7 +100,8 @@ void FormDialog::setWorking(bool working, bool formShowsIt) {
 void FormDialog::say(const char* kind, const QString& text) {
     m_notice->say(kind, text);
     if (!text.isEmpty())
-        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_notice); }, Qt::QueuedConnection); // once it has its size
+        // Deferred until the notice has its size.
+        QMetaObject::invokeMethod(this, [this] { m_page->ensureWidgetVisible(m_notice); }, Qt::QueuedConnection);
 }
 
 void FormDialog::showResult(QWidget* result) {

@@ -14,17 +14,18 @@ class AppContext;
 class NoticeArea;
 class ScrollPage;
 
-/// A dialog with a form that scrolls, a notice, and two buttons: do it, or leave it. Deleted when closed. While working it
-/// stays open and cannot be sent twice. GUI thread.
+/// A dialog with a scrolling form, a notice, and two buttons to accept or cancel. It is deleted when closed.
+/// While it is working it stays open and cannot be submitted again.
+/// Thread: GUI.
 class FormDialog : public QDialog {
     Q_OBJECT
 public:
     FormDialog(AppContext& context, const QString& objectName, const QString& title, QWidget* parent);
 
-    void reject() override; ///< not while working
+    void reject() override; ///< ignored while working
 
 signals:
-    void changed(); ///< something was stored: lists are out of date
+    void changed(); ///< something was stored: lists must reload
 
 protected:
     AppContext& context() const { return m_context; }
@@ -32,24 +33,27 @@ protected:
     QVBoxLayout* column() const { return m_form; }
     /// Object name of the button is "<dialog>.accept".
     void setAccept(const QString& text, const char* kind = "primary");
-    void setCancel(const QString& text); ///< what leaving means, where "Cancel" does not say it
-    void setAcceptable(bool acceptable); ///< the form is complete
-    /// What cannot be undone and asks for nothing to be typed: Enter leaves it. After setAccept.
+    void setCancel(const QString& text); ///< a label for cancelling where "Cancel" is unclear
+    void setAcceptable(bool acceptable); ///< true if the form is complete
+    /// For actions that cannot be undone and require no typing: makes Cancel the default button, so that
+    /// Enter cancels. Call it after setAccept().
     void cancelAtEnter();
-    /// Scrolls to a part of the form, for whoever comes to it by a key.
+    /// Scrolls to a part of the form, for a person who reaches it by keyboard.
     void reveal(QWidget& part);
-    /// While working the form cannot be used, unless it shows the progress itself.
+    /// While working, the form is disabled unless it shows the progress itself (`formShowsIt`).
     void setWorking(bool working, bool formShowsIt = false);
     bool isWorking() const { return m_working; }
-    /// kind as in kit::notice; an empty text says nothing.
+    /// `kind` as in kit::notice. An empty text hides the notice.
     void say(const char* kind, const QString& text);
-    /// The work is done: the form goes, this comes, and only "Close" is left.
+    /// Replaces the form with the result once the work is done. Only "Close" remains.
     void showResult(QWidget* result);
-    /// The same for what is shown this once: `first`, which takes it along, has the focus, so that Enter does not close.
+    /// The same for a result that is shown only once: `first`, the button that saves it, has the focus, so
+    /// that Enter does not close the dialog.
     void showSecret(QWidget* result, QPushButton* first);
-    /// Only the way out that the form has itself is left; Escape and the window's own button still ask reject().
+    /// Hides Cancel if the form has its own way out. Escape and the window's close button still call
+    /// reject().
     void hideCancel();
-    /// There is nothing to do: only "Close" is left. False: both buttons again.
+    /// True: there is nothing to do, so only "Close" remains. False: shows both buttons again.
     void leaveOnly(bool only);
     virtual void submit() = 0;
 

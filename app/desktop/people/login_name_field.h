@@ -10,7 +10,8 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// A login name with its rule under it, which says what is wrong while somebody types. GUI thread.
+/// A field for a login name, with the naming rule below it; the rule shows errors during typing.
+/// Thread: GUI.
 class LoginNameField final : public QWidget {
     Q_OBJECT
 public:
@@ -20,7 +21,7 @@ public:
     QString name() const;
     void setName(const QString& name);
     bool isGood() const { return m_good; }
-    void showTaken(); ///< until something else is typed
+    void showTaken(); ///< until the text changes
     void focusField();
 
 signals:

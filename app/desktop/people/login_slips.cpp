@@ -14,7 +14,7 @@ namespace chiron::desktop {
 
 namespace {
 
-// Logical pixels of 1/96 inch.
+// In logical pixels of 1/96 inch.
 constexpr double kPadding = 14.0;
 constexpr double kLabelWidth = 150.0;
 
@@ -26,14 +26,14 @@ QString shown(const std::string& stored) {
     return QString::fromStdString(stored);
 }
 
-/// One line of a slip: what it is, and what is written there.
+/// One line of a slip: label and value.
 struct Line {
     QString label;
     QString value;
     QFont font;
 };
 
-/// In a font whose letters cannot be taken for each other.
+/// A font in which no two letters look alike.
 QFont secretFont(const report::PlotTheme& theme) {
     QFont font = theme.font(15, true);
     font.setFamily(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
@@ -70,7 +70,7 @@ report::Block slipOf(const LoginSlips& slips, const database::ImportedPerson& pe
             y += height;
         }
         report::drawText(painter, QRectF(box.left() + kPadding, y + 6, width, box.bottom() - y), advice, {small, theme.ink});
-        painter.setPen(QPen(theme.muted, 0.8, Qt::DashLine)); // to be cut along
+        painter.setPen(QPen(theme.muted, 0.8, Qt::DashLine)); // a line to cut along
         painter.drawLine(QPointF(box.left(), box.bottom()), QPointF(box.right(), box.bottom()));
     };
     return block;

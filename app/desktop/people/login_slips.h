@@ -12,16 +12,20 @@ class QPagedPaintDevice;
 
 namespace chiron::desktop {
 
-/// A slip of paper for each new person: who, login name, password, site, and what to do first.
+/// The content of the login slips: one slip of paper per new person with name, login name, password, site and
+/// first step.
 struct LoginSlips {
-    QString site; ///< its name; may be empty
+    QString site; ///< name of the site; may be empty
     std::vector<database::ImportedPerson> people;
 };
 
-/// As A4 pages to be cut, a PDF that only its owner may read. GUI thread. Failure: storage, naming the path.
+/// Writes the slips as a PDF of A4 pages to cut up. Only the file's owner may read it.
+/// Thread: GUI.
+/// Errors: storage naming the path.
 core::Result<void> writeLoginSlips(const QString& path, const LoginSlips& slips, const report::PlotTheme& theme);
 
-/// The same pages on a printer. False where it cannot be painted on. GUI thread.
+/// Paints the same pages on a printer. Returns false if the printer cannot be painted on.
+/// Thread: GUI.
 bool paintLoginSlips(QPagedPaintDevice& device, const LoginSlips& slips, const report::PlotTheme& theme);
 
 } // namespace chiron::desktop

@@ -12,7 +12,8 @@ namespace chiron::desktop {
 
 class PasswordFields;
 
-/// A password for somebody else: made by the program, or typed. Either must be changed at the next login. GUI thread.
+/// Sets a password for another person, either generated or typed. It must be changed at the next login.
+/// Thread: GUI.
 class PasswordChoice final : public QWidget {
     Q_OBJECT
 public:
@@ -21,7 +22,7 @@ public:
     void setLoginName(const QString& name);
     bool isGood() const;
     bool isGenerated() const;
-    std::string password() const; ///< a fresh one at each call where it is generated
+    std::string password() const; ///< if generated, a new one at each call
 
 signals:
     void changed();
@@ -32,7 +33,7 @@ private:
     PasswordFields* m_fields;
 };
 
-/// What is shown when somebody has got a password from an administrator: once, to hand it over.
+/// Shows once the password that an administrator has set for somebody, so that it can be handed over.
 QWidget* handedPassword(const Theme& theme, const QString& headline, const QString& loginName, const QString& password);
 
 } // namespace chiron::desktop

@@ -23,7 +23,7 @@
 #include <QPointer>
 #include <QSaveFile>
 
-// What is done with a person. Every action checks in the data layer who asks.
+// Actions on people. For every action the data layer checks who asks.
 namespace chiron::desktop {
 
 namespace {
@@ -45,7 +45,7 @@ core::Result<void> writeExport(database::Database& database, const database::Act
     return {};
 }
 
-/// A dialog for one file that does not stop the program; `chosen` hears the file.
+/// Opens a file dialog without blocking the program. `chosen` receives the file.
 template <class Chosen>
 void askFile(QWidget* owner, Settings& settings, const QString& purpose, const QString& title, QFileDialog::AcceptMode mode, const QString& suggestion, const QString& filter, Chosen chosen) {
     auto* dialog = new QFileDialog(owner, title);
@@ -139,7 +139,8 @@ void PeopleScreen::setEnabledOf(const database::Person& person, bool enabled) {
                                                if (self)
                                                    self->setEnabledOf(person, !enabled);
                                            }});
-            } else if (done.error().code == core::ErrorCode::wrongUse) { // the one rule that it can break
+            } else if (done.error().code == core::ErrorCode::wrongUse) {
+                // This is the only rule that it can violate.
                 context().messages().warning(tr("%1 stays enabled: the site needs at least one administrator who can log in. Make another "
                                                 "person an administrator first.")
                                                  .arg(name));

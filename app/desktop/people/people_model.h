@@ -9,14 +9,16 @@
 
 namespace chiron::desktop {
 
-/// People as rows: login name, full name, roles, state of the account. GUI thread.
+/// A table model of people: login name, full name, roles, state of the account.
+/// Thread: GUI.
 class PeopleModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { name, fullName, roles, account, columnCountAll };
     static constexpr int kChips = Qt::UserRole; ///< QStringList of role names, for RoleChips
     static constexpr int kPersonId = Qt::UserRole + 1;
-    static constexpr int kSearch = Qt::UserRole + 2; ///< of any cell of a row: its words as forSearch() makes them
+    /// For any cell: the row's text as forSearch() returns it.
+    static constexpr int kSearch = Qt::UserRole + 2;
 
     PeopleModel(const Theme& theme, QObject* parent);
 
@@ -36,7 +38,7 @@ private:
     std::vector<database::Person> m_people;
 };
 
-/// The roles of a person in words, for chips and lists.
+/// The names of a person's roles, for chips and lists.
 QStringList rolesInWords(const database::RoleSet& roles);
 
 } // namespace chiron::desktop

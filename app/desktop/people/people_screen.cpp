@@ -17,14 +17,14 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
-// The list; what is done with a person stands in people_actions.cpp.
+// The list of people. The actions are in people_actions.cpp.
 namespace chiron::desktop {
 
 namespace {
 constexpr double kListHeight = 320;
-constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
+constexpr int kMeasuredRows = 100; // measuring a list of thousands would take too long
 
-/// For those who point at it and those who hear it: two buttons begin with the same word.
+/// Gives a button a tool tip and an accessible description, because two buttons begin with the same word.
 void tellApart(QPushButton& button, const QString& words) {
     button.setToolTip(words);
     button.setAccessibleDescription(words);
@@ -209,7 +209,7 @@ void PeopleScreen::find(const QString& text) {
 }
 
 void PeopleScreen::fitColumns() {
-    // Stretched where there is room; where there is none the table scrolls, instead of cutting the last column.
+    // The last column stretches if there is room; otherwise the table scrolls instead of cutting it off.
     QHeaderView* header = m_table->horizontalHeader();
     header->setStretchLastSection(false);
     header->setStretchLastSection(header->length() < m_table->viewport()->width());
@@ -241,7 +241,7 @@ void PeopleScreen::showEarlierNames() {
         this, [database, actor = context().actor(), id = m_chosen](WorkToken&) { return database::AccountService(*database).earlierNames(actor, id); },
         [this, id = m_chosen](const core::Result<std::vector<database::EarlierName>>& names) {
             if (id != m_chosen || !names || names->empty())
-                return; // somebody else is chosen by now; whoever has no others needs no line
+                return; // somebody else has been chosen, or there are no earlier names to show
             QStringList lines;
             for (const database::EarlierName& before : *names) {
                 const QString name = QString::fromStdString(before.name);

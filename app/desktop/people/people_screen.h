@@ -19,8 +19,8 @@ class FormDialog;
 class PeopleModel;
 class StatePanel;
 
-/// The administrator's people: find, add, import, rename, change roles, disable, reset a password, export what is held, erase. Every
-/// action goes through AccountService, which checks and audits it.
+/// The administrator's screen for people: find, add, import, rename, change roles, disable, reset a password,
+/// export stored data, erase. Every action goes through AccountService, which checks and audits it.
 class PeopleScreen final : public Screen {
     Q_OBJECT
 public:
@@ -31,9 +31,9 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
 
-    /// The dialog for a file that was chosen; also without a file dialog (tests).
+    /// Opens the import dialog for a chosen file. Tests call it directly, without a file dialog.
     void importRoster(const QString& file);
-    /// An empty list with headings, to be filled in a spreadsheet.
+    /// Writes an empty list with headings, to be filled in with a spreadsheet.
     void saveTemplate(const QString& file);
     /// Writes everything held about the chosen person to this file.
     void exportTo(const QString& file);
@@ -50,7 +50,7 @@ private:
     void find(const QString& text);
     void fitColumns();
     void choose(database::PersonId person);
-    const database::Person* chosen() const; ///< null while nobody is
+    const database::Person* chosen() const; ///< null if nobody is chosen
     void renewActions();
     void open(FormDialog* dialog);
     void addPerson();

@@ -8,7 +8,8 @@ namespace chiron::desktop {
 
 class PasswordChoice;
 
-/// Gives somebody a new password, which they must change at the next login. GUI thread.
+/// Sets a new password for a person, who must change it at the next login.
+/// Thread: GUI.
 class ResetPasswordDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -7,7 +7,8 @@
 
 namespace chiron::desktop {
 
-/// Paints a person's roles as chips, each with its word. GUI thread.
+/// Paints a person's roles as chips, each labelled with its role.
+/// Thread: GUI.
 class RoleChips final : public QStyledItemDelegate {
 public:
     RoleChips(const Theme& theme, QObject* parent) : QStyledItemDelegate(parent), m_theme(theme) {}

@@ -11,7 +11,8 @@ class QCheckBox;
 
 namespace chiron::desktop {
 
-/// The roles to tick, each with what it permits. GUI thread.
+/// Check boxes for the roles, each with a description of what it permits.
+/// Thread: GUI.
 class RoleChoice final : public QWidget {
     Q_OBJECT
 public:

@@ -31,13 +31,15 @@ void RolesDialog::submit() {
             const QString name = QString::fromStdString(m_person.name);
             if (done) {
                 emit changed();
-                if (m_person.id == context().actor().personId()) // the side bar shows what the login found
+                // The side bar still shows the roles from the login.
+                if (m_person.id == context().actor().personId())
                     context().messages().tell({MessageKind::done, tr("Your roles are changed. Log in again to see the screens that go with them."), tr("Log out"),
                                                [&app = context()] { app.logOut(); }});
                 else
                     context().messages().done(tr("The roles of %1 are changed.").arg(name));
                 accept();
-            } else if (done.error().code == core::ErrorCode::wrongUse) { // the one rule that a choice of roles can break
+            } else if (done.error().code == core::ErrorCode::wrongUse) {
+                // This is the only rule that a choice of roles can violate.
                 say("bad", tr("%1 remains an administrator: a site needs at least one who can log in. Make another person an administrator "
                               "first.").arg(name));
             } else {

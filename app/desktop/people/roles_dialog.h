@@ -8,7 +8,8 @@ namespace chiron::desktop {
 
 class RoleChoice;
 
-/// Changes what a person may do. GUI thread.
+/// Changes the roles of a person.
+/// Thread: GUI.
 class RolesDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -20,7 +20,7 @@ namespace {
 using Kind = database::RosterStep::Kind;
 
 constexpr std::size_t kMostProblems_shown = 50;
-constexpr std::size_t kMostWords = 8; // more unknown roles are a wrong column
+constexpr std::size_t kMostWords = 8; // more unknown roles mean that the column is wrong
 constexpr double kPanelHeight = 260;
 
 } // namespace
@@ -42,7 +42,7 @@ RosterDialog::RosterDialog(AppContext& context, const QString& fileName, std::st
     load();
 }
 
-/// Seen where somebody in the list has an account already.
+/// Shown if anybody in the list already has an account.
 QWidget* RosterDialog::existingChoice() {
     auto* choice = new QWidget;
     auto* rows = new QVBoxLayout(choice);
@@ -77,7 +77,7 @@ void RosterDialog::load() {
         },
         [this, asked](core::Result<database::RosterPlan> plan) {
             if (asked != m_asked)
-                return; // a choice has changed meanwhile: another answer follows
+                return; // a choice has changed in the meantime, so another result follows
             if (plan)
                 showPlan(*plan);
             else
@@ -85,7 +85,7 @@ void RosterDialog::load() {
         });
 }
 
-/// Words of the list that are no role: each with a choice of what it stands for, as long as the dialog is open.
+/// Offers a role for each word of the list that is not a role, as long as the dialog is open.
 void RosterDialog::askRoles(const database::Roster& roster) {
     if (m_roles || roster.unknownRoles.empty() || roster.unknownRoles.size() > kMostWords)
         return;
@@ -145,7 +145,7 @@ void RosterDialog::showPlan(const database::RosterPlan& plan) {
     if (!plan.steps.empty())
         parts->addWidget(rosterTable(theme(), plan), 1);
     parts->addStretch();
-    delete m_panel->content(); // of the choice before
+    delete m_panel->content(); // from the previous choice
     m_panel->setContent(whole);
     m_panel->showContent();
     setAccept(roster.problems.empty() && m_changes > 0 ? tr("Import %n people", nullptr, m_changes) : tr("Import"));
@@ -190,7 +190,8 @@ void RosterDialog::submit() {
                 return;
             }
             m_panel->showContent();
-            const bool last = outcome.error().code == core::ErrorCode::wrongUse; // the one rule that a faultless list can break
+            // This is the only rule that a list without errors can violate.
+            const bool last = outcome.error().code == core::ErrorCode::wrongUse;
             say(outcome.error().code == core::ErrorCode::cancelled ? "info" : "bad",
                 last ? tr("Nothing was changed: the site needs at least one administrator who can log in, and the list would leave none.")
                      : tr("Nothing was changed.\n%1").arg(inWords(outcome.error())));
@@ -213,7 +214,8 @@ void RosterDialog::showDone(database::RosterOutcome outcome) {
     }
     m_slips = new SlipsPanel(context(), words.join(QLatin1Char(' ')), std::move(outcome.added));
     connect(m_slips, &SlipsPanel::told, this, [this](QWidget* notice) {
-        QMetaObject::invokeMethod(this, [this, notice] { reveal(*notice); }, Qt::QueuedConnection); // once it has its size
+        // Deferred until the notice has its size.
+        QMetaObject::invokeMethod(this, [this, notice] { reveal(*notice); }, Qt::QueuedConnection);
     });
     showSecret(m_slips, m_slips->findChild<QPushButton*>(QStringLiteral("slips.print")));
 }

@@ -15,22 +15,23 @@ namespace chiron::desktop {
 class SlipsPanel;
 class StatePanel;
 
-/// Imports a list of people from CSV: shows first what would become of each line and what is wrong in which; then all of it is
-/// done, or nothing. Passwords that were made are shown once, to be printed. GUI thread.
+/// Imports a list of people from CSV. It first shows what would happen with each line and which lines contain
+/// errors; then it imports all of them or none. Generated passwords are shown once, for printing.
+/// Thread: GUI.
 class RosterDialog final : public FormDialog {
     Q_OBJECT
 public:
-    /// `bytes` is the file's content, `fileName` what people call it.
+    /// `bytes` is the content of the file; `fileName` is its name for display.
     RosterDialog(AppContext& context, const QString& fileName, std::string bytes, QWidget* parent);
 
-    void reject() override; ///< passwords that nobody has taken: only when asked twice
+    void reject() override; ///< warns once before it discards passwords that nobody has printed or saved
 
 protected:
     void submit() override;
 
 private:
     QWidget* existingChoice();
-    QWidget* roleChoice(const std::string& word); ///< what a word of the list stands for
+    QWidget* roleChoice(const std::string& word); ///< role for a word of the list
     void askRoles(const database::Roster& roster);
     database::RosterExisting existing() const;
     void load();
@@ -40,9 +41,9 @@ private:
 
     std::string m_bytes;
     int m_changes = 0;
-    int m_asked = 0; ///< how often the list was read: an answer to an earlier question is not shown
-    database::RoleWords m_roleWords; ///< as chosen here
-    QWidget* m_roles = nullptr;      ///< the choices; null while every word is a role
+    int m_asked = 0; ///< number of times the list was read, to discard outdated answers
+    database::RoleWords m_roleWords; ///< as chosen in this dialog
+    QWidget* m_roles = nullptr;      ///< the role choices; null if every word names a role
     QLabel* m_read;
     QWidget* m_existing;
     QRadioButton* m_update = nullptr;
@@ -51,7 +52,7 @@ private:
     bool m_warned = false;
 };
 
-/// One thing that is wrong in a list of people, in words.
+/// Describes an error in a list of people.
 QString rosterProblemWords(const database::RosterProblem& problem);
 
 } // namespace chiron::desktop

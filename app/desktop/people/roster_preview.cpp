@@ -21,7 +21,7 @@ constexpr int kLoginNameColumn = 2;
 constexpr int kFullNameColumn = 3;
 constexpr int kMostDoubts = 5; // lines of the summary
 constexpr int kMostNames = 5;  // likewise
-constexpr int kMeasuredRows = 100; // a list of thousands must not be measured whole
+constexpr int kMeasuredRows = 100; // measuring a list of thousands would take too long
 
 QString words(const char* text) {
     return QCoreApplication::translate("RosterWords", text);
@@ -62,12 +62,12 @@ QString rolesWords(const database::RoleSet& roles) {
     return rolesInWords(roles).join(QStringLiteral(", "));
 }
 
-/// "Bob → Robert" where something changes.
+/// "Bob → Robert" if the value changes.
 QString change(bool changes, const QString& before, const QString& after) {
     return changes && before != after ? words(QT_TRANSLATE_NOOP("RosterWords", "%1 → %2")).arg(before, after) : after;
 }
 
-/// What there is to say about who is meant; empty for most lines.
+/// A remark on which person is meant; empty for most lines.
 QString whoIsMeant(const database::RosterStep& step) {
     using Doubt = database::RosterStep::Doubt;
     const QString line = QLocale().toString(step.line);
@@ -114,7 +114,8 @@ QString keepsFullNameWords(const database::RosterStep& step) {
     return words(QT_TRANSLATE_NOOP("RosterWords", "The list has the earlier full name %1; the one of today stays.")).arg(QString::fromStdString(step.earlierDisplayName));
 }
 
-/// Whose full name would change, and whose would not although the list has another one.
+/// Lists the people whose full name would change, and those who keep theirs although the list contains
+/// another one.
 void addFullNames(QStringList& lines, const database::RosterPlan& plan) {
     int renamed = 0;
     for (const database::RosterStep& step : plan.steps) {
@@ -175,7 +176,7 @@ QStringList rosterPlanWords(const database::RosterPlan& plan) {
     return lines;
 }
 
-/// What is wrong in a line; empty for a faultless one.
+/// The errors in a line; empty if there are none.
 QStringList problemsOf(const database::Roster& roster, int line) {
     QStringList told;
     for (const database::RosterProblem& problem : roster.problems)
@@ -210,7 +211,11 @@ QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan) {
             item->setToolTip(!problems.isEmpty()                                              ? problems.join(QLatin1Char('\n'))
                              : column == kLoginNameColumn && !doubt.isEmpty()                        ? doubt
                              : column == kFullNameColumn && !step.earlierDisplayName.empty() ? keepsFullNameWords(step)
-                                                                                             : cells[column]); // where the window is small
+                                                                                             // The whole
+                                                                                             // text, in case
+                                                                                             // a small window
+                                                                                             // cuts it off.
+                                                                                             : cells[column]);
             table->setItem(row, column, item);
         }
         ++row;

@@ -10,13 +10,14 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// How the file was read: "Read as UTF-8, separated by semicolons."
+/// Says how the file was read: "Read as UTF-8, separated by semicolons."
 QString rosterReadWords(const database::Roster& roster);
-/// What an import would do, and what of the file it would not use; a sentence each.
+/// Describes what an import would do and which parts of the file it would ignore, one sentence each.
 QStringList rosterPlanWords(const database::RosterPlan& plan);
-/// Whether it is uncertain in some line who is meant.
+/// Whether it is uncertain for any line which person is meant.
 bool rosterLeavesDoubts(const database::RosterPlan& plan);
-/// Each line of the list, and what becomes of it. GUI thread.
+/// A table with each line of the list and what happens with it.
+/// Thread: GUI.
 QWidget* rosterTable(const Theme& theme, const database::RosterPlan& plan);
 
 } // namespace chiron::desktop

@@ -13,7 +13,7 @@ QString words(const char* text) {
     return QCoreApplication::translate("RosterWords", text);
 }
 
-/// What the file is instead of a list, and how to make one of it; empty where it is text.
+/// Says what kind of file it is instead of a list, and how to convert it; empty for a text file.
 QString fileWords(database::RosterFault fault) {
     using database::RosterFault;
     switch (fault) {

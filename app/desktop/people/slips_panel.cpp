@@ -21,7 +21,8 @@ namespace chiron::desktop {
 
 namespace {
 constexpr double kTableHeight = 220;
-const QString kSite = QStringLiteral("site_name"); // as this person wrote it last, where the site has no name of its own
+// Setting: the site's name as last entered by this person, used if the site has none of its own.
+const QString kSite = QStringLiteral("site_name");
 } // namespace
 
 SlipsPanel::SlipsPanel(AppContext& context, const QString& headline, std::vector<database::ImportedPerson> people, QWidget* parent)

@@ -12,7 +12,9 @@ namespace chiron::desktop {
 class AppContext;
 class NoticeArea;
 
-/// The passwords that an import has made, shown once: to be printed as slips or saved as a PDF. Kept nowhere. GUI thread.
+/// Shows the passwords that an import has generated, once, to print them as slips or save them as a PDF. They
+/// are not stored anywhere.
+/// Thread: GUI.
 class SlipsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +24,7 @@ public:
     void saveTo(const QString& file);
 
 signals:
-    void told(QWidget* notice); ///< something is said in it, which may be out of sight
+    void told(QWidget* notice); ///< the notice has a new text and may be scrolled out of view
 
 private:
     QWidget* peopleTable() const;

@@ -89,7 +89,9 @@ bool CommentPanel::mayAdd() const { return !m_draft->isHidden(); }
 void CommentPanel::write() { m_text->setFocus(Qt::ShortcutFocusReason); }
 
 void CommentPanel::clearDraft() {
-    m_text->setFocus(Qt::OtherFocusReason); // first: the button that was pressed is off once there is no text, and the page would follow the focus
+    // The focus moves first, because the pressed button is disabled once the text is empty, and the page
+    // would follow the focus.
+    m_text->setFocus(Qt::OtherFocusReason);
     m_text->clear();
     m_replyTo.reset();
     showReply();

@@ -19,23 +19,25 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Comments at a moment of the recording: a list that seeks, and a field for another one at the moment that is shown. GUI
-/// thread.
+/// Comments on moments of the recording: a list that seeks to the chosen comment's moment, and a field for a
+/// new comment on the moment that is shown.
+/// Thread: GUI.
 class CommentPanel : public QWidget {
     Q_OBJECT
 public:
     CommentPanel(const Theme& theme, const QLocale& locale, MomentWords moments, QWidget* parent = nullptr);
 
-    /// `timeOf` gives the recording's time of a tick. In the order of time, those on the session as a whole first; a reply
-    /// belongs to the moment of what it answers and stands below it.
+    /// `timeOf` converts a tick into the recording's time. The list is in order of time, with comments on the
+    /// whole session first. A reply belongs to the moment of the comment that it answers and stands below it.
     void show(std::vector<NamedComment> comments, database::PersonId reader, const std::function<double(std::uint64_t)>& timeOf);
-    void setMoment(double t_s); ///< where a new comment would go
-    void setMayAdd(bool may);    ///< what the screen offers; what is permitted is checked where it is stored
-    void setMayReview(bool may); ///< somebody else's session can be marked as reviewed without a remark
+    void setMoment(double t_s); ///< the moment that a new comment refers to
+    void setMayAdd(bool may);    ///< what the screen offers; permission is checked where comments are stored
+    void setMayReview(bool may); ///< allows marking another person's session as reviewed without a comment
     bool mayAdd() const;
-    void write(); ///< the field takes the focus
-    void reply(std::int64_t comment); ///< what is written next answers this one, where it is there and somebody else's
-    void clearDraft();             ///< and what is written next answers nothing
+    void write(); ///< moves the focus to the text field
+    /// Makes the next text a reply to this comment, if the comment exists and is by another person.
+    void reply(std::int64_t comment);
+    void clearDraft();             ///< also ends a reply
     QString draft() const;
 
 signals:
@@ -48,7 +50,7 @@ private:
     void buildList(QVBoxLayout& column);
     QString headOf(const NamedComment& comment, double t_s) const;
     QString authorOf(const NamedComment& comment) const;
-    const NamedComment* chosen() const; ///< that may be answered; null: none
+    const NamedComment* chosen() const; ///< a comment that may be answered; null if none
     void answer(const NamedComment* comment);
     void showReply();
 

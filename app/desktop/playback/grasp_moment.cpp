@@ -12,7 +12,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr double kNoise_J = 1e-5; // below, recorded energies differ by their rounding
+constexpr double kNoise_J = 1e-5; // smaller differences come from rounding in the recording
 
 core::LaparoscopyStep stepOf(double value) {
     const int step = std::clamp(static_cast<int>(std::lround(value)), 0, core::kLastLaparoscopyStep);
@@ -43,7 +43,8 @@ std::array<double, 3> placeAt(const session::PlaybackTrack& track, const session
 core::LaparoscopyCues graspCuesAt(const session::PlaybackTrack& track, const session::PlaybackView& view) {
     core::LaparoscopyCues cues;
     const session::PlaybackTrial* trial = track.trial(view.moment.trial);
-    const bool torn = view.moment.phase == core::TrialPhase::between && trial && trial->failed; // what is left of it
+    // After a failed trial the remains are shown.
+    const bool torn = view.moment.phase == core::TrialPhase::between && trial && trial->failed;
     const bool there = torn || view.moment.phase == core::TrialPhase::ready || view.moment.phase == core::TrialPhase::running;
     if (!there || track.quantities.empty())
         return cues;
@@ -58,7 +59,7 @@ void showGrasp(scene3d::SceneState& state, const core::LaparoscopyCues& cues) {
     state.exercise.own<core::LaparoscopyCues>() = cues;
     state.objectShown = cues.objectShown;
     for (scene3d::ToolView& tool : state.tool)
-        tool.drawnAtSurface = false; // a jaw that holds something is where the hand is
+        tool.drawnAtSurface = false; // a jaw that holds something is drawn where the hand is
 }
 
 QString graspReadout(const session::PlaybackView& view, const QString& held, const QLocale& locale) {

@@ -14,8 +14,9 @@ class QListWidget;
 
 namespace chiron::desktop {
 
-/// What happened, by time, each a step away: choosing one seeks. Can be narrowed to what cost something; contacts are many and are
-/// shown on demand. GUI thread.
+/// Lists the events of a recording by time; choosing one seeks to it. The list can be limited to penalties.
+/// Contacts are numerous and shown on demand.
+/// Thread: GUI.
 class MarkList : public QWidget {
     Q_OBJECT
 public:
@@ -31,7 +32,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     std::vector<session::PlaybackMark> m_marks;
-    std::string m_exercise; ///< whose words are used
+    std::string m_exercise; ///< selects the texts
     MomentWords m_moments;
     QCheckBox* m_penaltiesOnly;
     QCheckBox* m_contacts;

@@ -10,9 +10,10 @@
 namespace chiron::desktop {
 
 using session_report::markText;
-/// A mark's sign (Breeze name) and colour.
+/// Icon (Breeze name) and colour of a mark.
 QString markIcon(session::PlaybackMarkKind kind);
-QString markIcon(const session::PlaybackMark& mark); ///< a critical error has the sign of an error, whatever its kind
+/// A critical error has the icon of an error, whatever its kind.
+QString markIcon(const session::PlaybackMark& mark);
 Colour markColour(session::PlaybackMarkKind kind);
 
 } // namespace chiron::desktop

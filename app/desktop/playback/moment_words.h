@@ -10,20 +10,22 @@
 
 namespace chiron::desktop {
 
-/// The one clock by which screens tell a moment of a recording: the trial, and the time since it began, as the training screen counted it.
-/// (A recording begins before its first trial; its own time is nobody's.)
+/// Formats a moment of a recording in the only way in which screens give it: the trial, and the time since
+/// the trial started, as the training screen counted it. (A recording begins before its first trial, so its
+/// own time means nothing to people.)
 class MomentWords {
     Q_DECLARE_TR_FUNCTIONS(MomentWords)
 public:
     MomentWords() = default;
-    /// `several`: the session was to have more than one trial, so that each moment names its trial.
+    /// `several`: the session was planned with more than one trial, so each moment names its trial.
     MomentWords(std::vector<session::PlaybackTrial> trials, bool several, QLocale locale)
         : m_trials(std::move(trials)), m_several(several), m_locale(std::move(locale)) {}
 
-    QString at(double t_s) const; ///< "Trial 2, 0:05.0"; "0:05.0" where there is one trial; t_s: the recording's time
+    /// "Trial 2, 0:05.0", or "0:05.0" if there is one trial. `t_s` is on the recording's time.
+    QString at(double t_s) const;
 
 private:
-    std::vector<session::PlaybackTrial> m_trials; ///< by time
+    std::vector<session::PlaybackTrial> m_trials; ///< ordered by time
     bool m_several = false;
     QLocale m_locale;
 };

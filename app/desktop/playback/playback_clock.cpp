@@ -7,7 +7,8 @@ namespace chiron::desktop {
 
 namespace {
 constexpr int kPicture_ms = 16;
-constexpr double kLongestJump_s = 0.25; // a window that stood still must not leap over what was to be seen
+// After a stall of the window, playback must not skip what was to be seen.
+constexpr double kLongestJump_s = 0.25;
 } // namespace
 
 PlaybackClock::PlaybackClock(QObject* parent) : QObject(parent) {

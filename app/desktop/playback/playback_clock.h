@@ -9,11 +9,13 @@
 
 namespace chiron::desktop {
 
-/// Where playback stands on the recording's time and how fast it goes. Everything that is shown follows its `moved`. GUI thread.
+/// The position of playback in the recording, and its speed. Everything on the screen follows its `moved`
+/// signal.
+/// Thread: GUI.
 class PlaybackClock : public QObject {
     Q_OBJECT
 public:
-    static constexpr double kStep_s = 0.004; ///< one recorded picture: PlaybackTrack's samples
+    static constexpr double kStep_s = 0.004; ///< interval between samples of PlaybackTrack
 
     explicit PlaybackClock(QObject* parent = nullptr);
 
@@ -23,15 +25,16 @@ public:
     bool playing() const noexcept { return m_playing; }
     double speed() const noexcept { return m_speed; }
 
-    void seek(double t_s); ///< clamped; playing goes on from there
-    void step(int pictures); ///< pauses, then one picture on (or back)
-    void play(); ///< from the beginning where it stands at the end
+    void seek(double t_s); ///< clamped; playing continues from there
+    void step(int pictures); ///< pauses, then moves by this many samples (negative: back)
+    void play(); ///< starts from the beginning if the position is at the end
     void pause();
     void toggle() { m_playing ? pause() : play(); }
     void setSpeed(double times); ///< 0.1..4
-    /// Stretches of the recording that playing leaps over; whoever seeks into one sees it. By time, not overlapping.
+    /// Sets spans of the recording that playing skips; seeking into one still shows it. They are in order of
+    /// time and do not overlap.
     void setLeapt(std::vector<std::pair<double, double>> spans_s) { m_leapt_s = std::move(spans_s); }
-    /// Time that has passed for the person; the timer calls it, and tests.
+    /// Advances by elapsed real time. The timer calls it, and so do tests.
     void advance(double real_s);
 
 signals:
@@ -47,7 +50,7 @@ private:
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     double m_speed = 1.0;
-    std::vector<std::pair<double, double>> m_leapt_s; ///< begin, end
+    std::vector<std::pair<double, double>> m_leapt_s; ///< begin and end of each
     bool m_playing = false;
 };
 

@@ -20,7 +20,7 @@ std::optional<double> metricOf(database::Connection& connection, const database:
                                const std::string& metric) {
     const auto card = database::ScoreRepository(connection, actor).scores(session);
     if (!card)
-        return std::nullopt; // without a score it is no candidate for the best
+        return std::nullopt; // without a score it cannot be the best
     for (const scoring::MetricValue& value : card->metrics)
         if (value.id == metric)
             return value.value;
@@ -103,7 +103,7 @@ core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& conne
     if (!own.empty()) {
         if (GhostCandidate* best = bestOf(own, connection, actor, mainMetric, lowerIsBetter))
             best->role = GhostRole::ownBest;
-        own.front().role = GhostRole::ownFirst; // sessions come in the order of their numbers
+        own.front().role = GhostRole::ownFirst; // sessions are in the order of their numbers
     }
     std::stable_sort(own.begin(), own.end(), [](const GhostCandidate& a, const GhostCandidate& b) { return a.role < b.role; });
     std::reverse(others.begin(), others.end());

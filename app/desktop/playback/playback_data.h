@@ -17,15 +17,15 @@
 
 namespace chiron::desktop {
 
-/// A session as playback needs it: values only, so that the GUI thread waits for nobody.
+/// The data of a session for playback. It holds values only, so that the GUI thread never waits.
 struct PlaybackData {
-    database::SessionRecord record; ///< with its person's name as screens call them
+    database::SessionRecord record; ///< with the person's name as the screens show it
     session::SessionSetup setup;
     std::unique_ptr<PlaybackLayer> layer; ///< of its exercise; null without a recording
-    session::PlaybackTrack track; ///< empty where nothing was recorded, or where the recording was erased
+    session::PlaybackTrack track; ///< empty if nothing was recorded or the recording was erased
 };
 
-/// Why a session is offered as a second one.
+/// Why a session is offered as a ghost, that is, as a second session for comparison.
 enum class GhostRole { ownFirst, ownBest, scripted, other };
 
 struct GhostCandidate {
@@ -33,21 +33,24 @@ struct GhostCandidate {
     GhostRole role = GhostRole::other;
 };
 
-/// A comment and the name of who wrote it; empty where the name may not be known here.
+/// A comment with its author's name, which is empty if the name may not be known here.
 struct NamedComment {
     database::SessionComment comment;
     std::string author;
 };
 
-/// All of these: on a worker. Failure: the repositories' and the reader's, doesNotHold naming a damaged chunk; cancelled.
+/// Reads a session with its recording.
+/// Thread: worker; blocks. The same holds for the functions below.
+/// Errors: those of the repositories and the reader; doesNotHold naming a damaged chunk; cancelled.
 core::Result<PlaybackData> loadPlayback(database::Connection& connection, const database::Actor& actor,
                                         database::SessionId session, const std::function<bool(double)>& progress);
-/// Completed sessions of the same exercise, level and device class, the person's own first and best in front, then scripted
-/// ones, then the newest others.
+/// Lists completed sessions of the same exercise, level and device class: first the person's own first and
+/// best, then scripted ones, then the others from the newest.
 core::Result<std::vector<GhostCandidate>> listGhosts(database::Connection& connection, const database::Actor& actor,
                                                      const database::SessionRecord& record, const std::string& mainMetric,
                                                      bool lowerIsBetter);
-/// What people are called as the login screen of this site shows them: nothing that is not seen there anyway. Empty where that fails.
+/// The people's names as this site's login screen shows them, so that nothing is revealed that is not visible
+/// there anyway. Empty if reading fails.
 std::map<database::PersonId, std::string> shownNames(database::Connection& connection);
 core::Result<std::vector<NamedComment>> loadComments(database::Connection& connection, const database::Actor& actor,
                                                      database::SessionId session);

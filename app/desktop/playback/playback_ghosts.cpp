@@ -8,7 +8,7 @@
 
 #include <QComboBox>
 
-// The second session beside the first.
+// The second session (ghost) beside the first.
 namespace chiron::desktop {
 
 void PlaybackScreen::loadGhosts() {
@@ -77,7 +77,7 @@ void PlaybackScreen::chooseGhost() {
         },
         [this, id](core::Result<PlaybackData> ghost) {
             if (id != m_ghostChoice->currentData().toLongLong())
-                return; // another one was chosen meanwhile
+                return; // another one was chosen in the meantime
             if (ghost)
                 showGhost(std::move(*ghost));
             else

@@ -20,7 +20,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-// The parts that a playback is put together from.
+// Builds the parts of a playback.
 namespace chiron::desktop {
 
 void PlaybackScreen::build() {
@@ -88,7 +88,8 @@ QWidget* PlaybackScreen::headBox() {
 void PlaybackScreen::fitScene() {
     if (!m_sceneFrame)
         return;
-    // As high as leaves head, time bar and both plots in sight; where the window is too low for that, still high enough to see.
+    // Uses the height that leaves head, time bar and both plots visible; if the window is too low for that,
+    // the scene stays high enough to see.
     constexpr int kRest_px = 500;
     const Theme& theme = context().theme();
     m_sceneFrame->setFixedHeight(std::clamp(height() - theme.px(kRest_px), theme.px(240), theme.px(700)));

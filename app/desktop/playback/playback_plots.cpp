@@ -16,8 +16,8 @@ constexpr double kLeftMargin = 64.0;
 constexpr int kForceHeight_px = 170;
 constexpr int kLowHeight_px = 134;
 constexpr double kZoomStep = 0.5;
-constexpr double kLeast_s = 0.5;   // some hundred samples: beyond that there is nothing more to see
-constexpr double kPageLead = 0.05; // of the page, before the cursor when a page is turned
+constexpr double kLeast_s = 0.5;   // some hundred samples; a further zoom shows nothing more
+constexpr double kPageLead = 0.05; // share of the page before the cursor after a page turn
 } // namespace
 
 PlaybackPlots::PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track,
@@ -61,7 +61,7 @@ void PlaybackPlots::zoom(double factor) {
     showWindow(from_s, from_s + wide_s);
 }
 
-/// None that would do nothing.
+/// Disables buttons that would do nothing.
 void PlaybackPlots::showButtons() {
     const double wide_s = m_to_s - m_from_s;
     m_zoomIn->setEnabled(wide_s > std::min(kLeast_s, end_s()));
@@ -116,7 +116,7 @@ void PlaybackPlots::addSecond(report::PlotView& view, const std::vector<double> 
     std::vector<double> scaled;
     for (const double value : m_ghost->*values)
         scaled.push_back(factor * value);
-    const bool several = m_series.tools.size() > 1; // a ghost is its first tool's
+    const bool several = m_series.tools.size() > 1; // a ghost shows its first tool
     view.addLine(several ? tr("%1: %2").arg(m_ghostName, m_series.tools.front().name) : m_ghostName, m_ghost->t_s, scaled,
                  report::PlotStyle::dashDotD);
 }
@@ -137,7 +137,7 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     addSecond(*force, &session::GhostSeries::tissue_N, 1.0);
     slim(*force, {});
     if (m_series.tools.size() > 1)
-        force->setYAxis({tr("Tissue force (N)"), 0.0, {}}); // what is felt has a plot of its own
+        force->setYAxis({tr("Tissue force (N)"), 0.0, {}}); // the felt force has a plot of its own
     put(std::move(force), m_force, "playback.force", kForceHeight_px);
     if (auto felt = report::feltForcePlot(m_series, m_limit_N, look))
         putLow(std::move(felt), m_felt, "playback.felt_plot", tr("Force felt (N)"), false);
@@ -152,7 +152,8 @@ void PlaybackPlots::setGhost(const std::optional<session::GhostSeries>& ghost, c
     m_ghost = nullptr;
 }
 
-// Axis labels name what is drawn, and the lowest plot has the time of all: room for the lines instead.
+// Removes axis labels: the title names the quantity, and the lowest plot shows the time for all. The space
+// goes to the lines.
 void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
     const QString spoken = view.accessibleName();
     view.setTitle({});
@@ -164,7 +165,7 @@ void PlaybackPlots::slim(report::PlotView& view, const QString& time) {
 void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity,
                            bool last) {
     slim(*view, last ? tr("Time in the recording (s)") : QString());
-    view->setLegendShown(false); // the same lines as above
+    view->setLegendShown(false); // same lines as above
     view->setYAxis({QString(), 0.0, {}});
     view->setTitle(quantity);
     put(std::move(view), member, name, kLowHeight_px);
@@ -172,7 +173,7 @@ void PlaybackPlots::putLow(std::unique_ptr<report::PlotView> view, report::PlotV
 
 void PlaybackPlots::showCursor(double t_s) {
     m_cursor_s = t_s;
-    if (t_s < m_from_s || t_s > m_to_s) { // turns the page, as a chart recorder does
+    if (t_s < m_from_s || t_s > m_to_s) { // turns the page, like a chart recorder
         const double wide_s = m_to_s - m_from_s;
         const double from_s = std::clamp(t_s - kPageLead * wide_s, 0.0, std::max(0.0, end_s() - wide_s));
         showWindow(from_s, from_s + wide_s);

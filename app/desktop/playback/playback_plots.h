@@ -19,47 +19,49 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// A low plot of a layer: its quantity stands across the top.
+/// Settings of a low plot of a layer. Its quantity is written across the top.
 struct LayerPlotLook {
-    QString quantity;                   ///< with its unit
-    std::optional<double> minimum{0.0}; ///< of its axis
+    QString quantity;                   ///< including the unit
+    std::optional<double> minimum{0.0}; ///< lower end of its axis
     std::optional<double> maximum{};
     bool legend = false;
 };
 
-/// Force and speed of every tool over the whole recording with critical errors as crosses, and between them what the exercise's layer adds,
-/// one above the other, under one cursor; a click seeks, and all of them zoom together. Pauses are hatched, the limit is a line, a second
-/// session is a dash-dotted line. GUI thread.
+/// Plots force and speed of every tool over the whole recording, one above the other, with critical errors as
+/// crosses and the plots of the exercise's layer in between. All plots share one cursor and zoom together; a
+/// click seeks. Pauses are hatched, the limit is a line, and a second session is a dash-dotted line.
+/// Thread: GUI.
 class PlaybackPlots : public QWidget {
     Q_OBJECT
 public:
-    /// `track` and `layer` outlive it; without a layer nothing of one exercise is drawn. `books`: with those of energy, which tell an expert
-    /// whether the simulation made any.
+    /// `track` and `layer` outlive it. Without a layer, nothing specific to an exercise is drawn. `books`:
+    /// also plot the energy balance, from which an expert sees whether the simulation generated energy.
     PlaybackPlots(const Theme& theme, const QLocale& locale, const session::PlaybackTrack& track, const catalogue::ExerciseLevel& level,
                   const PlaybackLayer* layer = nullptr, bool books = true, QWidget* parent = nullptr);
 
-    /// Draws all again, with the second session's lines or without; `name` is in the legend.
+    /// Redraws everything with or without the lines of the second session; `name` appears in the legend.
     void setGhost(const std::optional<session::GhostSeries>& ghost, const QString& name);
     void showCursor(double t_s);
-    /// Shows `factor` times as much time as now, with the cursor where it was; never more than all, nor less than half a second.
+    /// Changes the visible time span by `factor`, keeping the cursor's position on the screen. The span is at
+    /// most the whole recording and at least half a second.
     void zoom(double factor);
     void zoomWhole();
-    double from_s() const noexcept { return m_from_s; } ///< ends of what is shown
+    double from_s() const noexcept { return m_from_s; } ///< start and end of the visible span
     double to_s() const noexcept { return m_to_s; }
     const report::PlotView& force() const { return *m_force; }
     const report::PlotView& speed() const { return *m_speed; }
 
-    // What layers draw with, in addPlots().
+    // Accessors for the layers, for use in addPlots().
     const session::PlaybackTrack& track() const { return m_track; }
     const report::SampleSeries& series() const { return m_series; }
     const Theme& theme() const { return m_theme; }
     const QLocale& plotLocale() const { return m_locale; }
     bool books() const { return m_books; }
-    /// A plot without lines, which is read out as `title`.
+    /// A plot without lines; screen readers read `title`.
     std::unique_ptr<report::PlotView> empty(const QString& title) const;
-    /// Puts a plot below the others.
+    /// Adds a plot below the others.
     void add(std::unique_ptr<report::PlotView> view, const char* name, const LayerPlotLook& look);
-    /// Adds the line of the second session, where there is one and it has these values.
+    /// Adds the line of the second session, if there is one and it has these values.
     void addSecond(report::PlotView& view, const std::vector<double> session::GhostSeries::*values, double factor) const;
 
 signals:
@@ -69,11 +71,12 @@ private:
     QWidget* zoomRow();
     void showButtons();
     void showWindow(double from_s, double to_s);
-    std::vector<report::PlotView*> views() const; ///< all that there are
+    std::vector<report::PlotView*> views() const; ///< all plots
     double end_s() const;
     report::PlotView* laidOut(std::unique_ptr<report::PlotView> view, const char* name, int height_px);
     void put(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, int height_px);
-    /// A low plot: its quantity across the top, because no language's word for it fits up its side.
+    /// Places a low plot, with its quantity across the top, because the word does not fit beside the axis in
+    /// any language.
     void putLow(std::unique_ptr<report::PlotView> view, report::PlotView*& member, const char* name, const QString& quantity, bool last);
     void slim(report::PlotView& view, const QString& time);
 
@@ -92,10 +95,11 @@ private:
     double m_to_s = 0.0;
     QVBoxLayout* m_column;
     report::PlotView* m_force = nullptr;
-    report::PlotView* m_felt = nullptr;     ///< what each of several tools was given; null where there is one alone, or nothing was felt
+    /// Force rendered to each of several tools; null if there is only one tool or no force was felt.
+    report::PlotView* m_felt = nullptr;
     report::PlotView* m_speed = nullptr;
-    std::vector<report::PlotView*> m_ofLayer; ///< in the order of drawing
-    const session::GhostSeries* m_ghost = nullptr; ///< while all are drawn
+    std::vector<report::PlotView*> m_ofLayer; ///< in drawing order
+    const session::GhostSeries* m_ghost = nullptr; ///< set only while the plots are being drawn
     QString m_ghostName;
 };
 

@@ -10,10 +10,11 @@
 
 namespace chiron::desktop {
 
-/// The scene of a playback: everything is shown, also what the level hid while it was trained.
+/// The scene of a playback. It shows everything, including what the level hid during training.
 scene3d::SceneSetup sceneSetupOf(const session::SessionSetup& setup, double forceLimit_N, const Theme& theme);
 
-/// What the scene shows at a moment of the recording; `ghost` and `layer` (of the track's exercise) may be null.
+/// The state of the scene at a moment of the recording. `ghost` and `layer` (of the track's exercise) may be
+/// null.
 scene3d::SceneState sceneStateAt(const session::PlaybackTrack& track, const session::PlaybackTrack* ghost, double t_s,
                                  PlaybackLayer* layer = nullptr);
 

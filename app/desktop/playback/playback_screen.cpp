@@ -22,7 +22,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kPlaybackLeadIn_s = 3.0; // to see how a commented moment came about
+constexpr double kPlaybackLeadIn_s = 3.0; // to see what led to a commented moment
 }
 
 PlaybackScreen::PlaybackScreen(AppContext& context, const Place& place) : Screen(context, place) {
@@ -84,7 +84,8 @@ void PlaybackScreen::load() {
     m_work = context().background().run(
         this,
         [&database, actor = context().actor(), id = sessionId()](WorkToken& token) -> core::Result<PlaybackData> {
-            scene3d::findWhyFlat(); // loads what the scene needs, so that the window does not wait for it later
+            // This loads what the scene needs, so that the window does not wait for it later.
+            scene3d::findWhyFlat();
             auto connection = database.openReader();
             if (!connection)
                 return tl::unexpected(connection.error());
@@ -96,7 +97,8 @@ void PlaybackScreen::load() {
         [this](core::Result<PlaybackData> loaded) {
             if (loaded)
                 return showData(std::move(*loaded));
-            if (loaded.error().code == core::ErrorCode::doesNotHold) // trying again would find the same
+            // Trying again would give the same result.
+            if (loaded.error().code == core::ErrorCode::doesNotHold)
                 return m_panel->showError(tr("This recording is damaged and cannot be played back. Its scores are kept."), loaded.error());
             m_panel->showError(tr("This session could not be opened"), loaded.error(), [this] { load(); });
         });
@@ -117,7 +119,8 @@ void PlaybackScreen::showData(PlaybackData loaded) {
     const double begin_s = place().parameters.contains(QStringLiteral("at_tick")) ? std::max(0.0, m_moment_s - kPlaybackLeadIn_s) : 0.0;
     m_clock.seek(place().parameters.value(QStringLiteral("at_s"), begin_s).toDouble());
     m_scrubber->setFocus();
-    QMetaObject::invokeMethod(this, &PlaybackScreen::makeScene, Qt::QueuedConnection); // after this page is painted
+    // The scene is created after this page has been painted.
+    QMetaObject::invokeMethod(this, &PlaybackScreen::makeScene, Qt::QueuedConnection);
     loadComments();
     loadGhosts();
 }
@@ -142,7 +145,7 @@ void PlaybackScreen::makeScene() {
     m_scene->widget()->setAccessibleName(tr("The scene at this moment"));
     m_scene->inputSource()->installEventFilter(this);
     showMoment(m_clock.position_s());
-    // Who was led to a moment sees how it came about, and the picture stops there.
+    // After a link to a moment, playback starts before it and pauses there.
     if (m_moment_s > m_clock.position_s()) {
         m_stopAt_s = m_moment_s;
         m_clock.play();
@@ -163,7 +166,7 @@ void PlaybackScreen::showMoment(double t_s) {
     m_readout->setText(m_data->layer->readout(m_data->track, m_data->track.at(t_s), t_s, context().locale()));
     if (m_stopAt_s && t_s >= *m_stopAt_s) {
         m_stopAt_s.reset();
-        m_clock.pause(); // at the moment that was to be seen
+        m_clock.pause(); // at the requested moment
     }
     if (!m_clock.playing())
         notePlace();
@@ -171,7 +174,7 @@ void PlaybackScreen::showMoment(double t_s) {
 
 scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
     constexpr double kSaid_s = 2.0;
-    constexpr int kLongest = 90; // one line in the scene; the whole text stands beside it
+    constexpr int kLongest = 90; // one line in the scene; the full text stands beside it
     QString caption = place().parameters.value(QStringLiteral("caption")).toString().simplified();
     if (caption.size() > kLongest)
         caption = caption.left(kLongest - 1).trimmed() + QStringLiteral("…");
@@ -184,7 +187,7 @@ scene3d::SceneNote PlaybackScreen::captionAt(double t_s) const {
 void PlaybackScreen::notePlace() {
     QVariantMap parameters = context().navigator().current().parameters;
     if (parameters.value(QStringLiteral("session")).toLongLong() != sessionId())
-        return; // somebody is on their way to another screen
+        return; // another screen has already been requested
     parameters.insert(QStringLiteral("at_s"), m_clock.position_s());
     context().navigator().note(parameters);
 }
@@ -196,7 +199,7 @@ bool PlaybackScreen::handleKey(QKeyEvent* event) {
     const bool mark = (event->modifiers() & Qt::ControlModifier) != 0;
     const int direction = event->key() == Qt::Key_Left ? -1 : 1;
     if (mark && event->key() != Qt::Key_Left && event->key() != Qt::Key_Right)
-        return false; // Ctrl+C copies, Ctrl+0 is nobody's
+        return false; // Ctrl+C copies; Ctrl+0 has no meaning
     switch (event->key()) {
     case Qt::Key_Space:
         m_clock.toggle();
@@ -241,8 +244,8 @@ void PlaybackScreen::resizeEvent(QResizeEvent* event) {
 }
 
 bool PlaybackScreen::eventFilter(QObject* watched, QEvent* event) {
-    // The 3D scene is a window of its own, whose keys never come up to this widget by themselves; and the page would scroll at
-    // the arrows, which here are the recording's.
+    // The 3D scene is a window of its own, whose key events do not propagate to this widget. The page would
+    // also scroll on arrow keys, which here belong to the recording.
     if (event->type() == QEvent::KeyPress && handleKey(static_cast<QKeyEvent*>(event)))
         return true;
     return Screen::eventFilter(watched, event);
@@ -288,7 +291,7 @@ void PlaybackScreen::loadComments() {
         });
 }
 
-// Once: whoever cancels the reply is not asked again when the comments are read anew.
+// Asks only once, so that a cancelled reply is not offered again when the comments are reloaded.
 void PlaybackScreen::answerAsked() {
     QVariantMap parameters = context().navigator().current().parameters;
     const QVariant asked = parameters.take(QStringLiteral("reply"));
@@ -381,7 +384,7 @@ void PlaybackScreen::decide(core::Result<void> (database::SessionRepository::*de
                 return context().messages().error(failed, stored.error());
             context().messages().done(done);
             m_clock.pause();
-            context().navigator().replace(context().navigator().current()); // shown anew, as it is now
+            context().navigator().replace(context().navigator().current()); // rebuilt in its new state
         });
 }
 

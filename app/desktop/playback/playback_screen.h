@@ -32,10 +32,11 @@ class Scrubber;
 class StatePanel;
 class WorkToken;
 
-/// A stored session played back: scene, scrubber, force and speed under one cursor, what happened, comments at a moment, a second
-/// session as a ghost. Trainers declare a session void here, or count it again. Place: {session, at_s, ghost}, and a caption with its
-/// moment: {caption, caption_s}, or {caption, at_tick} for the executed tick that a comment belongs to; {reply}: the comment to be answered. GUI
-/// thread.
+/// Plays a stored session back: scene, scrubber, force and speed under one cursor, events, comments on
+/// moments, and a second session as a ghost. Trainers void a session here, or count it again. The place is
+/// {session, at_s, ghost}, plus a caption with its moment: {caption, caption_s}, or {caption, at_tick} for
+/// the executed tick that a comment belongs to. {reply} names a comment to answer.
+/// Thread: GUI.
 class PlaybackScreen final : public Screen {
     Q_OBJECT
 public:
@@ -48,11 +49,12 @@ public:
     std::vector<ScreenCommand> commands() override;
 
     PlaybackClock& clock() noexcept { return m_clock; }
-    /// What is said in the scene at this time to whoever was led here (place {caption, caption_s}): one line, for as long as it takes to read it.
+    /// The caption in the scene at this time for a person who followed a link here (place {caption,
+    /// caption_s}): one line, visible for as long as it takes to read.
     scene3d::SceneNote captionAt(double t_s) const;
-    /// Stores the session as void; what is permitted is decided there. Tells how it went.
+    /// Stores the session as void and reports the result. The data layer decides whether that is permitted.
     void declareVoid(const QString& reason);
-    void countAgain(const QString& reason); ///< the opposite, as above
+    void countAgain(const QString& reason); ///< reverses declareVoid(), with the same checks
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -69,7 +71,7 @@ private:
     QWidget* sideColumn();
     QWidget* ghostBox();
     QWidget* readoutRow();
-    QWidget* switchRow(); ///< null where the layer has no such switches
+    QWidget* switchRow(); ///< null if the layer has no such switches
     QCheckBox* switchBox(const PlaybackSwitch& of);
     scene3d::SceneSetup sceneSetup() const;
     void makeScene();
@@ -86,21 +88,21 @@ private:
     void showGhost(PlaybackData ghost);
 
     void loadComments();
-    void answerAsked();  ///< the place says which comment
-    void writeComment(); ///< at the moment shown: the clock stops, the field has the focus
+    void answerAsked();  ///< for a place that names a comment
+    void writeComment(); ///< at the moment shown: pauses the clock and focuses the field
     void addComment(const QString& text, std::optional<std::uint64_t> tick);
     MomentWords momentWords() const;
-    void askDecision(); ///< void it, or count it again where it is void
+    void askDecision(); ///< to void the session, or to count a voided one again
     void decide(core::Result<void> (database::SessionRepository::*decision)(database::SessionId, const std::string&), const QString& reason,
                 const QString& done, const QString& failed);
     void openResults();
-    void readMoment(); ///< from the place: in seconds, or as an executed tick
+    void readMoment(); ///< from the place, in seconds or as an executed tick
 
     PlaybackClock m_clock;
     StatePanel* m_panel = nullptr;
     std::optional<PlaybackData> m_data;
-    double m_moment_s = -1.0;         ///< to which somebody was led; negative: to none
-    std::optional<double> m_stopAt_s; ///< playing pauses here, once
+    double m_moment_s = -1.0;         ///< moment that a link led to; negative if none
+    std::optional<double> m_stopAt_s; ///< playing pauses here once
     std::optional<session::PlaybackTrack> m_ghost;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_ghostWork;
@@ -110,7 +112,7 @@ private:
     QLabel* m_readout = nullptr;
     Scrubber* m_scrubber = nullptr;
     PlaybackPlots* m_plots = nullptr;
-    QTabWidget* m_tabs = nullptr; ///< events, comments
+    QTabWidget* m_tabs = nullptr; ///< tabs: events, comments
     CommentPanel* m_comments = nullptr;
     QComboBox* m_ghostChoice = nullptr;
 };

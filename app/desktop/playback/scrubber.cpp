@@ -23,7 +23,7 @@ Scrubber::Scrubber(const Theme& theme, QWidget* parent) : QAbstractSlider(parent
     setSingleStep(qRound(1e3 * PlaybackClock::kStep_s));
     setPageStep(1000);
     setAccessibleName(tr("Position in the recording"));
-    // Only what a person does asks for a seek: setPosition() blocks the signal.
+    // Only a person's input requests a seek, because setPosition() blocks the signal.
     connect(this, &QAbstractSlider::valueChanged, this, [this](int value_ms) { emit seekAsked(1e-3 * value_ms); });
 }
 
@@ -51,7 +51,7 @@ void Scrubber::setPosition(double t_s) {
     m_position_s = t_s;
     const QSignalBlocker quiet(this);
     setValue(qRound(1e3 * t_s));
-    setAccessibleDescription(m_moments.at(t_s)); // its value alone would be read as thousands
+    setAccessibleDescription(m_moments.at(t_s)); // the value alone would be read aloud in milliseconds
     update();
 }
 
@@ -83,12 +83,13 @@ void Scrubber::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Scrubber::keyPressEvent(QKeyEvent* event) {
-    // From where it stands, not from its rounded value: a picture is 4 ms, and positions lie between milliseconds.
+    // Steps from the exact position, not from the rounded value: samples are 4 ms apart, and positions lie
+    // between milliseconds.
     const double page_s = 1e-3 * pageStep();
     switch (event->key()) {
     case Qt::Key_PageUp: emit seekAsked(m_position_s + page_s); return;
     case Qt::Key_PageDown: emit seekAsked(m_position_s - page_s); return;
-    default: event->ignore(); // arrows, Home, End and Space are the screen's, wherever the focus is
+    default: event->ignore(); // arrows, Home, End and Space belong to the screen, wherever the focus is
     }
 }
 
@@ -129,7 +130,8 @@ void Scrubber::paintTrials(QPainter& painter) const {
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_theme.color(Colour::seriesA));
         painter.drawRect(span);
-        const QString number = m_trials.size() > 1 ? locale().toString(trial.index + 1) : QString(); // of one there is nothing to count
+        // There is no number if there is only one trial.
+        const QString number = m_trials.size() > 1 ? locale().toString(trial.index + 1) : QString();
         if (painter.fontMetrics().horizontalAdvance(number) + m_theme.px(4) < span.width()) {
             painter.setPen(m_theme.color(Colour::muted));
             painter.drawText(QRectF(span.left(), bar.bottom() + m_theme.px(1), span.width(), m_theme.px(16)), Qt::AlignHCenter, number);

@@ -10,19 +10,22 @@
 
 namespace chiron::desktop {
 
-/// The recording's time as a bar: a handle, trials, pauses hatched, marks and comments as ticks (penalties as triangles, answers
-/// as flags, comments as squares below). A slider for keyboard and screen reader: arrows step a picture, Page keys a
-/// second, Home and End. Values in milliseconds. GUI thread.
+/// Shows the recording's time as a bar with a handle, trials, hatched pauses, and ticks for marks and
+/// comments (penalties as triangles, answers as flags, comments as squares below). For keyboard and screen
+/// reader it is a slider: arrow keys step by one sample, Page keys by one second, and Home and End jump to
+/// the ends. Its values are milliseconds.
+/// Thread: GUI.
 class Scrubber : public QAbstractSlider {
     Q_OBJECT
 public:
     explicit Scrubber(const Theme& theme, QWidget* parent = nullptr);
 
-    void setTrack(const session::PlaybackTrack& track, const std::string& exercise, MomentWords moments); ///< copies what it draws
+    /// Copies what it draws.
+    void setTrack(const session::PlaybackTrack& track, const std::string& exercise, MomentWords moments);
     void setComments(std::vector<double> moments_s);
     void setPosition(double t_s);
     QSize sizeHint() const override;
-    /// Where a time lies, logical pixels.
+    /// Horizontal position of a time, in logical pixels.
     double xOf(double t_s) const;
 
 signals:
@@ -43,13 +46,13 @@ private:
     void paintHandle(QPainter& painter) const;
 
     const Theme& m_theme;
-    std::string m_exercise; ///< whose words are used
+    std::string m_exercise; ///< selects the texts
     MomentWords m_moments;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
     std::vector<session::PlaybackTrial> m_trials;
     std::vector<session::PlaybackSpan> m_paused;
-    std::vector<session::PlaybackMark> m_marks; ///< without contacts: those are too many to tell apart
+    std::vector<session::PlaybackMark> m_marks; ///< without contacts, which are too many to distinguish
     std::vector<double> m_comments_s;
 };
 

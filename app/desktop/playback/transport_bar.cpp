@@ -52,7 +52,8 @@ void TransportBar::buildButtons(QLayout& row) {
     add("playback.back", "go-previous", tr("One frame back (Left)"), [this] { m_clock.step(-1); });
     m_play = kit::button(m_theme, tr("Play"), "primary", QStringLiteral("media-playback-start"));
     m_play->setObjectName(QStringLiteral("playback.play"));
-    for (const bool playing : {true, false}) { // as wide for either word: its neighbours stay where they are
+    // This reserves the width of both texts, so that its neighbours do not move.
+    for (const bool playing : {true, false}) {
         showPlaying(playing);
         m_play->setMinimumWidth(std::max(m_play->minimumWidth(), m_play->sizeHint().width()));
     }

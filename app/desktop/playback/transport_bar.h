@@ -14,11 +14,12 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Play and pause, picture by picture, speed, and what the time is. GUI thread.
+/// Controls of playback: play and pause, single steps, speed, and a display of the time.
+/// Thread: GUI.
 class TransportBar : public QWidget {
     Q_OBJECT
 public:
-    /// `pauses_s`: begin and end of each, which playing leaps over unless somebody wants to see them.
+    /// `pauses_s`: begin and end of each pause. Playing skips pauses unless the person wants to see them.
     TransportBar(const Theme& theme, const QLocale& locale, PlaybackClock& clock, MomentWords moments, std::vector<std::pair<double, double>> pauses_s = {},
                  QWidget* parent = nullptr);
 

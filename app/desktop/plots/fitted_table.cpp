@@ -31,7 +31,8 @@ void FittedTable::setRowsSeen(int rows) {
 
 void FittedTable::fit() {
     for (int column = 0; column < columnCount(); ++column)
-        if (horizontalHeader()->sectionResizeMode(column) == QHeaderView::Stretch) // that column has the rest
+        // That column takes the remaining width.
+        if (horizontalHeader()->sectionResizeMode(column) == QHeaderView::Stretch)
             return horizontalHeader()->setStretchLastSection(false);
     int needed = 0;
     for (int column = 0; column < columnCount(); ++column)

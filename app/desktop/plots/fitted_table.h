@@ -7,13 +7,14 @@
 
 namespace chiron::desktop {
 
-/// A table to be read, row by row, whose columns are as wide as their words: where they all fit the last one takes the rest of the
-/// width, where they do not the table scrolls sideways; nothing is cut off. GUI thread.
+/// A read-only table, navigated by row, whose columns are as wide as their text. If all columns fit, the last
+/// one takes the remaining width; otherwise the table scrolls sideways. Nothing is cut off.
+/// Thread: GUI.
 class FittedTable : public QTableWidget {
     Q_OBJECT
 public:
     FittedTable(const Theme& theme, int columns, QWidget* parent = nullptr);
-    /// As high as `rows` rows, head and scroll bar included.
+    /// Makes the table high enough for `rows` rows, header and scroll bar included.
     void setRowsSeen(int rows);
 
 protected:

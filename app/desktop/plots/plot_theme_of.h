@@ -6,7 +6,8 @@
 
 namespace chiron::desktop {
 
-/// The colours, fonts and number locale of plots on the screen, from the theme's tokens. GUI thread.
+/// The colours, fonts and number locale of plots on the screen, from the theme's tokens.
+/// Thread: GUI.
 report::PlotTheme plotThemeOf(const Theme& theme, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -6,8 +6,9 @@
 
 namespace chiron::desktop {
 
-/// Widgets side by side, or one below the other where the width is less than `turnsAt_px`: for small windows, large text and long
-/// words. GUI thread.
+/// Arranges widgets side by side, or one below the other if the width is less than `turnsAt_px`, for small
+/// windows, large text and long words.
+/// Thread: GUI.
 class ResponsiveRow : public QWidget {
     Q_OBJECT
 public:

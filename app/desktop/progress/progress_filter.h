@@ -9,21 +9,21 @@
 
 namespace chiron::desktop {
 
-/// Which people of the group are asked for.
+/// The part of the group that is selected.
 enum class GroupPart { everybody, toReview, notLately, notAllPassed };
 
-/// What the overview of a group is narrowed to. A value; travels in a Place as a map.
+/// The filter of the group overview. A value; a Place carries it as a map.
 struct ProgressFilter {
     static constexpr int kLately_days = 14;
 
-    QString names; ///< parts between commas: whoever's name has all words of one of them
+    QString names; ///< parts separated by commas; a name matches if it contains all words of one part
     GroupPart part = GroupPart::everybody;
 
     bool operator==(const ProgressFilter&) const = default;
     bool isEmpty() const { return *this == ProgressFilter{}; }
     bool matches(const session::PersonStanding& person, const QDateTime& now) const;
     QVariantMap toMap() const;
-    static ProgressFilter fromMap(const QVariantMap& map); ///< what is missing or unknown stays open
+    static ProgressFilter fromMap(const QVariantMap& map); ///< missing or unknown entries keep their default
 };
 
 } // namespace chiron::desktop

@@ -20,7 +20,8 @@ namespace {
 const QString kChosenPerson = QStringLiteral("person");
 const QString kChosenExercise = QStringLiteral("exercise");
 
-/// Blocking: a worker's task. Whoever may not list people learns nothing (AccountRepository).
+/// Reads the standings of the group. An actor who may not list people gets nothing (AccountRepository).
+/// Thread: worker; blocks.
 core::Result<std::vector<session::PersonStanding>> readGroup(const database::Database& database, const database::Actor& actor, const catalogue::Catalogue& catalogue) {
     auto reader = database.openReader();
     if (!reader)
@@ -215,7 +216,7 @@ void ProgressScreen::showActions() {
 
 void ProgressScreen::noteState() {
     if (context().navigator().current().screen != place().screen)
-        return; // already on the way elsewhere
+        return; // another screen has already been requested
     QVariantMap map = m_filter.toMap();
     if (const session::PersonStanding* person = m_table->chosen())
         map.insert(kChosenPerson, static_cast<qint64>(person->person));

@@ -18,8 +18,10 @@ namespace chiron::desktop {
 class ProgressTable;
 class StatePanel;
 
-/// A trainer's overview of a group: who stands where at which exercise, when they trained last and what comes next for each. Leads to a person's
-/// sessions at an exercise. Place: ProgressFilter, and {person, exercise} for the chosen cell. GUI thread.
+/// A trainer's overview of a group: each person's standing at each exercise, their latest training and their
+/// next step. It leads to a person's sessions at an exercise. The place is a ProgressFilter, plus {person,
+/// exercise} for the chosen cell.
+/// Thread: GUI.
 class ProgressScreen final : public Screen {
     Q_OBJECT
 public:
@@ -45,9 +47,9 @@ private:
     void openResults();
 
     ProgressFilter m_filter;
-    database::PersonId m_wanted = 0;  ///< to be chosen once they are there
+    database::PersonId m_wanted = 0;  ///< person to select after loading
     std::string m_wantedExercise;
-    std::vector<session::PersonStanding> m_people; ///< whatever the filter
+    std::vector<session::PersonStanding> m_people; ///< everybody, independent of the filter
     bool m_showing = false;
     QLabel* m_count = nullptr;
     QLineEdit* m_names = nullptr;

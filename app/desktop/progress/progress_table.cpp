@@ -14,7 +14,8 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Broken at the space next to the middle: in every language the columns of all exercises then fit the smallest window.
+/// Breaks a heading at the space nearest to its middle, so that the columns of all exercises fit the smallest
+/// window in every language.
 QString inTwoLines(QString heading) {
     qsizetype best = -1;
     for (qsizetype at = heading.indexOf(u' '); at >= 0; at = heading.indexOf(u' ', at + 1))
@@ -83,7 +84,8 @@ void ProgressTable::fillRow(int row, const session::PersonStanding& person) {
         putStanding(row, firstExercise + static_cast<int>(i), person.exercises[i]);
 }
 
-/// The cell is short, so that every exercise is seen in the smallest window; how often the level was tried stands in its tool tip.
+/// The cell is short, so that every exercise is visible in the smallest window; the tool tip says how often
+/// the level was tried.
 void ProgressTable::putStanding(int row, int column, const session::ExerciseStanding& standing) {
     const QString whole = openWords(standing);
     const bool begun = standing.open && standing.attempts > 0;

@@ -11,7 +11,9 @@
 
 namespace chiron::desktop {
 
-/// A group at a glance: a row for each person, a column for each exercise with the lowest level that is not passed. GUI thread.
+/// Shows a group at a glance: one row per person and one column per exercise, with the lowest level that is
+/// not passed.
+/// Thread: GUI.
 class ProgressTable final : public FittedTable {
     Q_OBJECT
 public:
@@ -19,11 +21,12 @@ public:
 
     ProgressTable(const Theme& theme, QLocale locale, const catalogue::Catalogue& catalogue, ExerciseTitles titles, QWidget* parent = nullptr);
 
-    void show(std::vector<const session::PersonStanding*> people); ///< which have to outlive it
-    const session::PersonStanding* chosen() const;                 ///< null: nobody
-    std::string chosenExercise() const;                            ///< of the cell that was chosen; empty: of all exercises
+    /// The pointers must outlive the table's use of them.
+    void show(std::vector<const session::PersonStanding*> people);
+    const session::PersonStanding* chosen() const;                 ///< null if nobody is chosen
+    std::string chosenExercise() const; ///< of the chosen cell; empty for all exercises
     void choose(database::PersonId person, const std::string& exercise);
-    QString chosenInWords() const; ///< whose and which cell it is, level by level
+    QString chosenInWords() const; ///< person and cell that are chosen, level by level
 
 signals:
     void openAsked();
@@ -38,7 +41,7 @@ private:
     const Theme& m_theme;
     QLocale m_locale;
     ExerciseTitles m_titles;
-    std::vector<std::string> m_exercises; ///< of the columns
+    std::vector<std::string> m_exercises; ///< exercises of the columns
     std::vector<const session::PersonStanding*> m_people;
 };
 

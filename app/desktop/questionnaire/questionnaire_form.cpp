@@ -19,7 +19,7 @@ namespace chiron::desktop {
 using psychophysics::QuestionnaireItem;
 
 namespace {
-constexpr int kMostButtons = 11; // more of them are no longer told apart: a slider
+constexpr int kMostButtons = 11; // more of them are hard to distinguish, so a slider is used
 }
 
 QuestionnaireForm::QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language,
@@ -58,7 +58,7 @@ void QuestionnaireForm::addItem(const QuestionnaireItem& item) {
     layout()->addWidget(box.frame);
 }
 
-/// What the two ends of a scale mean.
+/// The meanings of the two ends of a scale.
 QLayout* QuestionnaireForm::ends(const Item& item) const {
     auto* row = new QHBoxLayout;
     row->addWidget(kit::label(m_theme, study_words::text(item.asked->low, m_language), TextStyle::body, "muted"), 1);
@@ -98,7 +98,8 @@ void QuestionnaireForm::addLikert(QLayout& layout, Item& item, const QString& na
     };
 }
 
-/// A scale of many steps. Nothing is answered until it was moved or clicked, so that no answer is the program's.
+/// A scale of many steps. It counts as unanswered until it was moved or clicked, so that no answer comes from
+/// the program.
 void QuestionnaireForm::addSlider(QLayout& layout, Item& item, const QString& name) {
     auto* part = new QWidget;
     auto* column = new QVBoxLayout(part);

@@ -15,18 +15,20 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// A questionnaire on one page, all of it by keyboard. GUI thread.
+/// Shows a questionnaire on one page. All of it can be filled in by keyboard.
+/// Thread: GUI.
 class QuestionnaireForm final : public QWidget {
     Q_OBJECT
 public:
     QuestionnaireForm(const Theme& theme, const QLocale& locale, const psychophysics::Questionnaire& questionnaire, const QString& language, QWidget* parent = nullptr);
 
-    /// What was answered so far, with the language that each question is shown in; items without an answer are left out. `run`: of the condition that
-    /// is asked about; 0: asked once.
+    /// The answers so far, with the language in which each question is shown. Items without an answer are
+    /// left out. `run`: the run of the condition that the questionnaire is about; 0 if it is asked only once.
     std::vector<database::QuestionnaireAnswer> answers(database::ParticipantNumber participant, database::StudyRunNumber run = 0) const;
-    /// Marks what must still be answered and leads there; false when nothing is missing.
+    /// Marks the items that must still be answered and scrolls to the first one. Returns false if none is
+    /// missing.
     bool showMissing();
-    int answered() const; ///< items that have an answer
+    int answered() const; ///< number of items with an answer
     int items() const { return static_cast<int>(m_items.size()); }
 
 signals:
@@ -37,7 +39,7 @@ private:
         const psychophysics::QuestionnaireItem* asked;
         QLabel* missing;
         QWidget* first; ///< gets the focus
-        std::function<bool(database::QuestionnaireAnswer&)> read; ///< false: none
+        std::function<bool(database::QuestionnaireAnswer&)> read; ///< returns false if there is no answer
     };
     void addItem(const psychophysics::QuestionnaireItem& item);
     QLayout* ends(const Item& item) const;

@@ -13,8 +13,9 @@ class NoticeArea;
 class QuestionnaireForm;
 class StatePanel;
 
-/// One questionnaire for one participant, stored at once. Place: {study, participant, questionnaire}, and {run} where it is asked after each condition.
-/// GUI thread.
+/// Asks one participant to fill in one questionnaire and stores it at once. The place is {study, participant,
+/// questionnaire}, plus {run} if it is asked after each condition.
+/// Thread: GUI.
 class QuestionnaireScreen final : public Screen {
     Q_OBJECT
 public:
@@ -35,7 +36,7 @@ private:
     database::StudyNumber m_study;
     QString m_code;
     std::string m_questionnaire;
-    database::StudyRunNumber m_run = 0; ///< of the condition that is asked about; 0: asked once
+    database::StudyRunNumber m_run = 0; ///< run of the condition that it is about; 0 if asked once
     database::ParticipantNumber m_participant = 0;
     bool m_stored = false;
     StatePanel* m_panel = nullptr;

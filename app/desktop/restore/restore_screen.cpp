@@ -30,7 +30,7 @@ enum Column { kMade, kAge, kSize, kKind, kState, kWhere, kColumns };
 const QString kMissing = QStringLiteral("missing");
 const QString kDetail = QStringLiteral("detail");
 
-/// The backups of several places, newest first, none twice.
+/// The backups in several folders, newest first, without duplicates.
 std::vector<session::BackupEntry> backupsIn(const std::vector<std::string>& places) {
     std::vector<session::BackupEntry> all;
     for (const std::string& place : places)
@@ -233,7 +233,7 @@ void RestoreScreen::put(std::size_t row, Look look, const QString& why) {
     showButtons();
 }
 
-// The last one stretches where there is room; where there is none the table scrolls, instead of cutting it.
+// The last column stretches if there is room; otherwise the table scrolls instead of cutting it off.
 void RestoreScreen::fitColumns() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setStretchLastSection(false);
@@ -246,7 +246,7 @@ void RestoreScreen::resizeEvent(QResizeEvent* event) {
     fitColumns();
 }
 
-// One after the other, newest first: each reads the whole of a backup.
+// Checks one after the other, newest first, because each check reads the whole backup.
 void RestoreScreen::lookAt(std::size_t row) {
     if (row >= m_backups.size()) {
         emit looked();
@@ -316,7 +316,7 @@ void RestoreScreen::takeFile(const QString& file) {
             }
             std::vector<session::BackupEntry> all = m_backups;
             std::erase_if(all, [&](const auto& entry) { return entry.folder == found.front().folder; });
-            all.insert(all.begin(), found.front()); // first, since it was asked for
+            all.insert(all.begin(), found.front()); // first, because the person asked for it
             show(std::move(all));
         });
 }
@@ -354,14 +354,14 @@ void RestoreScreen::restored(const core::Result<database::RestoreInfo>& result) 
         return;
     }
     const QString kept = QString::fromStdString(result->keptOldFile);
-    openAgain(); // this screen goes with it
+    openAgain(); // this screen is destroyed by this
     app.messages().done(kept.isEmpty() ? tr("The backup was restored. Please log in.")
                                        : tr("The backup was restored. The damaged file is kept as %1. Please log in.").arg(kept));
 }
 
 void RestoreScreen::openAgain() {
     AppContext& app = context();
-    if (!app.site().exists()) { // opening would make an empty site in its place
+    if (!app.site().exists()) { // opening would create an empty site in its place
         app.messages().information(tr("%1 is still missing.").arg(app.site().file()));
         return;
     }

@@ -19,15 +19,15 @@ namespace chiron::desktop {
 class ScrollPage;
 class StatePanel;
 
-/// Where the program begins when the site's file is damaged or gone: says what is wrong, lists the backups of the places that the
-/// station knows and looks at each, and restores the one that is chosen. Who may do so, and whether the backup is good, is decided
-/// by the data layer. Place: {missing, detail}.
+/// The first screen if the site's file is damaged or missing. It says what is wrong, lists and checks the
+/// backups in the folders that the station knows, and restores the chosen one. The data layer decides who may
+/// do so and whether a backup is good. The place is {missing, detail}.
 class RestoreScreen final : public Screen {
     Q_OBJECT
 public:
     RestoreScreen(AppContext& context, const Place& place);
 
-    /// The place that tells this, of a file that is damaged or missing.
+    /// The place for a file in this damaged or missing state.
     static Place placeFor(const database::FileState& state);
 
     QString title() const override;
@@ -41,7 +41,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 signals:
-    void looked(); ///< every backup of the list was looked at
+    void looked(); ///< every backup in the list has been checked
 
 private:
     enum class Look { waiting, whole, unusable };
@@ -67,14 +67,14 @@ private:
     ScrollPage* m_page;
     StatePanel* m_panel = nullptr;
     QTableWidget* m_table = nullptr;
-    QLabel* m_reason = nullptr; ///< why the selected one cannot be used
+    QLabel* m_reason = nullptr; ///< why the selected backup cannot be used
     QPushButton* m_restore = nullptr;
     QPushButton* m_choose = nullptr;
     QPushButton* m_again = nullptr;
-    QPushButton* m_anew = nullptr; ///< where the file is missing
+    QPushButton* m_anew = nullptr; ///< shown if the file is missing
     std::vector<session::BackupEntry> m_backups;
-    std::map<std::string, Look> m_looks;  ///< by folder
-    std::map<std::string, QString> m_why; ///< the unusable ones', by folder
+    std::map<std::string, Look> m_looks;  ///< keyed by folder
+    std::map<std::string, QString> m_why; ///< reasons for the unusable ones, keyed by folder
     bool m_restoring = false;
 };
 

@@ -13,7 +13,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kMostRowsSeen = 14; // beyond these the table scrolls by itself
+constexpr int kMostRowsSeen = 14; // with more rows the table scrolls by itself
 
 Colour outcomeColour(const database::SessionSummary& session) {
     if (session.state != database::SessionState::completed)

@@ -8,13 +8,14 @@
 
 namespace chiron::desktop {
 
-/// A person's attempts, the newest first; Return or a double click opens one. GUI thread.
+/// Lists a person's attempts, newest first. Return or a double click opens one.
+/// Thread: GUI.
 class AttemptsTable : public FittedTable {
     Q_OBJECT
 public:
     AttemptsTable(const Theme& theme, const QLocale& locale, QWidget* parent = nullptr);
 
-    /// `metric` is the column of values; empty: none is shown.
+    /// `metric` selects the column of values; if empty, no values are shown.
     void show(const std::vector<Attempt>& attempts, const QString& metric);
 
 signals:

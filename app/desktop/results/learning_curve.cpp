@@ -15,7 +15,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(LearningCurve)
 };
 
-constexpr double kMostNames = 25; // more attempts than this are numbered by the axis itself
+constexpr double kMostNames = 25; // with more attempts the axis numbers them itself
 
 struct Curve {
     std::vector<double> x;
@@ -29,7 +29,8 @@ Curve curveOf(const std::vector<Attempt>& attempts, const std::string& metric, b
             continue;
         const scoring::MetricValue* value = attempt.metric(metric);
         if (value && value->value) {
-            curve.x.push_back(attempt.summary.attempt); // as lists number it: what is not on the curve leaves a gap
+            // Attempts are numbered as in lists; sessions that are not on the curve leave a gap.
+            curve.x.push_back(attempt.summary.attempt);
             curve.y.push_back(*value->value);
         }
     }
@@ -65,7 +66,7 @@ std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& atte
     const bool named = last <= kMostNames;
     for (Curve* curve : {&felt, &shown})
         for (double& x : curve->x)
-            x -= named ? 1.0 : 0.0; // categories begin at 0
+            x -= named ? 1.0 : 0.0; // categories start at 0
     if (row.bandLow && row.bandHigh && !felt.x.empty())
         view->addBand(Words::tr("benchmark, felt (%1)").arg(bandSourceText(row.bandSource)), *row.bandLow, *row.bandHigh);
     draw(*view, Words::tr("felt"), felt, report::PlotStyle::solidA);

@@ -10,8 +10,10 @@
 
 namespace chiron::desktop {
 
-/// A metric over the attempts at one level: felt and shown are lines of their own, each counted from its first attempt; pass
-/// mark and benchmark band behind. `row` gives the metric's id, unit, gate and band. GUI thread.
+/// Plots a metric over the attempts at one level. Felt and shown attempts are separate lines, each counted
+/// from its first attempt; pass mark and benchmark band lie behind them. `row` gives the metric's id, unit,
+/// gate and band.
+/// Thread: GUI.
 std::unique_ptr<report::PlotView> learningCurve(const std::vector<Attempt>& attempts, const report::MetricRow& row,
                                                 const report::PlotTheme& theme);
 

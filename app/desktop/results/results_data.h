@@ -17,20 +17,25 @@ namespace chiron::desktop {
 /// One of a person's sessions with its latest stored scores.
 struct Attempt {
     database::SessionSummary summary;
-    std::vector<scoring::MetricValue> metrics; ///< empty where it was never scored
+    std::vector<scoring::MetricValue> metrics; ///< empty if the session was never scored
 
     const scoring::MetricValue* metric(const std::string& id) const;
-    /// Whether it is a point of a learning curve: completed, and an attempt of its person (SessionSummary::attempt).
+    /// Whether the session is a point on a learning curve: it is completed and counts as an attempt of its
+    /// person (SessionSummary::attempt).
     bool onCurve() const;
 };
 
-/// Worker: a person's sessions in the order of their numbers. `progress` hears 0..1; false stops. Failure: the repositories';
-/// cancelled.
+/// Reads a person's sessions in the order of their numbers. `progress` receives 0..1; returning false from it
+/// stops.
+/// Thread: worker; blocks.
+/// Errors: those of the repositories; cancelled.
 core::Result<std::vector<Attempt>> loadAttempts(database::Connection& connection, const database::Actor& actor,
                                                 database::PersonId person, const std::function<bool(double)>& progress);
 
-/// Worker: writes everything held about the actor's own person into a new folder inside `parent`: person.json and the samples of
-/// each session as CSV. Returns the folder. Failure: the repositories', storage; cancelled (what was written stays).
+/// Writes everything stored about the actor's own person into a new folder inside `parent` (person.json, and
+/// the samples of each session as CSV) and returns the folder.
+/// Thread: worker; blocks.
+/// Errors: those of the repositories; storage; cancelled (files that were already written stay).
 core::Result<std::string> exportOwnData(database::Connection& connection, const database::Actor& actor, const std::string& parent,
                                         const std::function<bool(double)>& progress);
 

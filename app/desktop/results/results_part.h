@@ -13,19 +13,21 @@ namespace chiron::desktop {
 
 class Background;
 
-/// Of which sessions a part of the results is: those of a person at one level, on one class of devices.
+/// Selects the sessions for a part of the results: those of a person at one level on one class of devices.
 struct ResultsQuestion {
     database::PersonId person = 0;
     int level = 0;
-    bool felt = true; ///< felt and shown are never pooled
+    bool felt = true; ///< felt and shown sessions are never pooled
 };
 
-/// What the results of a person show of one exercise alone, between curve and attempts. GUI thread.
+/// The part of a person's results that is specific to one exercise. It stands between the curve and the
+/// attempts.
+/// Thread: GUI.
 class ResultsPart : public QWidget {
 public:
     using QWidget::QWidget;
 
-    /// Reads and shows this; nothing anew where the same level is asked for again.
+    /// Reads and shows the results. Does nothing if the same level is requested again.
     virtual void ask(Background& background, database::Database& database, const database::Actor& actor,
                      const ResultsQuestion& question) = 0;
 };

@@ -10,14 +10,16 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// Whether there are results of whose session this is: not of the built-in simulated account, nor of a sitting of a study, which is its
-/// participant's.
+/// Whether the person of this session has results. The built-in simulated account has none, and a session of
+/// a study belongs to its participant.
 bool hasResults(const database::SessionSummary& session);
 
-/// The results of whose session this is, at its exercise and level. `name`: what screens call that person; empty: as the session says.
+/// The place of the results of this session's person, at its exercise and level. `name` is the person's name
+/// as the screens show it; if empty, the name in the session is used.
 Place resultsPlace(const database::SessionSummary& session, const QString& name = {});
 
-/// What a button that goes there says to whoever is logged in: "My results", "Results of Nikos"; empty where there is nothing for them.
+/// The label, for the logged-in person, of a button that opens those results: "My results", "Results of
+/// Nikos"; empty if they may not see any.
 QString resultsCommand(const AppContext& context, const database::SessionSummary& session);
 
 } // namespace chiron::desktop

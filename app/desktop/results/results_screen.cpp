@@ -115,12 +115,12 @@ void ResultsScreen::build() {
     const kit::Box box = kit::box(theme);
     m_curveHolder = box.layout;
     page->column()->addWidget(box.frame);
-    m_partHolder = new QWidget; // made here, so that the focus comes to its parts before it comes to the attempts
+    m_partHolder = new QWidget; // created here, so that the tab order reaches its parts before the attempts
     auto* parts = new QVBoxLayout(m_partHolder);
     parts->setContentsMargins(0, 0, 0, 0);
     m_partHolder->hide();
     page->column()->addWidget(m_partHolder);
-    m_parts.clear(); // they went with the page before
+    m_parts.clear(); // they were destroyed with the previous page
     page->column()->addWidget(kit::label(theme, tr("Attempts"), TextStyle::title));
     m_table = new AttemptsTable(theme, context().locale());
     connect(m_table, &AttemptsTable::openAsked, this, &ResultsScreen::openSession);
@@ -281,15 +281,16 @@ void ResultsScreen::showSelection() {
     const std::vector<Attempt> attempts = selected();
     const report::MetricRow row = metricRow(attempts);
     delete m_curve;
-    m_curve = learningCurve(attempts, row, plotThemeOf(context().theme(), context().locale())).release(); // its layout's widget owns it
+    // The layout's widget owns the plot.
+    m_curve = learningCurve(attempts, row, plotThemeOf(context().theme(), context().locale())).release();
     m_curve->setObjectName(QStringLiteral("results.curve"));
     m_curve->setMinimumHeight(context().theme().px(300));
     m_curveHolder->addWidget(m_curve);
     m_table->show(attempts, row.id);
     showPart(attempts);
     if (context().navigator().current().screen != place().screen)
-        return; // already on the way elsewhere
-    QVariantMap shown = place().parameters; // whose they are stays
+        return; // another screen has already been requested
+    QVariantMap shown = place().parameters; // keeps whose results they are
     shown.insert(QStringLiteral("exercise"), m_exercise->currentData());
     shown.insert(QStringLiteral("level"), m_level->currentData());
     shown.insert(QStringLiteral("metric"), row.id);
@@ -320,7 +321,7 @@ void ResultsScreen::showPart(const std::vector<Attempt>& attempts) {
     ResultsQuestion question{person(), level, true};
     for (const Attempt& attempt : attempts)
         if (attempt.onCurve())
-            question.felt = attempt.summary.felt; // of the newest: felt and shown are never pooled
+            question.felt = attempt.summary.felt; // of the newest attempt: felt and shown are never pooled
     found->second->ask(context().background(), context().site().database(), context().actor(), question);
 }
 

@@ -25,9 +25,11 @@ class ResultsPart;
 class StatePanel;
 class WorkToken;
 
-/// Somebody's sessions: by exercise and level, a learning curve, every attempt a step away; of one's own a copy of all data, of others (for
-/// trainers) the way to all their sessions. Opens at what the place asks for, else at the last scored attempt.
-/// Place: {exercise, level, metric; person, name: of somebody else}. GUI thread.
+/// A person's results by exercise and level: a learning curve, and all attempts with links to their sessions.
+/// A person can export a copy of their own data; for the results of others, trainers get a link to all of
+/// that person's sessions. The screen opens at the selection in the place, or else at the last scored
+/// attempt. The place is {exercise, level, metric}, plus {person, name} for another person.
+/// Thread: GUI.
 class ResultsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -39,11 +41,12 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
 
-    /// Writes everything held about the person into a new folder there; tells where it is, or why not.
+    /// Writes everything stored about the person into a new folder there and says where it is, or why it
+    /// could not be written.
     void exportTo(const QString& parent);
 
 private:
-    database::PersonId person() const; ///< whose
+    database::PersonId person() const; ///< whose results are shown
     bool isOwn() const;
     QWidget* ownData();
     void load();
@@ -54,10 +57,11 @@ private:
     void fillLevels();
     void fillMetrics();
     void showSelection();
-    void showPart(const std::vector<Attempt>& attempts); ///< of the exercise that is chosen
+    void showPart(const std::vector<Attempt>& attempts); ///< part of the chosen exercise
     std::vector<Attempt> selected() const;
-    const Attempt* lastScored(const std::string& exercise) const; ///< at any exercise where that is empty; null: none was scored
-    bool asksFor(const QString& exercise) const;                  ///< the place names this exercise, and so its level
+    /// Of any exercise if `exercise` is empty; null if none was scored.
+    const Attempt* lastScored(const std::string& exercise) const;
+    bool asksFor(const QString& exercise) const; ///< the place names this exercise, and therefore its level
     report::MetricRow metricRow(const std::vector<Attempt>& attempts) const;
     void askExport();
     void openSession(database::SessionId session);
@@ -69,8 +73,9 @@ private:
     QComboBox* m_metric = nullptr;
     QVBoxLayout* m_curveHolder = nullptr;
     report::PlotView* m_curve = nullptr;
-    QWidget* m_partHolder = nullptr; ///< of what one exercise alone has
-    std::map<std::string, ResultsPart*> m_parts; ///< by exercise, of those that were chosen; null: it has none
+    QWidget* m_partHolder = nullptr; ///< holds the part that is specific to one exercise
+    /// The parts of the exercises chosen so far, by exercise; null if the exercise has none.
+    std::map<std::string, ResultsPart*> m_parts;
     AttemptsTable* m_table = nullptr;
     std::shared_ptr<WorkToken> m_work;
     std::shared_ptr<WorkToken> m_export;

@@ -107,8 +107,8 @@ void FlatCanvas::placePanels(FlatPanel& above, FlatPanel& side, const QRectF& ro
     const QSizeF frameSide = side.cardSize(0.0);
     const QRectF a = above.range_mm();
     const QRectF s = side.range_mm();
-    // One under the other they share the x axis; side by side they suit a wide widget. The larger picture
-    // wins.
+    // Stacked, the views share the x axis; side by side they suit a wide widget. The arrangement with the
+    // larger picture wins.
     const double stacked =
         std::min((room.height() - gap - frameAbove.height() - frameSide.height()) / (a.height() + s.height()),
                  (room.width() - frameAbove.width()) / std::max(a.width(), s.width()));
@@ -180,7 +180,7 @@ void FlatCanvas::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), m_setup.colours.background);
     const QRectF room = paintBars(painter, paintReason(painter));
     if (m_content && !m_content->paintWhole(painter, room, m_setup, m_state)) {
-        SceneSetup fitted = m_setup; // words give way to the picture
+        SceneSetup fitted = m_setup; // the text shrinks in favour of the picture
         fitted.scale = FlatPanel::scaleIn(room.height(), m_setup.scale);
         FlatPanel above(FlatPanel::Side::above, m_content->rangeAbove_mm(), fitted);
         FlatPanel side(FlatPanel::Side::side, m_content->rangeSide_mm(), fitted);

@@ -12,7 +12,8 @@
 
 namespace chiron::scene3d {
 
-/// The widget of FlatSceneView: lays out the two panels, the force bar and the line that says why it is flat.
+/// The widget of FlatSceneView. It lays out the two panels, the force bar, and the line that explains why the
+/// scene is flat.
 class FlatCanvas final : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::FlatCanvas)
 
@@ -32,8 +33,8 @@ protected:
 
 private:
     void nameIt();
-    QRectF paintReason(QPainter& painter) const; ///< returns what is left of the widget
-    QRectF paintBars(QPainter& painter, QRectF room) const; ///< the same
+    QRectF paintReason(QPainter& painter) const; ///< returns the remaining area of the widget
+    QRectF paintBars(QPainter& painter, QRectF room) const; ///< returns the remaining area, too
     void placePanels(FlatPanel& above, FlatPanel& side, const QRectF& room) const;
     void paintPanel(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
 

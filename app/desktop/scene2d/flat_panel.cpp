@@ -11,7 +11,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-// Logical pixels at scale 1 between card and plot.
+// Distances between card and plot, in logical pixels at scale 1.
 constexpr double kLeft = 52.0;
 constexpr double kRight = 14.0;
 constexpr double kTop = 34.0;
@@ -19,7 +19,7 @@ constexpr double kBottom = 40.0;
 constexpr double kTitleMargin = 12.0;
 constexpr double kTick_mm = 20.0;
 
-/// Every how many ticks a number has room.
+/// A number fits at every n-th tick; returns n.
 int numbered(double number_px, double tick_px) { return std::max(1, static_cast<int>(std::ceil(number_px / tick_px))); }
 
 bool isNumbered(double mm, int every) { return static_cast<int>(std::lround(mm / kTick_mm)) % every == 0; }

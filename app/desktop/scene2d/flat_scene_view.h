@@ -10,8 +10,8 @@ namespace chiron::scene3d {
 
 class FlatCanvas;
 
-/// The scene from above and from the side, painted by QPainter: where there is no OpenGL. Same geometry, same
-/// cues.
+/// Draws the scene from above and from the side with QPainter, for computers without OpenGL. It uses the same
+/// geometry and shows the same cues as the 3D scene.
 class FlatSceneView final : public ISceneView {
 public:
     FlatSceneView(const SceneSetup& setup, const QString& why, QWidget* parent);

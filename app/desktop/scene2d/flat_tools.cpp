@@ -35,7 +35,7 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
         steel.setAlphaF(0.45F);
     }
     const double shaft = std::max(3.0 * m_panel.unit(), m_panel.pixels(4.7));
-    QColor edge = m_setup.colours.ink; // so that the dark shaft shows on a dark field too
+    QColor edge = m_setup.colours.ink; // so that the dark shaft stands out from a dark field as well
     edge.setAlphaF(m_setup.colours.highContrast ? 1.0F : 0.45F);
     if (!ghost) {
         m_painter.setPen(QPen(edge, shaft + (m_setup.colours.highContrast ? 3.0 : 2.0) * m_panel.unit(),
@@ -51,7 +51,7 @@ void FlatTools::paintTool(const ToolView& tool, const core::Quat& q_W, bool ghos
     m_painter.drawEllipse(from, dot, dot);
 }
 
-/// The two blades taper from the joint to their tips, apart by the jaw's angle.
+/// The two blades taper from the joint to their tips and diverge by the jaw's angle.
 void FlatTools::paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge) {
     const core::Vec3 tip = drawnTip(tool);
     const QPointF neck = m_panel.project(tip + q_W * core::Vec3(0.0, 0.0, 0.022));
@@ -111,7 +111,8 @@ void FlatTools::paintArrow(const ToolView& tool) {
     const QPointF along = m_panel.project(tip + std::min(share, kLongest) * full) - from;
     m_painter.setPen(QPen(m_setup.colours.ink, m_panel.unit(), Qt::DotLine));
     m_painter.drawLine(from, m_panel.project(tip + full));
-    // First wider in the background's colour, so that the arrow stands off from tissue of nearly its own.
+    // Drawn first wider in the background's colour, so that the arrow stands out from tissue of a similar
+    // colour.
     paintArrowShape(from, along, share > 1.0, 2.5, m_setup.colours.background);
     paintArrowShape(from, along, share > 1.0, 0.0,
                     share > 1.0 ? m_setup.colours.over : m_setup.colours.arrow);
@@ -157,7 +158,7 @@ void FlatTools::paintPin(const core::Vec3& p_W) {
     const double u = m_panel.unit();
     m_painter.setPen(QPen(m_setup.colours.ink, 2.0 * u));
     m_painter.setBrush(m_setup.colours.arrow);
-    if (m_panel.side() == FlatPanel::Side::above) { // a diamond: another shape than every tip
+    if (m_panel.side() == FlatPanel::Side::above) { // a diamond, unlike any tip
         QPolygonF diamond;
         diamond << foot + QPointF(0, -8 * u) << foot + QPointF(8 * u, 0) << foot + QPointF(0, 8 * u)
                 << foot + QPointF(-8 * u, 0);

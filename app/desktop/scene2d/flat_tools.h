@@ -8,21 +8,22 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Instrument, ghost, force arrow, drop line and pin in one of the flat pictures.
+/// Draws the instrument, ghost, force arrow, drop line and pin in one of the flat views.
 class FlatTools {
 public:
     FlatTools(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup)
         : m_painter(painter), m_panel(panel), m_setup(setup) {}
 
     void paintTool(const ToolView& tool, const core::Quat& q_W, bool ghost);
-    /// The rings by which several instruments are told apart, and a square round the tip of the one that the mouse moves.
+    /// Draws the rings that distinguish several instruments, and a square round the tip of the one that the
+    /// mouse moves.
     void paintRings(const ToolView& tool, const core::Quat& q_W, int index, bool active);
-    /// The same arrow as in 3D, seen from here: 40 mm long at the limit, a bar where the limit lies; over it
-    /// thicker, with rungs.
+    /// Draws the same arrow as in 3D, projected into this view: 40 mm long at the limit, with a bar across it
+    /// there. Above the limit the arrow is thicker and has rungs.
     void paintArrow(const ToolView& tool);
     void paintDropLine(const core::Vec3& from_W, double ground_m);
     void paintPin(const core::Vec3& p_W);
-    void paintAnswer(const core::Vec3& p_W); ///< where the mark should have been: a double ring
+    void paintAnswer(const core::Vec3& p_W); ///< double ring where the mark should have been
 
 private:
     void paintBlades(const ToolView& tool, const core::Quat& q_W, double shaft, const QColor& steel, const QColor& edge);

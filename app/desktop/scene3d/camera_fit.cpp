@@ -8,7 +8,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kEdge = 0.97; // of the half picture
+constexpr double kEdge = 0.97; // share of half the picture
 
 /// Tangents of the half-angles of the picture.
 struct Opening {

@@ -8,12 +8,14 @@
 
 namespace chiron::scene3d {
 
-/// Where the tip is drawn: at the surface where the device renders no force, else where the hand is.
+/// The position at which the tip is drawn: at the surface if the device renders no force, otherwise where the
+/// hand is.
 inline core::Vec3 drawnTip(const ToolView& tool) {
     return tool.drawnAtSurface ? tool.p_WProxy : tool.p_WT;
 }
 
-/// What this tool would set down: the middle of an object that it holds, where that is shown, else its tip.
+/// The point that this tool would set down: the centre of an object that it holds, if the object is shown,
+/// otherwise the tool's tip.
 inline core::Vec3 setDownBy(const SceneState& state, std::size_t tool) {
     const core::LaparoscopyCues& scene = state.exercise.of<core::LaparoscopyCues>();
     for (int i = 0; scene.objectShown && i < scene.bodies; ++i)
@@ -29,24 +31,26 @@ inline int toolsOf(const SceneState& state) {
     return tools;
 }
 
-/// On which side the shaft of a tool without orientation comes in: of several, the first, third ... from the right.
+/// The side from which the shaft of a tool without orientation enters. With several tools the first, third
+/// ... enter from the right.
 inline bool entersLeft(int tool, bool several, bool leftHanded) {
     return several ? tool % 2 == 1 : leftHanded;
 }
 
-/// Colour of an instrument's rings: told apart in every theme, and from tissue; their number says the same.
+/// Colour of an instrument's rings, distinguishable from the others and from tissue in every theme. The
+/// number of rings carries the same information.
 inline QColor ringColour(int tool) {
     static constexpr QRgb kColours[core::kMaxTools] = {0xff2fd0a8, 0xfff5b81e, 0xff8fb4ff, 0xffe48bff};
     return QColor(kColours[static_cast<std::size_t>(tool) % core::kMaxTools]);
 }
 
-/// How one tool is held in the picture. A tool that has only ever shown the identity has no orientation to
-/// show: its shaft goes through a fixed entry point, as through a trocar.
+/// Determines the drawn orientation of one tool. A tool that has only ever reported the identity has no
+/// orientation to show; its shaft then passes through a fixed entry point, as through a trocar.
 class DrawnOrientation {
 public:
-    /// Once a picture; the shaft leaves the tip along +z of what comes back.
+    /// Call once per frame. The shaft leaves the tip along +z of the returned orientation.
     core::Quat of(const ToolView& tool, bool leftHanded) {
-        // 1e-9: a quaternion that went through a recording may have lost its last bits
+        // 1e-9, because a quaternion from a recording may have lost its last bits
         m_turned = m_turned || tool.q_WT.vec().norm() > 1e-9;
         if (m_turned && tool.q_WT.norm() > 0.5)
             return tool.q_WT.normalized();

@@ -59,7 +59,7 @@ void GaugePainter::paint(QPainter& painter) const {
     painter.setBrush(card);
     painter.drawPath(frame);
     painter.setPen(m_setup.colours.ink);
-    double size = 12.0; // smaller where another language needs the room
+    double size = 12.0; // smaller if a language needs more room
     while (size > 8.0 && QFontMetricsF(font(size, true)).horizontalAdvance(m_dial.title) > kWidth - 8.0)
         size -= 1.0;
     painter.setFont(font(size, true));
@@ -92,7 +92,8 @@ void GaugePainter::paintScale(QPainter& painter) const {
     }
 }
 
-/// A bracket beside the hollow and two lines across it: seen over any filling, and without its colour.
+/// A bracket beside the hollow and two lines across it, visible over any filling and without relying on
+/// colour.
 void GaugePainter::paintBand(QPainter& painter) const {
     const double high = heightOf(m_dial.bandHigh_N);
     const double low = heightOf(m_dial.bandLow_N);

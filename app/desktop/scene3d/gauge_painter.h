@@ -14,34 +14,35 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// What a bar measures.
+/// The scale of a bar.
 struct GaugeDial {
-    QString title;          ///< with its unit
-    double range_N = 6.0;   ///< the scale's end, > 0
-    double limit_N = 0.0;   ///< a line with its number; 0: none
-    double bandLow_N = 0.0; ///< the target; none where `bandHigh_N` is 0
+    QString title;          ///< includes the unit
+    double range_N = 6.0;   ///< end of the scale, > 0
+    double limit_N = 0.0;   ///< drawn as a line with its number; 0 if there is none
+    double bandLow_N = 0.0; ///< the target band; none if `bandHigh_N` is 0
     double bandHigh_N = 0.0;
 
     bool operator==(const GaugeDial&) const = default;
 };
 
-/// A second bar beside the force on the tools, of what an exercise measures besides.
+/// A second bar beside the force on the tools, for another force that an exercise measures.
 struct SecondBar {
     GaugeDial dial;
-    bool shown = false; ///< the level lets it be seen now
+    bool shown = false; ///< the level shows it at this moment
     double value_N = 0.0;
 };
 
-/// The end of a scale that leaves room above `most_N`, in halves of a newton.
+/// The end of a scale that includes `most_N`: the next multiple of 0.5 N, at least 1 N.
 inline double endOfScale_N(double most_N) { return std::max(1.0, std::ceil(2.0 * most_N) / 2.0); }
 
-/// The translation context of what stands at the bars.
+/// The translation context for the texts at the bars.
 struct GaugeTexts {
     Q_DECLARE_TR_FUNCTIONS(chiron::scene3d::ForceGauge)
 };
 
-/// Paints frame, scale, limit line, band and words of a force bar; its hollow stays empty, and what fills it lies
-/// under this. In a face of kWidth × kHeight logical pixels at scale 1, from the upper left corner.
+/// Paints the frame, scale, limit line, band and texts of a force bar. The hollow stays transparent; the
+/// filling is drawn underneath. The face is kWidth × kHeight logical pixels at scale 1, measured from the
+/// upper left corner.
 class GaugePainter {
 public:
     GaugePainter(const SceneSetup& setup, const GaugeDial& dial) : m_setup(setup), m_dial(dial) {}
@@ -51,10 +52,10 @@ public:
 
     static constexpr double kWidth = 76.0;
     static constexpr double kHeight = 300.0;
-    static constexpr double kRange = 1.5; ///< of the limit: the force scale's end
+    static constexpr double kRange = 1.5; ///< end of the force scale, as a multiple of the limit
 
 private:
-    double heightOf(double force_N) const; ///< y
+    double heightOf(double force_N) const; ///< the y coordinate of a force
     void paintScale(QPainter& painter) const;
     void paintLimit(QPainter& painter) const;
     void paintBand(QPainter& painter) const;
@@ -66,7 +67,8 @@ private:
 
 /// The bar of the force on the tools, with the level's limit.
 GaugeDial forceDial(const SceneSetup& setup);
-/// The largest force of all tools, N: the limit holds for each.
+/// The largest force on any tool, because the limit holds for each one.
+/// Unit: N.
 double largestForce_N(const SceneState& state);
 
 } // namespace chiron::scene3d

@@ -20,7 +20,8 @@ QString words(const char* text) {
     return QCoreApplication::translate("chiron::scene3d::SceneLoader", text);
 }
 
-/// A yes is remembered, since a driver that was there stays; a no is asked again.
+/// A positive result is cached, because an available driver remains available; after a negative one the check
+/// is repeated.
 bool hasOpenGl() {
     static std::atomic<bool> found = false;
     if (found)

@@ -9,22 +9,23 @@
 
 namespace chiron::scene3d {
 
-/// Radii of the double ring that stands where a mark should have been, mm.
+/// Radii, in mm, of the double ring that stands where a mark should have been.
 inline constexpr std::array<double, 2> kAnswerRings_mm{5.0, 2.2};
 
-/// A level's scene as far as its marks depend on it.
+/// The properties of a level's scene that its marks depend on.
 struct MarkedScene {
     const SceneSetup& setup;
-    bool coverage = false; ///< the level shows where was searched
-    bool feedback = false; ///< what was true is drawn after a trial
+    bool coverage = false; ///< the level shows which areas were searched
+    bool feedback = false; ///< the true answer is drawn after a trial
 };
 
-/// The guide marks that this scene may draw beside the things themselves, in 3D and flat: names, as the content's legends use them
-/// (schema/exercise.json). Who draws a new mark adds it to its exercise's (app/exercises/flat_catalogue.cpp), and its sentence to the
-/// legend. Pure.
+/// Names the guide marks that this scene may draw beside the objects themselves, in 3D and flat, as the
+/// content's legends use them (schema/exercise.json). To draw a new mark, add it to its exercise's list
+/// (app/exercises/flat_catalogue.cpp), and add its sentence to the legend. Pure.
 std::vector<std::string> marksOf(const MarkedScene& scene);
 
-/// Those of the stage that most exercises share: place_marks, force_arrow, instrument. `tools`: of the level.
+/// The marks of the stage that most exercises share: place_marks, force_arrow, instrument. `tools` is the
+/// level's number of tools.
 std::vector<std::string> stageMarks(const SceneSetup& setup, int tools);
 
 } // namespace chiron::scene3d

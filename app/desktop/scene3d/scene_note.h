@@ -5,13 +5,14 @@
 
 namespace chiron::scene3d {
 
-/// What is said over the whole picture. `said`: a line at the top, the scene stays as it is. `paused`, `stopped`: a veil over
-/// the scene with a sign of its own, so that nobody works on in a scene that stands still.
+/// A message over the whole picture. `said` is a line at the top, which leaves the scene as it is. `paused`
+/// and `stopped` put a veil with a sign over the scene, so that nobody continues to work in a scene that
+/// stands still.
 struct SceneNote {
     enum class Kind { none, said, paused, stopped };
     Kind kind = Kind::none;
     QString title;
-    QString words; ///< below the title, where there is a veil
+    QString words; ///< below the title, if there is a veil
 
     bool operator==(const SceneNote&) const = default;
 };

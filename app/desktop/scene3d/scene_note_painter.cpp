@@ -12,13 +12,14 @@
 namespace chiron::scene3d {
 
 namespace {
-// Logical pixels at scale 1.
+// In logical pixels at scale 1.
 constexpr double kSign = 72.0;
 constexpr double kTitle = 26.0;
 constexpr double kWords = 16.0;
 constexpr double kGap = 12.0;
-constexpr double kPlateShare = 0.12; // of the room's height, that a line may cover before it is written smaller
-constexpr int kVeil = 168; // of 255: the scene can still be recognised, and nobody takes it for alive
+// A line may cover this share of the height before a smaller font is used.
+constexpr double kPlateShare = 0.12;
+constexpr int kVeil = 168; // of 255: the scene remains recognisable but clearly inactive
 constexpr int kWrapped = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
 
 void paintBars(QPainter& painter, const QRectF& sign) {
@@ -71,7 +72,7 @@ void SceneNotePainter::paintVeil(QPainter& painter, const QRectF& room, double u
     const double titleHigh = QFontMetricsF(large).boundingRect(lines, kWrapped, note.title).height();
     const double wordsHigh = QFontMetricsF(small).boundingRect(lines, kWrapped, note.words).height();
     const double gap = kGap * unit;
-    // In a small scene the sign shrinks; the words stay.
+    // In a small scene the sign shrinks, but the text keeps its size.
     const double sign = std::clamp(room.height() - titleHigh - wordsHigh - 4.0 * gap, 0.0, kSign * unit);
     double y = room.center().y() - 0.5 * (sign + titleHigh + wordsHigh + 2.0 * gap);
     const QRectF spot(room.center().x() - 0.5 * sign, y, sign, sign);
@@ -92,7 +93,7 @@ void SceneNotePainter::paintPlate(QPainter& painter, const QRectF& room, double 
     const QRectF lines = room.adjusted(2.0 * gap, 2.0 * gap, -2.0 * gap, -2.0 * gap);
     QFont large = font(kTitle * unit, true);
     if (QFontMetricsF(large).boundingRect(lines, kWrapped, note.title).height() > kPlateShare * room.height())
-        large = font(kWords * unit, true); // what is spoken of lies under it
+        large = font(kWords * unit, true); // the scene that the text refers to lies under it
     const QRectF text = QFontMetricsF(large).boundingRect(lines, kWrapped, note.title);
     const QRectF plate = text.adjusted(-1.5 * gap, -0.7 * gap, 1.5 * gap, 0.7 * gap);
     QColor ground = m_setup.colours.background;

@@ -11,13 +11,13 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// Paints a note over a scene: two bars for a pause, an octagon for a stop, a plate at the top for what is said. In 3D a
-/// texture shows it, since no widget may lie over a native window.
+/// Paints a note over a scene: two bars for a pause, an octagon for a stop, a plate at the top for `said`. In
+/// 3D a texture shows it, because no widget may lie over a native window.
 class SceneNotePainter {
 public:
     explicit SceneNotePainter(const SceneSetup& setup) : m_setup(setup) {}
 
-    /// `unit`: pixels a logical one.
+    /// `unit`: pixels per logical pixel.
     void paint(QPainter& painter, const QRectF& room, double unit, const SceneNote& note) const;
 
 private:

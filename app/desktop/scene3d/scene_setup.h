@@ -9,20 +9,20 @@
 
 namespace chiron::scene3d {
 
-/// What a level lets a person see in the scene; the cues of its content (`shown` ones where nothing is felt).
+/// What a level shows in the scene: the cues of its content (the `shown` ones if no force is felt).
 struct SceneCues {
     bool tool = true;
     bool arrow = false; ///< force arrow with the limit line
     bool object = true; ///< endoscopy: the camera's picture
     bool overview = false; ///< endoscopy: the second picture, from outside
-    bool guidance = false; ///< endoscopy: the way is marked in the picture
+    bool guidance = false; ///< endoscopy: the path is marked in the picture
 };
 
-/// Colours of the theme that the scene uses; tissue and instrument keep their own, believable ones.
+/// The theme's colours that the scene uses. Tissue and instruments keep their own realistic colours.
 struct SceneColours {
     QColor background{232, 237, 242};
     QColor field{205, 214, 222}; ///< operating field (drape)
-    QColor ink{27, 38, 49};      ///< lines and words
+    QColor ink{27, 38, 49};      ///< lines and text
     QColor arrow{0, 95, 135};    ///< force under the limit
     QColor over{176, 32, 36};    ///< force over the limit
     QColor stop{168, 30, 34};    ///< the sign over a scene whose force is stopped
@@ -30,17 +30,17 @@ struct SceneColours {
     bool highContrast = false;
 };
 
-/// What does not change while a scene is on the screen. The parameters are the level's own: the drawn surface
-/// is computed from the same geometry as the force.
+/// The part of a scene that stays constant while it is on the screen. The parameters are the level's own, so
+/// the drawn surface is computed from the same geometry as the force.
 struct SceneSetup {
     std::string exercise; ///< id of the exercise: which geometry is drawn
     core::ExerciseParameters parameters;
-    double forceLimit_N = 4.0; ///< of the arrow's limit line
+    double forceLimit_N = 4.0; ///< limit that the arrow's line shows
     SceneCues cues;
     SceneColours colours;
     bool depthOfField = false; ///< endoscopy: the camera's picture is sharp at one distance only (P1)
     bool leftHanded = false; ///< the entry point of a tool without orientation lies on the left
-    double scale = 1.0;      ///< of lines and words: 1..2
+    double scale = 1.0;      ///< of lines and text: 1..2
     QString family;          ///< font
 };
 

@@ -11,14 +11,16 @@
 
 namespace chiron::scene3d {
 
-/// One tool as it is drawn. Everything in W; metres, newtons.
+/// One tool as it is drawn.
+/// Unit: m, N.
+/// Frame: W (world).
 struct ToolView {
     bool present = false;
     core::Vec3 p_WT = core::Vec3::Zero(); ///< the tip, where the hand is
     core::Vec3 p_WProxy =
         core::Vec3::Zero(); ///< where the scene wants it drawn: at the surface while in contact
-    /// Orientation; the shaft leaves the tip along +z of T. While a tool has shown the identity alone (a
-    /// mouse has no orientation) its shaft is drawn through a fixed entry point instead.
+    /// Orientation; the shaft leaves the tip along +z of T. As long as a tool has only reported the identity
+    /// (a mouse has no orientation), its shaft is drawn through a fixed entry point instead.
     core::Quat q_WT = core::Quat::Identity();
     core::Vec3 force_N = core::Vec3::Zero(); ///< *tissue* force on the tool: every cue uses this one
     double jaw_rad = 0.0;
@@ -26,25 +28,25 @@ struct ToolView {
         false; ///< pseudo-haptics: the device renders no force, the drawn tool stays at the surface
 };
 
-/// What changes from picture to picture: made from haptics::DisplayState while training, from a recording in
-/// playback.
+/// The part of a scene that changes from frame to frame. Training makes it from haptics::DisplayState,
+/// playback from a recording.
 struct SceneState {
     std::array<ToolView, core::kMaxTools> tool{};
     ToolView ghost{};         ///< a second session's tool 0, drawn translucent
-    bool objectShown = false; ///< the level lets it be seen (or the trial is over and this is playback)
+    bool objectShown = false; ///< the level shows it (or the trial is over and this is playback)
     core::Vec3 p_WObject =
         core::Vec3::Zero(); ///< sphere_apex: centre of the ball, in the plane; the apex is above it
     bool dimpleShown =
         false; ///< playback of a level with a decoy: where it lies (depth and width: SceneSetup)
     core::Vec2 dimpleCentre_m = core::Vec2::Zero(); ///< x, y in W
-    bool marked = false; ///< playback, and feedback after a trial: the place where the person marked
+    bool marked = false; ///< playback and feedback after a trial: the position of the person's mark
     core::Vec3 p_WMark = core::Vec3::Zero();
     bool answered = false; ///< feedback after a trial: where the mark should have been
     core::Vec3 p_WAnswer = core::Vec3::Zero();
-    core::ExerciseCues exercise; ///< as its scene showed it, or as a recording tells it
-    core::ExerciseCues overlay;  ///< what the exercise's screens add to that
-    int activeTool = -1; ///< which one mouse and keyboard move, where there are several; it wears a collar
-    SceneNote note; ///< over everything else
+    core::ExerciseCues exercise; ///< as the exercise's scene displayed it, or as recorded
+    core::ExerciseCues overlay;  ///< added by the exercise's screens
+    int activeTool = -1; ///< with several tools, the one that mouse and keyboard move; it has a collar
+    SceneNote note; ///< drawn over everything else
     double time_s = 0.0;
 };
 

@@ -10,14 +10,16 @@
 
 namespace chiron::desktop {
 
-/// What people are called on screens: by their full name where they have one. Whoever may not list people knows their own full name alone,
-/// and of others what their sessions say (a code). A value.
+/// The names of people as screens show them: the full name if they have one. An actor who may not list people
+/// knows only their own full name; of others they see what the sessions contain (a code). A value.
 class PeopleNames {
 public:
-    /// Blocking: a worker's task. Failure: the repository's, but notAllowed.
+    /// Reads the names.
+    /// Thread: worker; blocks.
+    /// Errors: those of the repository, except notAllowed.
     static core::Result<PeopleNames> read(database::Connection& connection, const database::Actor& actor);
 
-    std::string of(const database::SessionSummary& session) const; ///< whose session it is
+    std::string of(const database::SessionSummary& session) const; ///< the person of this session
 
 private:
     std::map<database::PersonId, std::string> m_full;

@@ -7,8 +7,8 @@
 
 namespace chiron::desktop {
 
-/// Cells of a sign and a text, painted without the style sheet: a page of a table has two hundred of them, and the style sheet
-/// takes ten times as long for each. Looks as the style sheet's tables do.
+/// Paints cells with an icon and a text without the style sheet: a page of a table has two hundred of them,
+/// and the style sheet takes ten times as long for each. The result looks like the style sheet's tables.
 class PlainCellDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:

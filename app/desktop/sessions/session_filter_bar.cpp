@@ -123,7 +123,7 @@ void SessionFilterBar::buildPeriod(const Theme& theme) {
     m_period->addItem(tr("Chosen days"), chosen);
     disconnect(m_period, &QComboBox::currentIndexChanged, this, nullptr);
     connect(m_period, &QComboBox::currentIndexChanged, this, &SessionFilterBar::choosePeriod);
-    m_dates = new QWidget; // empty until days are chosen
+    m_dates = new QWidget; // empty until "Chosen days" is selected
     auto* row = new QHBoxLayout(m_dates);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(8));
@@ -131,7 +131,7 @@ void SessionFilterBar::buildPeriod(const Theme& theme) {
     layout()->addWidget(m_dates);
 }
 
-// Seldom wanted, and slow to make: only with "Chosen days".
+// The date fields are rarely needed and slow to create, so they are created only with "Chosen days".
 void SessionFilterBar::makeDates() {
     if (m_from)
         return;
@@ -141,7 +141,7 @@ void SessionFilterBar::makeDates() {
         edit->setObjectName(QStringLiteral("sessions.") + QLatin1String(name));
         edit->setAccessibleName(label);
         edit->setToolTip(label);
-        edit->setButtonSymbols(QAbstractSpinBox::NoButtons); // the arrow keys do what they would
+        edit->setButtonSymbols(QAbstractSpinBox::NoButtons); // the arrow keys do the same
         connect(edit, &QDateEdit::dateChanged, this, &SessionFilterBar::read);
         m_dates->layout()->addWidget(edit);
         *member = edit;

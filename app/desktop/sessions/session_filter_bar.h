@@ -15,22 +15,23 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// The controls that narrow the list of sessions. GUI thread.
+/// The controls that filter the list of sessions.
+/// Thread: GUI.
 class SessionFilterBar final : public QWidget {
     Q_OBJECT
 public:
     SessionFilterBar(const Theme& theme, const catalogue::Catalogue& catalogue, const QString& language, QWidget* parent = nullptr);
 
-    /// Shows a filter without saying that it changed.
+    /// Shows a filter without emitting changed().
     void setFilter(const SessionListFilter& filter);
     const SessionListFilter& filter() const noexcept { return m_filter; }
-    /// Whom one can choose: everybody with a session among `rows`, by name.
+    /// Sets the people to choose from: everybody with a session among `rows`, sorted by name.
     void setPeople(const std::vector<SessionRow>& rows);
     QLineEdit* search() const { return m_search; }
 
 signals:
     void changed(const chiron::desktop::SessionListFilter& filter);
-    void leaveSearch(); ///< Down or Enter in the search field: to the list
+    void leaveSearch(); ///< Down or Enter in the search field: move to the list
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,7 +57,7 @@ private:
     QComboBox* m_review = nullptr;
     QComboBox* m_period = nullptr;
     QWidget* m_dates = nullptr;
-    QDateEdit* m_from = nullptr; ///< made when days are first chosen
+    QDateEdit* m_from = nullptr; ///< created when days are first chosen
     QDateEdit* m_to = nullptr;
     QCheckBox* m_commented = nullptr;
     QCheckBox* m_archived = nullptr;

@@ -9,7 +9,8 @@ namespace {
 
 constexpr const char* kOutcomes[] = {"passed", "not_passed", "not_scored", "practice"};
 
-/// Day of a label, moved by the zone: days since 1970. No QDateTime: a date is asked of thousands of rows at a key press.
+/// Converts a UTC time stamp into the local day as a Julian day number. It avoids QDateTime, because one key
+/// press compares the dates of thousands of rows.
 std::optional<qint64> dayOf(const std::string& utc, int offset_min) {
     if (utc.size() < 16)
         return std::nullopt;
@@ -98,7 +99,8 @@ bool SessionMatcher::matchesDay(const database::SessionSummary& session) const {
 bool SessionMatcher::matches(const SessionRow& row) const {
     const database::SessionSummary& session = row.summary;
     const bool inReview = !m_filter.review || (*m_filter.review == ReviewState::toReview ? session.toReview : session.reviewed);
-    const bool hasNoLevel = session.exercise == SessionWords::kComparison; // of a study, whatever is stored
+    // Trials of a study have no level, whatever is stored.
+    const bool hasNoLevel = session.exercise == SessionWords::kComparison;
     if (!inReview || (m_filter.commented && session.comments == 0) || (session.archived && !m_filter.archived) || (m_filter.person != 0 && session.person != m_filter.person) ||
         (!m_exercise.empty() && session.exercise != m_exercise) || (m_filter.level != 0 && (session.level != m_filter.level || hasNoLevel)) ||
         (m_filter.state && session.state != *m_filter.state) || (m_filter.felt && session.felt != *m_filter.felt) ||

@@ -11,32 +11,32 @@
 
 namespace chiron::desktop {
 
-/// Whether a session was looked at by somebody else, or is to be.
+/// Whether another person has reviewed a session, or still has to.
 enum class ReviewState { toReview, reviewed };
 
-/// What the list of sessions is narrowed to. A value; travels in a Place as a map, so that going back returns to it.
+/// The filter of the session list. A value; a Place carries it as a map, so that going back restores it.
 struct SessionListFilter {
-    QString text;            ///< every word of it must occur in number, person, exercise or operator
+    QString text;            ///< every word must occur in number, person, exercise or operator
     qint64 person = 0;       ///< 0: anybody
     QString exercise;        ///< id; empty: any
     int level = 0;           ///< 0: any
     std::optional<database::SessionState> state;
     std::optional<bool> felt;
     std::optional<Outcome> outcome;
-    QDate from;              ///< days where the session was recorded; invalid: open
+    QDate from;              ///< local days at the place of recording; invalid: open
     QDate to;
-    bool archived = false;   ///< archived ones too
+    bool archived = false;   ///< include archived sessions
     std::optional<ReviewState> review;
-    bool commented = false;  ///< only those that somebody commented on
+    bool commented = false;  ///< only sessions with comments
 
     bool operator==(const SessionListFilter&) const = default;
     bool isEmpty() const { return *this == SessionListFilter{}; }
     QVariantMap toMap() const;
-    /// What is missing or unknown in the map stays open.
+    /// Missing or unknown entries of the map stay open.
     static SessionListFilter fromMap(const QVariantMap& map);
 };
 
-/// A filter made ready to be asked thousands of times.
+/// A filter prepared for matching thousands of rows.
 class SessionMatcher {
 public:
     explicit SessionMatcher(const SessionListFilter& filter);

@@ -16,24 +16,26 @@ class Catalogue;
 
 namespace chiron::desktop {
 
-/// One line of the list of sessions, with what searching and showing it again and again would otherwise make anew.
+/// One row of the session list, with cached texts for searching and display.
 struct SessionRow {
     database::SessionSummary summary;
-    QString person;   ///< as screens call them
+    QString person;   ///< name as screens show it
     QString exercise; ///< its title
-    QString search;   ///< folded: number, person by both names, exercise, operator
+    QString search;   ///< folded: number, both names of the person, exercise, operator
 };
 
-/// Titles of exercises in the language shown, by id. A value that workers are given.
+/// Titles of exercises by id, in the displayed language. A value that is passed to workers.
 using ExerciseTitles = QHash<QString, QString>;
 ExerciseTitles exerciseTitles(const catalogue::Catalogue& catalogue, const QString& language);
 
 SessionRow makeSessionRow(database::SessionSummary summary, const ExerciseTitles& titles, const PeopleNames& names = {});
 
-/// Lines that the filter asks for. Blocking: a worker's task. Failure: the repository's.
+/// Reads the rows that match the filter.
+/// Thread: worker; blocks.
+/// Errors: those of the repository.
 core::Result<std::vector<SessionRow>> readSessionRows(const database::Database& database, const database::Actor& actor,
                                                       const ExerciseTitles& titles, const database::SessionFilter& filter);
-/// One line anew, after something about it was changed.
+/// Reads one row again after its session changed.
 core::Result<SessionRow> readSessionRow(const database::Database& database, const database::Actor& actor,
                                         const ExerciseTitles& titles, database::SessionId session);
 

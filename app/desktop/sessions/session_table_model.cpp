@@ -14,7 +14,8 @@ std::strong_ordering byText(const QString& a, const QString& b) {
 
 std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int column) {
     switch (column) {
-    case SessionTableModel::started: // the label, which may run backwards; the number is the order
+    // This sorts by the time stamp, which may run backwards; the number gives the order of recording.
+    case SessionTableModel::started:
         return a.summary.startedUtc <=> b.summary.startedUtc;
     case SessionTableModel::person:
         return byText(a.person, b.person);
@@ -29,11 +30,13 @@ std::strong_ordering compare(const SessionRow& a, const SessionRow& b, int colum
     case SessionTableModel::result:
         return std::pair(a.summary.state, SessionWords::outcomeOf(a.summary)) <=> std::pair(b.summary.state, SessionWords::outcomeOf(b.summary));
     case SessionTableModel::score:
-        return a.summary.gatesMet * std::max(1, b.summary.gates) <=> b.summary.gatesMet * std::max(1, a.summary.gates); // as shares
+        // The scores are compared as shares of the pass marks that were met.
+        return a.summary.gatesMet * std::max(1, b.summary.gates) <=> b.summary.gatesMet * std::max(1, a.summary.gates);
     case SessionTableModel::comments:
         return a.summary.comments <=> b.summary.comments;
     case SessionTableModel::review:
-        return std::pair(!a.summary.toReview, a.summary.reviewed) <=> std::pair(!b.summary.toReview, b.summary.reviewed); // what is to be done first
+        // Sessions that await a review come first.
+        return std::pair(!a.summary.toReview, a.summary.reviewed) <=> std::pair(!b.summary.toReview, b.summary.reviewed);
     case SessionTableModel::device:
         return b.summary.felt <=> a.summary.felt;
     case SessionTableModel::length:
@@ -137,7 +140,7 @@ QVariant SessionTableModel::headerData(int section, Qt::Orientation orientation,
         return {};
     switch (section) {
     case number:
-        return tr("No."); // short, so that there is room for it
+        return tr("No."); // short, so that it fits the column
     case started:
         return tr("Started");
     case person:
@@ -177,7 +180,7 @@ void SessionTableModel::setRows(std::vector<SessionRow> rows) {
 void SessionTableModel::append(std::vector<SessionRow> rows) {
     if (rows.empty())
         return;
-    // Older ones behind the newest first: most often they only follow, and what is selected stays selected.
+    // Older sessions come after newer ones. Most often they are simply appended, and the selection stays.
     const bool onlyFollows = m_sortColumn == number && m_sortOrder == Qt::DescendingOrder;
     const SessionMatcher matcher(m_filter);
     std::vector<std::size_t> more;
@@ -199,7 +202,7 @@ void SessionTableModel::append(std::vector<SessionRow> rows) {
 }
 
 void SessionTableModel::replace(std::vector<SessionRow> rows) {
-    beginResetModel(); // they may leave the list, or move in it
+    beginResetModel(); // rows may leave the list or move within it
     for (SessionRow& row : rows) {
         const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&row](const SessionRow& r) { return r.summary.id == row.summary.id; });
         if (found != m_rows.end())
@@ -235,13 +238,13 @@ void SessionTableModel::show() {
 
 void SessionTableModel::sortShown() {
     if (m_sortColumn == number && m_sortOrder == Qt::DescendingOrder) {
-        std::sort(m_shown.begin(), m_shown.end()); // rows lie newest first
+        std::sort(m_shown.begin(), m_shown.end()); // the rows are stored newest first
         return;
     }
     const auto before = [this](std::size_t a, std::size_t b) {
         const auto order = compare(m_rows[a], m_rows[b], m_sortColumn);
         if (order == 0)
-            return a < b; // newest first among equals
+            return a < b; // newest first if equal
         return m_sortOrder == Qt::AscendingOrder ? order < 0 : order > 0;
     };
     std::sort(m_shown.begin(), m_shown.end(), before);

@@ -12,11 +12,14 @@
 
 namespace chiron::desktop {
 
-/// The list of sessions: all of it in memory, filtered and sorted by index, texts made when they are shown. GUI thread.
+/// The model of the session list. It holds all rows in memory, filters and sorts by index, and creates texts
+/// when they are shown.
+/// Thread: GUI.
 class SessionTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// The person first, then the number by which messages call the session. What a narrow window leaves out: sessions_screen.cpp.
+    /// The person comes first, then the number that identifies the session in messages. sessions_screen.cpp
+    /// decides which columns a narrow window leaves out.
     enum Column { person, number, operatorName, exercise, level, attempt, started, result, score, comments, review, device, length, columns };
 
     SessionTableModel(const Theme& theme, QLocale locale, QObject* parent = nullptr);
@@ -28,13 +31,13 @@ public:
     void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
     void setRows(std::vector<SessionRow> rows); ///< newest first
-    void append(std::vector<SessionRow> rows);  ///< older ones
-    void replace(SessionRow row);               ///< the one with its number
-    void replace(std::vector<SessionRow> rows); ///< those with their numbers
+    void append(std::vector<SessionRow> rows);  ///< appends older sessions
+    void replace(SessionRow row);               ///< replaces the row with the same number
+    void replace(std::vector<SessionRow> rows); ///< replaces the rows with the same numbers
     void setFilter(const SessionListFilter& filter);
     const SessionListFilter& filter() const noexcept { return m_filter; }
 
-    int total() const noexcept { return static_cast<int>(m_rows.size()); } ///< whatever the filter
+    int total() const noexcept { return static_cast<int>(m_rows.size()); } ///< independent of the filter
     const SessionRow& at(int row) const { return m_rows[m_shown[static_cast<std::size_t>(row)]]; }
     const std::vector<SessionRow>& all() const noexcept { return m_rows; }
     int rowOf(database::SessionId session) const; ///< -1: not shown
@@ -43,7 +46,7 @@ private:
     void show();
     void sortShown();
     QString text(const SessionRow& row, int column) const;
-    QString tip(const SessionRow& row) const; ///< with what a narrow window leaves out
+    QString tip(const SessionRow& row) const; ///< includes what a narrow window leaves out
     QVariant picture(const SessionRow& row, int column) const;
     QIcon icon(const WordSign& sign) const;
 

@@ -9,12 +9,12 @@ using database::SessionState;
 
 namespace {
 
-/// A practice is ended when there was enough of it, which is no session that was broken off.
+/// A stopped practice counts as ended, not as broken off.
 bool saysOutcome(const database::SessionSummary& session) {
     return session.state == SessionState::completed || (session.familiarisation && session.state == SessionState::stopped);
 }
 
-/// The start in the local time of the place of recording; invalid where the stored text cannot be read.
+/// The start in the local time of the place of recording; invalid if the stored text cannot be read.
 QDateTime localStart(const database::SessionSummary& session) {
     const QDateTime time = SessionWords::timeOf(session.startedUtc);
     return time.isValid() ? time.toOffsetFromUtc(session.utcOffset_min * 60) : time;
@@ -105,7 +105,8 @@ WordSign SessionWords::cameToSign(const database::SessionSummary& session) {
 }
 
 QString SessionWords::moved(const database::SessionSummary& session) {
-    return session.operatorName.empty() ? tr("Own hand") : operatorTitle(session.operatorName).section(QStringLiteral(" ("), 0, 0); // "Unsafe": what is in brackets is for choosing
+    // "Unsafe": the text in brackets is only for choosing an operator.
+    return session.operatorName.empty() ? tr("Own hand") : operatorTitle(session.operatorName).section(QStringLiteral(" ("), 0, 0);
 }
 
 QString SessionWords::device(bool felt) {
@@ -131,7 +132,7 @@ QString SessionWords::what(const database::SessionSummary& session, const QStrin
 
 QString SessionWords::which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale) {
     const QDateTime begun = localStart(session);
-    // With seconds: several attempts may have begun in one minute.
+    // Includes seconds, because several attempts may have begun within one minute.
     const QString when = begun.isValid() ? locale.toString(begun.date(), QLocale::ShortFormat) + begun.time().toString(QStringLiteral(" HH:mm:ss")) : QString();
     return QStringList{what(session, exercise, locale), when, cameTo(session)}.join(QStringLiteral(" · "));
 }

@@ -11,16 +11,17 @@
 
 namespace chiron::desktop {
 
-/// What a session came to, as lists say it. Only what was completed and scored was passed or not.
+/// The outcome of a session as lists show it. Only a completed and scored session is passed or not passed.
 enum class Outcome { passed, notPassed, notScored, practice };
 
-/// A picture that goes with a word, so that neither stands alone.
+/// An icon that accompanies a word, so that neither stands alone.
 struct WordSign {
     const char* icon; ///< Breeze name
     Colour ink;
 };
 
-/// How lists and cards say what is known of a session. Translated; any thread that has the translators (the GUI thread).
+/// Translated descriptions of sessions for lists and cards.
+/// Thread: any that has the translators (the GUI thread).
 class SessionWords {
     Q_DECLARE_TR_FUNCTIONS(SessionWords)
 public:
@@ -29,30 +30,33 @@ public:
     static Outcome outcomeOf(const database::SessionSummary& session);
     static QString outcome(Outcome outcome);
     static WordSign sign(Outcome outcome);
-    /// What became of it in one word: whether it was passed, or how it ended where it did not come to its end.
+    /// The outcome in one word: passed or not, or how the session ended if it was not completed.
     static QString cameTo(const database::SessionSummary& session);
     static WordSign cameToSign(const database::SessionSummary& session);
     static QString moved(const database::SessionSummary& session); ///< who moved the tool
     static QString device(bool felt);
-    static QString gates(const database::SessionSummary& session, const QLocale& locale); ///< "3 of 5"; empty where there are none
-    /// "Attempt 3 at level 2"; empty for what is no attempt (SessionSummary::attempt).
+    /// "3 of 5"; empty if there are none.
+    static QString gates(const database::SessionSummary& session, const QLocale& locale);
+    /// "Attempt 3 at level 2"; empty if the session is not an attempt (SessionSummary::attempt).
     static QString attempt(const database::SessionSummary& session, const QLocale& locale);
-    /// "Find the apex, attempt 3 at level 2", or "Find the apex, level 2" for what is no attempt; `exercise`: its title.
+    /// "Find the apex, attempt 3 at level 2", or "Find the apex, level 2" if it is not an attempt; `exercise`
+    /// is the title.
     static QString what(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
     /// "Find the apex, attempt 3 at level 2 · 28/11/2026 09:46:12 · Not passed".
     static QString which(const database::SessionSummary& session, const QString& exercise, const QLocale& locale);
     static QString review(const database::SessionSummary& session);
-    /// Date and time where it was recorded; empty where the label cannot be read.
+    /// Local date and time at the place of recording; empty if the time stamp cannot be read.
     static QString started(const database::SessionSummary& session, const QLocale& locale);
-    static QString startedOn(const database::SessionSummary& session, const QLocale& locale); ///< the date alone
-    static QString length(std::uint64_t ticks, const QLocale& locale); ///< a tick is a millisecond
-    /// "5 minutes ago"; the date from a month on.
+    /// The date only.
+    static QString startedOn(const database::SessionSummary& session, const QLocale& locale);
+    static QString length(std::uint64_t ticks, const QLocale& locale); ///< one tick is one millisecond
+    /// "5 minutes ago"; from one month on the date.
     static QString ago(const QDateTime& then, const QDateTime& now, const QLocale& locale);
     static QString bytes(std::uint64_t bytes, const QLocale& locale);
-    /// The exercise of a study's trials, which no catalogue has, and which has no levels.
+    /// The exercise id of a study's trials. It is in no catalogue and has no levels.
     static constexpr const char* kComparison = "comparison";
     static QString comparison();
-    static QDateTime timeOf(const std::string& utc); ///< UTC; invalid where it cannot be read
+    static QDateTime timeOf(const std::string& utc); ///< in UTC; invalid if it cannot be read
 };
 
 } // namespace chiron::desktop

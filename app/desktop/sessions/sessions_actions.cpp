@@ -20,8 +20,8 @@ namespace chiron::desktop {
 
 namespace {
 
-/// One short write on a worker, and what it came to on the GUI thread: for as long as the program lives, since "Undo" may be
-/// pressed on another screen.
+/// Runs one short write on a worker and passes its result to the GUI thread. It works as long as the program
+/// runs, because "Undo" may be pressed on another screen.
 template <class Job, class Done>
 void writeInBackground(AppContext& context, QObject* owner, Job job, Done done) {
     context.background().run(
@@ -67,7 +67,7 @@ void SessionsScreen::selectSomething() {
     const database::SessionId wanted = m_wanted;
     m_table->setCurrentIndex(m_model->index(std::max(row, 0), 0));
     if (row < 0 && wanted != 0 && !m_complete)
-        m_wanted = wanted; // it may be among those that have not come yet
+        m_wanted = wanted; // it may be among the sessions that have not been read yet
 }
 
 QString SessionsScreen::sealedWords() { return tr("A session of a blinded study can be opened once the study is unblinded."); }
@@ -190,7 +190,7 @@ void SessionsScreen::reload(database::SessionId session) {
 }
 
 void SessionsScreen::exportList() {
-    if (m_model->rowCount() == 0) { // by its key: the button is disabled
+    if (m_model->rowCount() == 0) { // by its shortcut, because the button is disabled
         context().messages().information(tr("The list is empty, so there is nothing to save."));
         return;
     }

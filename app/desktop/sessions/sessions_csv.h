@@ -7,10 +7,13 @@
 
 namespace chiron::desktop {
 
-/// The lines as comma-separated values (RFC 4180, UTF-8) with stored words and plain numbers, whatever the language shown.
+/// The rows as comma-separated values (RFC 4180, UTF-8) with stored tokens and plain numbers, independent of
+/// the displayed language.
 QByteArray sessionsCsv(const std::vector<SessionRow>& rows);
 
-/// Writes it, in the place of what is there only when all of it is written. Blocking. Failure: storage.
+/// Writes the file and replaces an existing one only when all of it is written.
+/// Thread: any; blocks.
+/// Errors: storage.
 core::Result<void> writeSessionsCsv(const std::vector<SessionRow>& rows, const QString& file);
 
 } // namespace chiron::desktop

@@ -25,7 +25,8 @@ const QString kSelected = QStringLiteral("selected");
 const QString kOwnFilter = QStringLiteral("sessions_filter");
 const QString kChosenOn = QStringLiteral("chosen_on");
 
-/// What the person chose here last, as long as it was today: a list that is narrowed since some earlier day would be a riddle.
+/// The person's last filter, if they chose it today. A filter that remains from an earlier day would be
+/// confusing.
 SessionListFilter ownFilter(AppContext& context) {
     const QVariantMap kept = context.settings().ofPerson(context.actor().personId(), kOwnFilter, QVariantMap()).toMap();
     return kept.value(kChosenOn).toString() == QDate::currentDate().toString(Qt::ISODate) ? SessionListFilter::fromMap(kept) : SessionListFilter();
@@ -39,14 +40,14 @@ void keepOwnFilter(AppContext& context, const SessionListFilter& filter) {
 
 database::SessionFilter pageBefore(database::SessionId before, int limit) {
     database::SessionFilter filter;
-    filter.includeArchived = true; // shown or not by the list's own filter, at once
+    filter.includeArchived = true; // the list's own filter hides or shows them without a new query
     filter.newestFirst = true;
     filter.afterSession = before;
     filter.limit = limit;
     return filter;
 }
 
-/// Widths from words that are as long as they get, instead of from thousands of rows.
+/// Sets column widths from the longest possible texts, which avoids measuring thousands of rows.
 void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, const ExerciseTitles& titles) {
     const QFontMetrics metrics(theme.font(TextStyle::body));
     const auto widest = [&metrics](const QStringList& words) {
@@ -82,13 +83,13 @@ void setWidths(QTableView& table, const Theme& theme, const QLocale& locale, con
     widths[SessionTableModel::device] = widest({SessionWords::device(true), SessionWords::device(false)});
     widths[SessionTableModel::length] = widest({SessionWords::length(3'599'000, locale), SessionTableModel::tr("sealed")});
     for (int column = 0; column < SessionTableModel::columns; ++column) {
-        const int arrow = theme.px(24); // any column may become the one that it is sorted by
+        const int arrow = theme.px(24); // room for the sort indicator, which any column may get
         const int head = table.horizontalHeader()->sectionSizeHint(column) + arrow;
         table.setColumnWidth(column, std::max(widths[static_cast<std::size_t>(column)] + theme.px(12), head));
     }
 }
 
-/// What a narrow window leaves out, first to last; a row's tool tip still says it.
+/// The columns that a narrow window leaves out, first to last; a row's tool tip still shows them.
 constexpr std::array<int, 5> kMayGo{SessionTableModel::length, SessionTableModel::device, SessionTableModel::operatorName, SessionTableModel::attempt,
                                     SessionTableModel::number};
 
@@ -99,7 +100,8 @@ SessionsScreen::SessionsScreen(AppContext& context, const Place& place)
     const Theme& theme = context.theme();
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
-    auto* page = new ScrollPage(theme, 0); // a large scale leaves too little room for controls and rows together
+    // The page scrolls, because a large scale leaves too little room for controls and rows together.
+    auto* page = new ScrollPage(theme, 0);
     all->addWidget(page);
     QVBoxLayout* column = page->column();
     column->setSpacing(theme.px(10));
@@ -131,7 +133,8 @@ QString SessionsScreen::help() const {
 
 QWidget* SessionsScreen::buildHead() {
     auto* head = new QWidget;
-    auto* row = new FlowLayout(context().theme().px(20), head); // the count goes below the title where the window is too narrow for both
+    // This wraps the count below the title if the window is too narrow for both.
+    auto* row = new FlowLayout(context().theme().px(20), head);
     row->addWidget(kit::line(context().theme(), title(), TextStyle::heading));
     m_count = kit::line(context().theme(), {}, TextStyle::body, "muted");
     m_count->setObjectName(QStringLiteral("sessions.count"));
@@ -160,7 +163,7 @@ QWidget* SessionsScreen::buildTable() {
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setMinimumHeight(theme.px(190));
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // else every row is measured
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // otherwise every row is measured
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(34));
     QHeaderView* head = m_table->horizontalHeader();
     head->setHighlightSections(false);
@@ -283,7 +286,7 @@ void SessionsScreen::take(core::Result<std::vector<SessionRow>> rows, bool first
     m_complete = rows->size() < wanted;
     const database::SessionId oldest = rows->empty() ? 0 : rows->back().summary.id;
     if (first)
-        m_model->setRows(std::move(*rows)); // selects and shows
+        m_model->setRows(std::move(*rows)); // also selects and shows
     else
         m_model->append(std::move(*rows));
     if (m_table->currentIndex().row() < 0)
@@ -330,7 +333,7 @@ void SessionsScreen::showState() {
 
 void SessionsScreen::noteState() {
     if (context().navigator().current().screen != place().screen)
-        return; // already on the way elsewhere
+        return; // another screen has already been requested
     QVariantMap map = m_filterBar->filter().toMap();
     if (m_wanted != 0)
         map.insert(kSelected, static_cast<qint64>(m_wanted));

@@ -10,11 +10,11 @@ namespace chiron::desktop {
 
 namespace {
 
-/// What the two decisions differ in.
+/// The texts that differ between the two decisions.
 struct VoidDialogWords {
-    QString name; ///< of the dialog's parts
+    QString name; ///< object name prefix of the dialog's parts
     QString title, question, effect, example, keep, confirm;
-    const char* kind; ///< of the button that confirms
+    const char* kind; ///< of the confirming button
     const char* icon;
 };
 

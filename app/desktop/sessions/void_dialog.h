@@ -10,14 +10,14 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Asks for the reason for which a session is voided, or for which a voided one counts again, and says what that does: from the list of
-/// sessions and from playback. Accepted only with a reason.
+/// Asks for the reason to void a session, or to count a voided one again, and explains the consequences. The
+/// session list and playback use it. It cannot be accepted without a reason.
 class VoidSessionDialog final : public QDialog {
     Q_OBJECT
 public:
     enum class Decision { voidIt, countAgain };
 
-    /// `what`: exercise, level, time and result, so that nobody voids the wrong one.
+    /// `what`: exercise, level, time and result, so that nobody voids the wrong session.
     VoidSessionDialog(const Theme& theme, qint64 session, const QString& person, const QString& what, QWidget* parent,
                       Decision decision = Decision::voidIt);
     QString reason() const;

@@ -20,7 +20,7 @@ struct Choice {
     QString text;
 };
 
-/// One card with a radio button for each choice; `chosen` hears the id.
+/// A card with one radio button per choice; `chosen` receives the id of the selected one.
 template <class Chosen>
 QWidget* choices(const Theme& theme, QWidget* owner, const QString& name, const QString& title, const std::vector<Choice>& list,
                  const QString& present, Chosen chosen) {
@@ -65,7 +65,7 @@ QString SettingsScreen::help() const {
 }
 
 QWidget* SettingsScreen::languageBox() {
-    // Each language in its own words: who cannot read the present one must find theirs.
+    // Each language is named in that language, so that people who cannot read the current one find theirs.
     std::vector<Choice> list;
     for (const auto& [id, name] : languageChoices())
         list.push_back({id, name});

@@ -5,7 +5,8 @@
 
 namespace chiron::desktop {
 
-/// How the program looks and sounds on this station: language, theme, scale, sound. Takes effect at once.
+/// Appearance and sound of the program on this station: language, theme, scale, sound. Changes take effect at
+/// once.
 class SettingsScreen final : public Screen {
     Q_OBJECT
 public:

@@ -28,7 +28,7 @@ SiteBox::SiteBox(AppContext& context, QWidget* parent) : QWidget(parent), m_cont
     m_save = kit::button(theme, tr("Save the site's name"), "primary");
     m_save->setObjectName(QStringLiteral("settings.save_site_name"));
     box.layout->addWidget(m_save, 0, Qt::AlignLeft);
-    m_notice = new NoticeArea(theme, NoticeArea::Room::none); // the last box of the page
+    m_notice = new NoticeArea(theme, NoticeArea::Room::none); // it is the last box of the page
     m_notice->setObjectName(QStringLiteral("settings.site_notice"));
     box.layout->addWidget(m_notice);
     connect(m_name, &QLineEdit::textChanged, this, &SiteBox::renew);

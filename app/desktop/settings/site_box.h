@@ -11,7 +11,9 @@ namespace chiron::desktop {
 class AppContext;
 class NoticeArea;
 
-/// For administrators: what the site is called, at the login, on slips of paper and on reports. GUI thread.
+/// Lets administrators change the name of the site, which appears at the login, on login slips and on
+/// reports.
+/// Thread: GUI.
 class SiteBox final : public QWidget {
     Q_OBJECT
 public:
@@ -27,7 +29,7 @@ private:
     QPushButton* m_save = nullptr;
     NoticeArea* m_notice = nullptr;
     QString m_stored;
-    bool m_known = false; ///< what is stored
+    bool m_known = false; ///< whether the stored name is known
     bool m_saves = false;
 };
 

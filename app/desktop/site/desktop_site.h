@@ -13,8 +13,9 @@
 
 namespace chiron::desktop {
 
-/// The database that the program works on, and the content that it teaches. Opened on a worker (openSite(), which also
-/// recovers), then given here. GUI thread; `database()` itself may be used from workers while the site is open.
+/// The database that the program works on, and its content. A worker opens the database with openSite(),
+/// which also recovers crashed sessions, and passes it here.
+/// Thread: GUI; workers may use `database()` while the site is open.
 class DesktopSite {
 public:
     explicit DesktopSite(QString databaseFile, database::DatabaseOptions options = {})
@@ -24,7 +25,7 @@ public:
 
     const QString& file() const noexcept { return m_file; }
     void setFile(const QString& file) { m_file = file; }
-    bool exists() const { return QFileInfo::exists(m_file); } ///< else the first start comes
+    bool exists() const { return QFileInfo::exists(m_file); } ///< if false, the first-start screen appears
     const database::DatabaseOptions& options() const noexcept { return m_options; }
 
     bool isOpen() const noexcept { return m_database != nullptr; }
@@ -32,9 +33,9 @@ public:
         m_database = std::move(database);
         m_recovered = std::move(recovered);
     }
-    /// Only when no work is under way (Background::cancelAndWait).
+    /// Call it only while no work is in progress (Background::cancelAndWait).
     void close() { m_database.reset(); }
-    database::Database& database() { return *m_database; } ///< only when isOpen()
+    database::Database& database() { return *m_database; } ///< only if isOpen()
     const std::vector<session::RecoveredSession>& recovered() const noexcept { return m_recovered; }
 
     void setCatalogue(catalogue::Catalogue catalogue) { m_catalogue = std::move(catalogue); }

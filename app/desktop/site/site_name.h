@@ -9,7 +9,9 @@
 
 namespace chiron::desktop {
 
-/// What the site is called; empty where it has no name. Blocking; for a worker. Failure: storage.
+/// Reads the name of the site; empty if it has none.
+/// Thread: worker; blocks.
+/// Errors: storage.
 core::Result<QString> readSiteName(database::Database& database, const database::Actor& actor);
 
 } // namespace chiron::desktop

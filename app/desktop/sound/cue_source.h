@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-/// An endless stream of 16-bit samples made from the newest cues: what an audio sink pulls. Locks nothing. Audio thread.
+/// An endless stream of 16-bit samples, generated from the newest cues, that an audio sink reads.
+/// Thread: audio; takes no locks.
 class CueSource final : public QIODevice {
 public:
     CueSource(realtime::LatestValue<SoundCues>& cues, int rate_Hz, int channels);
@@ -21,7 +22,7 @@ protected:
     qint64 writeData(const char*, qint64) override { return -1; }
 
 private:
-    static constexpr int kBlock = 256; ///< samples between two looks at the cues
+    static constexpr int kBlock = 256; ///< samples between two reads of the cues
 
     realtime::LatestValue<SoundCues>& m_cues;
     CueSynthesiser m_synthesiser;

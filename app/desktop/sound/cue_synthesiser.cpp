@@ -9,20 +9,21 @@ namespace chiron::desktop {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kSilence = 1e-4;        // below it a level is nothing
-constexpr double kFollow_s = 0.006;      // levels and pitch reach their target in some milliseconds
+constexpr double kSilence = 1e-4;        // a lower level counts as silence
+constexpr double kFollow_s = 0.006;      // time constant with which levels and pitch approach their targets
 constexpr double kClickDecay_s = 0.012;
 constexpr double kTouch_Hz = 220.0;
 constexpr double kClick_Hz = 1500.0;
 constexpr double kWarning_Hz = 988.0;    // far from the tone's octaves
 constexpr double kBeat_Hz = 5.0;
-constexpr double kFirstForce_N = 0.02;   // less is no touch
+constexpr double kFirstForce_N = 0.02;   // a smaller force counts as no contact
 constexpr double kLoudestShare = 3.0;    // pitch stops rising at three times the limit
-constexpr double kLowestNoise_Hz = 60.0; // corners of the one-poles, a ratio apart
+// Corner frequency of the lowest first-order filter; the others follow by a constant ratio.
+constexpr double kLowestNoise_Hz = 60.0;
 constexpr double kNoiseRatio = 2.83;
 constexpr double kBrightest = 0.4;       // share of the tone that its third harmonic takes at full lean
 
-/// One step from `level` towards `target`; what is left of a fading sound becomes exactly nothing.
+/// One step from `level` towards `target`. The remainder of a fading sound becomes exactly zero.
 double followed(double level, double target, double share) noexcept {
     const double next = level + share * (target - level);
     return target < kSilence && next < kSilence ? 0.0 : next;
@@ -67,7 +68,8 @@ double CueSynthesiser::masking() noexcept {
     m_noise ^= m_noise << 17;
     const double white = 2.0 * static_cast<double>(m_noise >> 11) / 9007199254740992.0 - 1.0;
     double pink = 0.0;
-    for (std::size_t i = 0; i < kNoisePoles; ++i) { // a one-pole of share a passes a / (2 - a) of the power
+    // A first-order filter with coefficient a passes a / (2 - a) of the power.
+    for (std::size_t i = 0; i < kNoisePoles; ++i) {
         const double share = m_noiseShare[i];
         m_noisePole[i] += share * (white - m_noisePole[i]);
         pink += m_noisePole[i] * std::sqrt((2.0 - share) / share);
@@ -100,7 +102,8 @@ double CueSynthesiser::tone() noexcept {
 
 double CueSynthesiser::click() noexcept {
     m_clickTarget *= m_clickDecay;
-    // Twice as fast a rise as the decay keeps the click short; it still starts at 0 and so does its sine.
+    // The level rises twice as fast as it follows other targets, which keeps the click short; the level and
+    // the sine both start at 0.
     m_clickLevel = followed(m_clickLevel, m_clickTarget, 2.0 * m_follow);
     if (m_clickLevel == 0.0 && m_clickTarget < kSilence) {
         m_clickTarget = 0.0;
@@ -119,7 +122,7 @@ double CueSynthesiser::warning() noexcept {
         m_beatPhase += kBeat_Hz / m_rate_Hz;
         m_beatPhase -= std::floor(m_beatPhase);
     } else {
-        m_beatPhase = 0.0; // the next warning begins with a beat, at once
+        m_beatPhase = 0.0; // so that the next warning starts with an audible beat
     }
     if (m_warningLevel == 0.0) {
         m_warningPhase = 0.0;

@@ -9,19 +9,21 @@
 
 namespace chiron::desktop {
 
-/// Turns cues into samples: a click when contact begins, a tone whose pitch rises with force (220 Hz at first touch, an
-/// octave each half of the limit) and which turns brighter as the force leans (its third harmonic, so that it is neither a second
-/// voice nor a change of pitch), a warning of two beats a tone above the limit. All levels and pitches are assumptions,
-/// chosen to be told apart at low volume. Every level follows its target through a one-pole of some milliseconds, so that
-/// nothing jumps; the parts' peaks add up to less than 1, so that nothing clips; at rest the samples are exactly 0.
-/// Masking is pink noise (white noise through one-poles an octave and a half apart, each passing its share of power) instead of the cues.
-/// No Qt, no lock, no allocation: render() is called by the audio callback. One thread.
+/// Turns cues into samples. Contact begins with a click. A tone rises in pitch with force (220 Hz at first
+/// touch, one octave per half of the limit) and becomes brighter as the force leans (through its third
+/// harmonic, so that it is neither a second voice nor a change of pitch). A warning tone pulses while the
+/// force is above the limit. All levels and pitches are assumptions, chosen to be distinguishable at low
+/// volume. Each sound level approaches its target through a first-order filter with a time constant of a few
+/// milliseconds, so that a change is not audible as a click. The peaks of the parts add up to less than 1, so
+/// that nothing clips; at rest the samples are exactly 0. Masking replaces the cues with pink noise (white
+/// noise through first-order filters an octave and a half apart, each passing its share of power).
+/// Thread: one, the audio callback's; render() uses no Qt, takes no lock and allocates nothing.
 class CueSynthesiser {
 public:
     explicit CueSynthesiser(double rate_Hz);
 
     void set(const SoundCues& cues) noexcept;
-    /// Mono, -1..1.
+    /// Mono samples, -1..1.
     void render(std::span<float> samples) noexcept;
 
     static constexpr double kTonePeak = 0.28;
@@ -38,10 +40,10 @@ private:
     double sine(double& phase, double frequency_Hz) const noexcept;
 
     double m_rate_Hz;
-    double m_follow;      ///< one-pole share a sample
-    double m_clickDecay;  ///< a sample
+    double m_follow;      ///< filter coefficient per sample
+    double m_clickDecay;  ///< per sample
     SoundCues m_cues;
-    std::uint32_t m_heard = 0; ///< contacts that have clicked
+    std::uint32_t m_heard = 0; ///< number of contacts that have already clicked
     bool m_first = true;
 
     double m_toneLevel = 0.0;
@@ -56,7 +58,8 @@ private:
     double m_beatPhase = 0.0;
     static constexpr std::size_t kNoisePoles = 6;
     double m_maskingLevel = 0.0;
-    std::uint64_t m_noise = 0x9E3779B97F4A7C15ULL; ///< xorshift state: the same noise in each run
+    /// State of the xorshift generator: the same noise in each run.
+    std::uint64_t m_noise = 0x9E3779B97F4A7C15ULL;
     std::array<double, kNoisePoles> m_noisePole{};
     std::array<double, kNoisePoles> m_noiseShare{};
 };

@@ -6,7 +6,7 @@
 
 namespace chiron::desktop {
 
-/// Which cues somebody wants to hear; each can be switched alone.
+/// The cues that the person wants to hear. Each can be switched separately.
 struct SoundSwitches {
     bool contact = true; ///< a click when contact begins
     bool force = true;   ///< the tone whose pitch rises with force
@@ -15,15 +15,19 @@ struct SoundSwitches {
     bool operator==(const SoundSwitches&) const = default;
 };
 
-/// What there is to be heard at one moment: every word of it is on the screen too. Trivially copyable, for LatestValue.
+/// The cues to be heard at one moment. The screen shows all of them as well. Trivially copyable, for
+/// LatestValue.
 struct SoundCues {
     double force_N = 0.0;       ///< tissue force on the tool
     double limit_N = 4.0;       ///< > 0; above it the warning sounds
-    std::uint32_t contacts = 0; ///< contacts begun since the session's start: each one clicks
-    double lean = 0.0;          ///< 0 upright .. 1 as far as a fingertip platform leans; 0 where nothing leans
+    std::uint32_t contacts = 0; ///< contacts since the start of the session; each increment gives a click
+    double lean = 0.0; ///< how far a fingertip platform leans: 0 upright .. 1 maximum; 0 if nothing leans.
     SoundSwitches on{};
-    double masking = 0.0;       ///< 0..1: pink noise that covers a device's own sounds (studies); the other cues are silent then
-    bool audible = false;       ///< false: paused, stopped, muted or over; sounds fade within some milliseconds
+    /// 0..1: level of pink noise that covers a device's own sounds (in studies); the other cues are silent
+    /// then.
+    double masking = 0.0;
+    /// False while paused, stopped, muted or over; sounds then fade within a few milliseconds.
+    bool audible = false;
 };
 
 static_assert(std::is_trivially_copyable_v<SoundCues>);

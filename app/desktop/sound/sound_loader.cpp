@@ -24,7 +24,8 @@ LoadedSound loadSound() {
     const QString named = qEnvironmentVariable("CHIRON_PLUGINS");
     const QDir folder(named.isEmpty() ? QCoreApplication::applicationDirPath() : named);
     QLibrary library(folder.filePath(QLatin1String(kSoundPluginFile)));
-    library.setLoadHints(QLibrary::PreventUnloadHint); // its threads may still be ending when the program does
+    // Its threads may still be running when the program ends.
+    library.setLoadHints(QLibrary::PreventUnloadHint);
     if (!QFile::exists(library.fileName()) || !library.load())
         return silent(Words::tr("The sound module of Chiron is not installed. Everything that can be heard is also shown."));
     const auto abi = reinterpret_cast<SoundAbiFunction>(library.resolve(kSoundAbiSymbol));

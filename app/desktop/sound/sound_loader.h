@@ -8,15 +8,17 @@
 
 namespace chiron::desktop {
 
-/// A way to be heard, or why there is none. Everything that can be heard is shown as well, so training goes on without.
+/// A sound output, or the reason why there is none. Everything audible is also shown, so training works
+/// without sound.
 struct LoadedSound {
-    std::unique_ptr<ISoundOutput> output; ///< null: silent
-    QString whySilent;                    ///< one translated sentence; empty where it plays
+    std::unique_ptr<ISoundOutput> output; ///< null: no sound
+    QString whySilent;                    ///< one translated sentence; empty if sound works
 };
 
-/// Loads Qt Multimedia's plugin the first time (some 0.1 s) and opens the station's sound output. Sought in CHIRON_PLUGINS if
-/// that is set, else in the program's own folder; CHIRON_NO_SOUND switches it off. Call it after the window has been
-/// painted. GUI thread.
+/// Loads Qt Multimedia's plugin the first time (some 0.1 s) and opens the station's sound output. The plugin
+/// is sought in CHIRON_PLUGINS if that is set, else in the program's own folder; CHIRON_NO_SOUND disables
+/// sound. Call it after the window has been painted.
+/// Thread: GUI.
 LoadedSound loadSound();
 
 } // namespace chiron::desktop

@@ -8,7 +8,8 @@
 
 namespace chiron::desktop {
 
-/// What plays cues. set() never waits. GUI thread.
+/// Plays cues. set() never blocks.
+/// Thread: GUI.
 class ISoundOutput {
 public:
     ISoundOutput() = default;
@@ -17,11 +18,13 @@ public:
     virtual ~ISoundOutput() = default;
 
     virtual void set(const SoundCues& cues) noexcept = 0;
-    /// False once the output is found to be missing or to have gone; asked now and then, after half a second at the earliest.
+    /// False once the output is found to be missing or has disappeared. It is polled, after half a second at
+    /// the earliest.
     virtual bool works() const noexcept = 0;
 };
 
-/// The face between the program and the plugin that links Qt Multimedia. Both are built together; this text says so.
+/// The interface between the program and the plugin that links Qt Multimedia. Both must come from the same
+/// build, which this text identifies.
 inline QByteArray soundAbi() {
     return QByteArrayLiteral("chiron-sound 1 Qt " QT_VERSION_STR " ") + QByteArray::number(qulonglong(sizeof(SoundCues)));
 }
@@ -31,7 +34,7 @@ inline constexpr const char* kSoundAbiSymbol = "chironSoundAbi";
 inline constexpr const char* kSoundMakeSymbol = "chironMakeSound";
 
 using SoundAbiFunction = const char* (*)();
-/// The caller owns what comes back; nullptr where the station has no sound output.
+/// The caller owns the returned output; nullptr if the station has no sound output.
 using SoundMakeFunction = ISoundOutput* (*)();
 
 } // namespace chiron::desktop

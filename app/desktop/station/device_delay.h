@@ -9,7 +9,9 @@ namespace chiron::desktop {
 
 class Settings;
 
-/// The delay of a kind of device, s, as it was measured on this station; nothing where it never was. Belongs to the station, not to a person.
+/// The delay of a device model as measured on this station; empty if it was never measured. It is stored for
+/// the station, not for a person.
+/// Unit: s.
 std::optional<double> measuredDelay_s(const Settings& settings, const devices::DeviceDescriptor& device);
 void setMeasuredDelay_s(Settings& settings, const devices::DeviceDescriptor& device, double delay_s);
 

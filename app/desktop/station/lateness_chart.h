@@ -9,15 +9,15 @@
 
 namespace chiron::desktop {
 
-/// How late the ticks of a run started: one line a bin with its share as a bar and as a number; what counts as late is marked
-/// by colour and by a word. Also read aloud: every line is part of the accessible description.
+/// Shows how late the ticks of a run started, one line per bin with its share as a bar and as a number. Late
+/// bins are marked by colour and by a word. Screen readers get every line from the accessible description.
 class LatenessChart final : public QWidget {
     Q_OBJECT
 public:
     LatenessChart(const Theme& theme, QLocale locale, QWidget* parent = nullptr);
     void setBins(const session::LatenessBins& bins);
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override; ///< words whole, a short bar
+    QSize minimumSizeHint() const override; ///< room for the whole text and a short bar
 
 protected:
     void paintEvent(QPaintEvent* event) override;

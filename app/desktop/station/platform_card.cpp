@@ -42,7 +42,7 @@ PlatformCard::PlatformCard(const Theme& theme, const QLocale& locale, bool mayRu
     m_record->setEnabled(false);
     connect(m_record, &QPushButton::clicked, this, &PlatformCard::recordAsked);
     row->add(m_record, 0);
-    row->add(new QWidget, 1); // takes what is left
+    row->add(new QWidget, 1); // takes the remaining width
     column->addWidget(row);
 }
 
@@ -107,7 +107,7 @@ void PlatformCard::addPlots() {
     auto sine = platformSinePlot(*m_check, look);
     sine->setObjectName(QStringLiteral("station.sine"));
     sine->setMinimumHeight(m_theme.px(kPlotHeight_px));
-    m_results->addWidget(sine.release()); // the layout's widget owns it from here on
+    m_results->addWidget(sine.release()); // the layout's widget owns it now
     auto* row = new ResponsiveRow(m_theme.px(640), m_theme.px(12));
     auto poses = platformPosePlot(*m_check, look);
     auto errors = platformErrorPlot(*m_check, look);

@@ -22,8 +22,9 @@ struct PlotTheme;
 
 namespace chiron::desktop {
 
-/// The fingertip platform on the station screen: P3's verification started by hand, its figures beside the published ones, plots, what
-/// makes them worse, and a record to be printed. GUI thread.
+/// The fingertip platform on the station screen: starts P3's verification manually, and shows its figures
+/// beside the published ones, plots, the effect of degraded parts, and a record to print.
+/// Thread: GUI.
 class PlatformCard final : public QFrame {
     Q_OBJECT
 public:
@@ -32,9 +33,10 @@ public:
     void show(PlatformCheck check);
     void showStopped();
     void showError(const core::Error& error);
-    void setReady(bool ready); ///< false: while it runs, or while a session does
-    QPushButton* button() const { return m_run; } ///< null for who may only look
-    /// Writes the newest check; nothing before there is one. Failure: storage.
+    void setReady(bool ready); ///< false while the check or a session runs
+    QPushButton* button() const { return m_run; } ///< null if the person may not run the check
+    /// Writes the newest check; does nothing if there is none yet.
+    /// Errors: storage.
     core::Result<void> writeRecord(const QString& path, const CheckCircumstances& of) const;
     using QFrame::show;
 
@@ -55,7 +57,8 @@ private:
     std::optional<PlatformCheck> m_check;
 };
 
-/// The plots of a check: the sine as wanted, sensed and really so; poses as wanted and sensed; how large their errors were.
+/// The plots of a check: the sine as commanded, sensed and true; poses as commanded and sensed; the size of
+/// their errors.
 std::unique_ptr<report::PlotView> platformSinePlot(const PlatformCheck& check, const report::PlotTheme& look);
 std::unique_ptr<report::PlotView> platformPosePlot(const PlatformCheck& check, const report::PlotTheme& look);
 std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check, const report::PlotTheme& look);

@@ -36,7 +36,8 @@ core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, 
         return stopped();
     if (!length.degrade)
         return check;
-    constexpr int kPosesEach = 20; // of twenty plants: enough to see what gets worse, in some seconds
+    // Poses for each of twenty degraded plants: enough to see the effect, within some seconds.
+    constexpr int kPosesEach = 20;
     settings.poses = std::min(settings.poses, kPosesEach);
     auto worse = mechanisms::degradeFingertip(check.plant, length.seed, settings);
     if (!worse)

@@ -9,26 +9,30 @@
 
 namespace chiron::desktop {
 
-/// P3's verification of the simulated fingertip platform, and what goes with it.
+/// P3's verification of the simulated fingertip platform, with its additional measurements.
 struct PlatformCheck {
     mechanisms::FingertipPlatformParameters plant;
-    std::string serialNumber; ///< DeviceDescriptor::serialNumber of what was checked; a simulated platform tells none
+    /// DeviceDescriptor::serialNumber of the checked device; empty for a simulated platform.
+    std::string serialNumber;
     mechanisms::FingertipVerification verified;
-    std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same on seven others
+    std::vector<mechanisms::FingertipOnFinger> fingers; ///< the same check on seven other fingers
     mechanisms::FingertipFriction friction;
-    double stiffnessCap_N_per_m = 0.0; ///< with the damping of drives and pad at the measured delay
+    double stiffnessCap_N_per_m = 0.0; ///< from the damping of drives and pad at the measured delay
     bool holds() const noexcept { return verified.holds() && mechanisms::holdsOnAll(fingers); }
-    std::vector<mechanisms::FingertipDegradation> worse; ///< one thing of the plant made worse at a time
+    /// With one property of the plant degraded at a time.
+    std::vector<mechanisms::FingertipDegradation> worse;
 };
 
-/// How long: the number of cycles is P3's, the rest can be less where a test has no time.
+/// The length of a check. The number of cycles is P3's; the rest may be less if a test is short of time.
 struct PlatformCheckLength {
     int poses = 100;
     bool degrade = true;
     std::uint64_t seed = 1;
 };
 
-/// Blocking: a worker's task, some seconds; ends early, with cancelled, between its steps. Failure: the verification's.
+/// Runs the check, which takes some seconds. Cancelling takes effect between its steps.
+/// Thread: worker; blocks.
+/// Errors: those of the verification; cancelled.
 core::Result<PlatformCheck> runPlatformCheck(const PlatformCheckLength& length, WorkToken& token);
 
 } // namespace chiron::desktop

@@ -71,7 +71,7 @@ std::unique_ptr<report::PlotView> platformErrorPlot(const PlatformCheck& check, 
     view->setYAxis({Words::tr("Poses"), 0.0, {}});
     std::vector<double> x;
     std::vector<double> y;
-    for (const report::PlotPoint& bin : bins) { // steps, as wide as a bin
+    for (const report::PlotPoint& bin : bins) { // one step per bin, as wide as the bin
         x.insert(x.end(), {bin.x - 0.5 * kBin_deg, bin.x + 0.5 * kBin_deg});
         y.insert(y.end(), {bin.y, bin.y});
     }

@@ -9,7 +9,9 @@ namespace chiron::desktop {
 namespace {
 
 using mechanisms::FingertipPublished;
-using report::CheckTable; // unqualified below: lupdate takes the texts of a function with a qualified type for another context's
+// These names are used unqualified below, because lupdate assigns the texts of a function with a qualified
+// type to another context.
+using report::CheckTable;
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(PlatformCheck)

@@ -10,15 +10,15 @@
 
 namespace chiron::desktop {
 
-/// What a check of the fingertip platform says, on the screen and on paper. Pure.
+/// The result of a check of the fingertip platform in words, for the screen and on paper. Pure.
 QString platformVerdict(const PlatformCheck& check, const QLocale& locale);
-/// What plant it was: noise, delay, friction; and what follows for a hand.
+/// Describes the plant (noise, delay, friction) and the consequences for touch.
 QStringList platformFacts(const PlatformCheck& check, const QLocale& locale);
-/// Ours beside P3's; the first line are the heads.
+/// Chiron's figures beside P3's; the first line contains the headings.
 report::CheckTable platformFigures(const PlatformCheck& check, const QLocale& locale);
-/// What the pad of each of the eight fingers got; the first line are the heads.
+/// The true force on the pad of each of the eight fingers; the first line contains the headings.
 report::CheckTable platformFingers(const PlatformCheck& check, const QLocale& locale);
-/// What the figures do when one thing gets worse; the first line are the heads.
+/// The figures with one degraded part at a time; the first line contains the headings.
 report::CheckTable platformDegradation(const PlatformCheck& check, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -7,7 +7,9 @@
 namespace chiron::desktop {
 
 core::Result<StationFacts> readStationFacts(const database::Database& database, const database::Actor& actor) {
-    constexpr int kLookedAt = 20; // scripted sessions ran as fast as they could and say nothing of the station
+    // This many sessions are searched, because scripted ones ran faster than real time and say nothing about
+    // the station.
+    constexpr int kLookedAt = 20;
     auto connection = database.openReader();
     if (!connection)
         return tl::unexpected(connection.error());
@@ -27,7 +29,7 @@ core::Result<StationFacts> readStationFacts(const database::Database& database, 
             continue;
         const auto loop = session::loopReportFrom(record->loopJson);
         if (!loop || !loop->realtime)
-            continue; // still running, or broken off
+            continue; // still running, or ended before its report was stored
         facts.last = LastLoop{summary.id, summary.startedUtc, *loop};
         break;
     }

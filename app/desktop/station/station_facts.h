@@ -12,20 +12,22 @@
 
 namespace chiron::desktop {
 
-/// The newest session that ran against the clock.
+/// The newest session that ran in real time.
 struct LastLoop {
     database::SessionId session = 0;
     std::string startedUtc;
     session::LoopReport loop;
 };
 
-/// What the station screen shows without measuring anything.
+/// The contents of the station screen that need no measurement.
 struct StationFacts {
     session::StorageRoom room;
     std::optional<LastLoop> last; ///< among the newest sessions that the person may see
 };
 
-/// Blocking: a worker's task. Failure: the repository's.
+/// Reads these contents.
+/// Thread: worker; blocks.
+/// Errors: those of the repository.
 core::Result<StationFacts> readStationFacts(const database::Database& database, const database::Actor& actor);
 
 } // namespace chiron::desktop

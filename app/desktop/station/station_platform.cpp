@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// P3's verification on the station screen: a worker's task, its end, its record.
+// P3's verification on the station screen: its task on a worker, its end, its record.
 #include "core/fp_environment.h"
 #include "database/access/access_table.h"
 #include "desktop/frame/app_context.h"
@@ -25,7 +25,7 @@ PlatformCard* StationScreen::platformCard() {
 
 void StationScreen::startVerification() {
     if (!m_platform || !m_platform->button() || !m_platform->button()->isEnabled() || context().trialRuns())
-        return; // a session's loop must not share the machine with it
+        return; // a session's loop must not share the computer with it
     PlatformCheckLength length;
     if (const QVariant poses = place().parameters.value(QStringLiteral("verify_poses")); poses.isValid()) {
         length.poses = poses.toInt();
@@ -56,7 +56,7 @@ bool StationScreen::mayCheck() const {
     return database::scopeOf(database::Action::recordStationCheck, context().actor().kind(), context().actor().roles()) != database::Scope::none;
 }
 
-/// Kept in the audit trail as soon as it is known, so that a failed check is not forgotten either.
+/// Stores a check in the audit trail as soon as its result is known, so that failed checks are kept as well.
 void StationScreen::note(const database::StationCheck& check, CheckedAt* at) {
     *at = {QDateTime::currentDateTime(), 0, {}};
     context().background().run(

@@ -12,7 +12,7 @@ namespace {
 
 using mechanisms::FingertipBounds;
 using mechanisms::FingertipPublished;
-using report::CheckRecord; // as in platform_words.cpp
+using report::CheckRecord; // unqualified, as in platform_words.cpp
 using report::CheckTable;
 
 struct Words {

@@ -11,30 +11,31 @@
 
 namespace chiron::desktop {
 
-/// What a laboratory has to know of a check beside its figures.
+/// Everything that a laboratory needs to know about a check besides its figures.
 struct CheckCircumstances {
-    QString who;              ///< logged in
-    QDateTime when;           ///< local
+    QString who;              ///< the person who was logged in
+    QDateTime when;           ///< local time
     QString station;          ///< name of the computer
     QString device;
-    std::optional<QString> serial; ///< of the device; empty: it does not tell one; nothing: there is no device
+    std::optional<QString> serial; ///< of the device; empty: it reports none; no value: there is no device
     QString build;
     std::int64_t entry = 0;   ///< in the audit trail; 0: it could not be written there
-    QString site{};           ///< what the site is called; may be empty
+    QString site{};           ///< name of the site; may be empty
 };
 
-/// "none" without a device.
+/// Returns "none" if there is no device.
 QString serialWords(const std::optional<QString>& serial);
 
-/// For the record's head: names and values. GUI thread, as all of it.
+/// The head of the record as pairs of name and value.
+/// Thread: GUI, as for all functions here.
 std::vector<std::pair<QString, QString>> checkHead(const CheckCircumstances& of, const QLocale& locale);
 QString checkFoot(const CheckCircumstances& of, const QLocale& locale);
 
-/// What is measured beside its limit, each passed or not; the first line are the heads.
+/// Measured values beside their limits, each passed or failed; the first line contains the headings.
 report::CheckTable loopLimits(const session::SelfTestResult& result, const QLocale& locale);
-/// The worst of all fingers.
+/// The worst value over all fingers.
 report::CheckTable platformLimits(const PlatformCheck& check, const QLocale& locale);
-/// Whether all that counts is within its limits.
+/// Whether everything that counts is within its limits.
 bool loopHolds(const session::SelfTestResult& result);
 
 report::CheckRecord loopRecord(const session::SelfTestResult& result, const CheckCircumstances& of, const QLocale& locale);

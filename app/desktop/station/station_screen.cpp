@@ -67,7 +67,7 @@ QString StationScreen::help() const {
 }
 
 std::vector<ScreenCommand> StationScreen::commands() {
-    // Also before they can be given: the palette lists them from elsewhere.
+    // Listed even before they can be used, because the palette offers them on other screens.
     return {{tr("Run the self-test"), {}, [this] { startSelfTest(); }}, {tr("Verify the fingertip platform"), {}, [this] { startVerification(); }}};
 }
 
@@ -206,7 +206,7 @@ void StationScreen::showButton() {
 
 void StationScreen::startSelfTest() {
     if (!m_test || !m_test->isEnabled() || context().trialRuns())
-        return; // a session's loop must not share the machine with a test of it
+        return; // a session's loop must not share the computer with a test of it
     const int ticks = std::max(1, place().parameters.value(QStringLiteral("self_test_ms"), kSelfTest_ms).toInt());
     m_task = std::make_shared<session::SelfTestTask>(static_cast<std::uint64_t>(ticks));
     m_token = context().background().run(

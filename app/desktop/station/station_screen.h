@@ -21,28 +21,31 @@ class PlatformCard;
 class StatePanel;
 class TaskStrip;
 
-/// How fit this station is: devices, punctuality of the force loop in the last session and in a self-test, real-time priority,
-/// P3's verification of the fingertip platform, room. Everybody may look; who the data layer lets check stations runs self-test and
-/// verification, never while a session runs. Each check is kept in the audit trail, and has a record to be filed.
+/// Shows the condition of this station: devices, punctuality of the force loop in the last session and in a
+/// self-test, real-time priority, P3's verification of the fingertip platform, free space. Everybody may
+/// look. People whom the data layer allows to check stations can run the self-test and the verification, but
+/// not while a session runs. Each check is stored in the audit trail and has a record to file.
 class StationScreen final : public Screen {
     Q_OBJECT
 public:
-    /// Parameters "self_test_ms": length of the self-test, 10 s where it is absent; "verify_poses": poses of the platform's
-    /// verification, 100 and the table of what makes it worse where it is absent.
+    /// The place's parameters are "self_test_ms", the length of the self-test (default 10 s), and
+    /// "verify_poses", the number of poses in the platform's verification. Without "verify_poses" the
+    /// verification uses 100 poses and adds the table of degraded parts.
     StationScreen(AppContext& context, const Place& place);
-    ~StationScreen() override; ///< ends a self-test
+    ~StationScreen() override; ///< ends a running self-test
 
     QString title() const override;
     void enter() override;
     std::vector<ScreenCommand> commands() override;
     QString help() const override;
-    core::Result<void> writePlatformRecord(const QString& path) const; ///< Failure: wrongUse before there is one; storage
-    core::Result<void> writeLoopRecord(const QString& path) const;     ///< the same of the self-test
+    /// Errors: wrongUse if there is no check yet; storage.
+    core::Result<void> writePlatformRecord(const QString& path) const;
+    core::Result<void> writeLoopRecord(const QString& path) const;     ///< the same for the self-test
 
 signals:
     void selfTestEnded();
     void verificationEnded();
-    void checkNoted(); ///< in the audit trail, or not
+    void checkNoted(); ///< the check was stored in the audit trail, or could not be
 
 private:
     void load();
@@ -59,7 +62,7 @@ private:
     PlatformCard* platformCard();
     void startVerification();
     void askRecord();
-    /// When a check ended, and its entry in the audit trail.
+    /// The time at which a check ended, and its entry in the audit trail.
     struct CheckedAt {
         QDateTime when;
         std::int64_t entry = 0;
@@ -78,7 +81,7 @@ private:
     std::optional<session::SelfTestResult> m_tested;
     CheckedAt m_loopChecked;
     CheckedAt m_platformChecked;
-    QString m_platformSerial; ///< empty: not told
+    QString m_platformSerial; ///< empty if not reported
     PlatformCard* m_platform = nullptr;
     QVBoxLayout* m_testBox = nullptr;
     std::shared_ptr<session::SelfTestTask> m_task;

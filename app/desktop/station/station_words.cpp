@@ -8,9 +8,9 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kMostLate = 0.003; // speed.md: ticks more than 100 µs late, as a share of all
+constexpr double kMostLate = 0.003; // speed.md: share of all ticks that may be more than 100 µs late
 
-/// A text that a driver's row marks for translation.
+/// Translates a text that a driver's entry marks for translation.
 QString marked(std::string_view text) { return text.empty() ? QString() : QCoreApplication::translate("Drivers", std::string(text).c_str()); }
 } // namespace
 
@@ -66,7 +66,7 @@ QString StationWords::verdict(const session::LoopReport& loop, const QLocale& lo
     const auto percent = [&locale](double share) { return locale.toString(100.0 * share, 'f', share > 0.0 && share < 0.001 ? 3 : 1); };
     const QString measured = percent(lateShare(loop));
     const QString limit = percent(kMostLate);
-    if (loop.skipped > 0) // each is a millisecond in which nobody looked after the device
+    if (loop.skipped > 0) // in each skipped tick the device was not served for one millisecond
         return tr("The loop does not run on time: %n tick(s) were skipped. Close other programs, or permit real-time priority.", nullptr,
                   static_cast<int>(std::min<std::uint64_t>(loop.skipped, std::numeric_limits<int>::max())));
     return QLatin1String(verdictKind(loop)) == QLatin1String("good")

@@ -34,7 +34,7 @@ AutomaticCard::AutomaticCard(const Theme& theme, QWidget* parent) : QFrame(paren
     m_keep->setAccessibleDescription(tr("Older ones are removed. Backups that you made yourself are never removed."));
     m_keep->setToolTip(m_keep->accessibleDescription());
     m_keep->setRange(1, database::kMostBackupsKept);
-    m_keep->setKeyboardTracking(false); // only what was typed to its end
+    m_keep->setKeyboardTracking(false); // emits only completed input
     label->setBuddy(m_keep);
     label->setWordWrap(false);
     row->addWidget(label);

@@ -13,7 +13,9 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// Backups by themselves: whether, how many are kept, how the latest went, and what is wrong with the place. GUI thread.
+/// Settings and state of the automatic backups: whether they are on, how many are kept, how the latest one
+/// went, and what is wrong with the folder.
+/// Thread: GUI.
 class AutomaticCard final : public QFrame {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// The folder that this station keeps its backups in: the one chosen, else "backups" beside the database.
+/// The folder for this station's backups: the chosen one, else "backups" beside the database.
 QString backupPlace(AppContext& context);
 void setBackupPlace(AppContext& context, const QString& folder);
 

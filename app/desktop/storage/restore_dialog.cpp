@@ -45,7 +45,7 @@ QString accountsOfTheDamagedFile() {
                              "so that nobody puts an old backup in its place unasked.");
 }
 
-/// At a site that is open a wrong password counts as at the login.
+/// Checks the passwords. If the site is open, a wrong password counts like one at the login.
 std::optional<database::RestoreRefusal> refusalOf(database::Database* open, const database::RestoreRequest& request,
                                                   const database::DatabaseOptions& options) {
     if (open) {
@@ -151,7 +151,7 @@ database::RestoreRequest RestoreDialog::request() const {
         return request;
     request.presentName = m_second.name->text().toStdString();
     request.presentPassword = m_second.password->text().toStdString();
-    if (m_replaces == Replaces::working) { // the first pair is of the database that stands here
+    if (m_replaces == Replaces::working) { // the first pair belongs to the current database
         std::swap(request.name, request.presentName);
         std::swap(request.password, request.presentPassword);
     }
@@ -180,12 +180,12 @@ void RestoreDialog::answered(const std::optional<database::RestoreRefusal>& refu
     restore(asked);
 }
 
-/// Says it at the field that is meant; what was typed and chosen stays.
+/// Shows the refusal at the field concerned. All input stays.
 void RestoreDialog::refused(const database::RestoreRefusal& refusal) {
     const By firstIs = m_replaces == Replaces::working ? By::present : By::backup;
     const bool second = refusal.by != firstIs;
     const bool wrong = refusal.refusal.kind == database::Refusal::Kind::wrong;
-    if (second && !m_other->isChecked()) { // the first pair is right, and not for the other database
+    if (second && !m_other->isChecked()) { // the first pair is right, but not valid for the other database
         m_other->setChecked(true);
         say("warning", refusal.by == By::backup ? tr("The backup has a different administrator or password. Enter those of the backup, too.")
                                                 : tr("The damaged file has a different administrator or password. Enter those, too."));

@@ -20,23 +20,24 @@ namespace chiron::desktop {
 class FieldNote;
 class WaitCountdown;
 
-/// Says what a restore does and asks an administrator for the password: of today's database, and of the backup where that was
-/// made under another one. Where that database is damaged or gone, of the backup first. Stays open until the passwords are right, so that
-/// nothing of what was chosen is lost.
+/// Explains what a restore does and asks an administrator for the password of the current database, and also
+/// for that of the backup if it differs. If the database is damaged or missing, it asks for that of the
+/// backup first. The dialog stays open until the passwords are right, so that the selection is not lost.
 class RestoreDialog final : public FormDialog {
     Q_OBJECT
 public:
-    /// What the backup is put in the place of.
+    /// The state of the database that the backup replaces.
     enum class Replaces { working, damaged, missing };
 
-    /// `restore` gets the whole request once it is confirmed and its passwords are right; the dialog is closed by then.
+    /// `restore` receives the complete request once it is confirmed and its passwords are right. The dialog
+    /// is closed by then.
     RestoreDialog(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
                   std::function<void(database::RestoreRequest)> restore);
 
-    /// As it is filled in now.
+    /// The request as currently filled in.
     database::RestoreRequest request() const;
 
-    /// Opens one over `parent`.
+    /// Opens a dialog over `parent`.
     static void ask(AppContext& context, const session::BackupEntry& backup, Replaces replaces, QWidget* parent,
                     std::function<void(database::RestoreRequest)> restore);
 
@@ -58,10 +59,10 @@ private:
 
     const Replaces m_replaces;
     const std::string m_folder;
-    const QString m_administrator; ///< whose name is filled in
+    const QString m_administrator; ///< prefilled name
     std::function<void(database::RestoreRequest)> m_restore;
-    Pair m_first;  ///< of the database that stands here; where that cannot be read, of the backup
-    Pair m_second; ///< of the other one, where the box is ticked
+    Pair m_first;  ///< for the present database; if that cannot be read, for the backup
+    Pair m_second; ///< for the other one, if the box is ticked
     QCheckBox* m_other = nullptr;
     QWidget* m_otherBox = nullptr;
     WaitCountdown* m_wait = nullptr;

@@ -13,18 +13,21 @@
 
 namespace chiron::desktop {
 
-/// What the storage screen shows, as it was when asked for.
+/// The contents of the storage screen, as they were at the time of the request.
 struct StorageFacts {
     session::StorageRoom room;
     std::uint64_t recordings_bytes = 0;
     int sessions = 0;
     std::vector<session::BackupEntry> backups; ///< newest first
-    database::BackupStanding standing;         ///< of the schedule
-    std::string backupFolder;                  ///< where the plan's backups go
-    bool onTheSitesDisk = false;               ///< that folder
+    database::BackupStanding standing;         ///< of the backup schedule
+    std::string backupFolder;                  ///< folder for the plan's backups
+    bool onTheSitesDisk = false;               ///< whether that folder is on the site's disk
 };
 
-/// `stationFolder`: where this station keeps backups if the plan does not say. Blocking: a worker's task. Failure: the repository's.
+/// Reads these contents. `stationFolder` is this station's backup folder, which is used if the plan names
+/// none.
+/// Thread: worker; blocks.
+/// Errors: those of the repository.
 core::Result<StorageFacts> readStorageFacts(const database::Database& database, const database::Actor& actor,
                                             const std::string& stationFolder);
 

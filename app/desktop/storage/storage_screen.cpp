@@ -247,7 +247,8 @@ void StorageScreen::showReport(const database::VerifyReport& report) {
 
 void StorageScreen::showButtons() {
     const bool idle = m_task == Task::none && !m_restoring;
-    // A button that is switched off would hand the focus to its neighbour, which may be "Restore": it waits here and goes back.
+    // Disabling a button would move the focus to its neighbour, which may be "Restore". Instead the focus is
+    // parked here and goes back afterwards.
     for (QPushButton* button : {m_backUp, m_verifyBackup, m_restore, m_choose, m_verifySite, m_export})
         if (!idle && window()->focusWidget() == button) {
             m_hadFocus = button;

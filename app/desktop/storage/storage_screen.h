@@ -20,8 +20,8 @@ class AutomaticCard;
 class StatePanel;
 class TaskStrip;
 
-/// Where everything is kept: room, backups, verification, restore, export. One long task at a time, each with progress and
-/// Cancel. For administrators; the data layer refuses others.
+/// Manages storage: free space, backups, verification, restore, export. One long task runs at a time, with
+/// progress and Cancel. For administrators; the data layer refuses others.
 class StorageScreen final : public Screen {
     Q_OBJECT
 public:
@@ -35,7 +35,7 @@ public:
     QString help() const override;
 
 signals:
-    void taskEnded(); ///< a backup, verification, export or restore, however it ended
+    void taskEnded(); ///< a backup, verification, export or restore, with any result
 
 private:
     enum class Task { none, backup, verifyBackup, verifySite, exportSite };
@@ -58,7 +58,7 @@ private:
     void backUp();
     void chooseFolder();
     void savePlan(const database::BackupPlan& plan);
-    QString folder() const; ///< where backups go
+    QString folder() const; ///< the folder for backups
     void verifyBackup();
     void verifySite();
     void exportSite();
@@ -74,7 +74,8 @@ private:
     Task m_task = Task::none;
     bool m_restoring = false;
     StorageFacts m_facts;
-    std::map<std::string, bool> m_checked; ///< folder -> whether it held, in this visit
+    /// By folder: whether the backup passed its check, since this screen was opened.
+    std::map<std::string, bool> m_checked;
     QVBoxLayout* m_notices = nullptr;
     QVBoxLayout* m_reportBox = nullptr;
     AutomaticCard* m_automatic = nullptr;
@@ -90,7 +91,7 @@ private:
     QPushButton* m_restore = nullptr;
     QPushButton* m_verifySite = nullptr;
     QPushButton* m_export = nullptr;
-    QPushButton* m_hadFocus = nullptr; ///< while a task runs: what had begun it
+    QPushButton* m_hadFocus = nullptr; ///< while a task runs: the button that started it
 };
 
 } // namespace chiron::desktop

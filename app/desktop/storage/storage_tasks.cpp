@@ -20,7 +20,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// A folder that is not there yet, named after the moment.
+/// A new folder that does not exist yet, named after the current time.
 QString newFolder(const QString& place, const QString& kind) {
     const QString base = QDir(place).filePath(QStringLiteral("chiron-%1-%2").arg(
         kind, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
@@ -30,7 +30,7 @@ QString newFolder(const QString& place, const QString& kind) {
     return name;
 }
 
-/// Progress in thousandths, since a token counts in int.
+/// Reports progress in thousandths, because a token counts in int.
 database::VerifyWatch watchFor(WorkToken& token) {
     return [&token](std::uint64_t done, std::uint64_t of) {
         token.setProgress(of > 0 ? static_cast<int>(done * 1000 / of) : 0, 1000);
@@ -57,7 +57,8 @@ bool StorageScreen::mayLeave() {
         context().messages().information(tr("Wait until the restore has finished."));
         return false;
     }
-    if (m_task != Task::none) // it goes on and tells its end; what it would show here is gone
+    // It continues and reports its end, but can no longer show results on this screen.
+    if (m_task != Task::none)
         context().messages().information(tr("The task that you started continues in the background."));
     return true;
 }
@@ -119,7 +120,9 @@ void StorageScreen::chooseFolder() {
     dialog->setOption(QFileDialog::ShowDirsOnly);
     beginInLastFolder(context().settings(), *dialog, QStringLiteral("backups"), context().settings().backupFolder());
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& place) {
-        setBackupPlace(context(), place); // the station knows it, too: where the site cannot be opened, nothing else does
+        // The folder is also stored for the station, which is the only place to find it when the site cannot
+        // be opened.
+        setBackupPlace(context(), place);
         database::BackupPlan plan = m_facts.standing.plan;
         plan.folder = place.toStdString();
         savePlan(plan);
@@ -147,7 +150,7 @@ void StorageScreen::runSnapshot(Task task, const QString& folder) {
     const QPointer<StorageScreen> screen(this);
     QDir().mkpath(QFileInfo(folder).absolutePath());
     const auto token = app.background().run(
-        &app, // told also where somebody has gone to another screen meanwhile
+        &app, // so that people who moved to another screen get the result as well
         [&database = app.site().database(), actor = app.actor(), backup, name = folder.toStdString()](WorkToken& working) {
             return backup ? database::Upkeep::backup(database, actor, name, &working.flag())
                           : database::Upkeep::exportSite(database, actor, name, &working.flag());
@@ -208,7 +211,7 @@ void StorageScreen::askRestore() {
 }
 
 void StorageScreen::restore(database::RestoreRequest request) {
-    m_restoring = true; // nobody leaves: there is no database until it ends
+    m_restoring = true; // the screen cannot be left, because there is no database until the restore ends
     showButtons();
     m_panel->showLoading(tr("Restoring the backup. The current database is kept."));
     context().background().cancelAndWait();
@@ -239,7 +242,7 @@ void StorageScreen::restored(const core::Result<database::RestoreInfo>& result) 
     m_restoring = false;
     const QString kept = QString::fromStdString(result->keptOldFile);
     emit taskEnded();
-    app.logOut(); // this screen goes with it
+    app.logOut(); // destroys this screen
     app.openSite();
     app.messages().done(tr("The backup was restored. The previous database is kept as %1. Please log in again.").arg(kept));
 }

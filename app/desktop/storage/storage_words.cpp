@@ -8,7 +8,7 @@ namespace chiron::desktop {
 using session::RoomState;
 
 namespace {
-constexpr int kOldBackup_days = 7; // assumption: a training site loses at most a week's work by hand-copying
+constexpr int kOldBackup_days = 7; // assumption: a training site can redo at most one week's work by hand
 }
 
 StorageNotice StorageWords::room(const session::StorageRoom& room, const QLocale& locale) {

@@ -13,24 +13,25 @@
 
 namespace chiron::desktop {
 
-/// A judgement in words with the kind of notice it is shown as ("good", "warning", "bad").
+/// An assessment as text, with the kind of notice that shows it ("good", "warning", "bad").
 struct StorageNotice {
     const char* kind;
     QString text;
     bool isGood() const { return QLatin1String(kind) == QLatin1String("good"); }
 };
 
-/// How the state of the storage is said. Translated; GUI thread.
+/// Texts on the state of the storage, translated.
+/// Thread: GUI.
 class StorageWords {
     Q_DECLARE_TR_FUNCTIONS(StorageWords)
 public:
-    /// Disk and ring folder together: the worse of the two.
+    /// Disk and ring folder together; the worse of the two counts.
     static StorageNotice room(const session::StorageRoom& room, const QLocale& locale);
-    /// A backup older than a week is a warning, none at all too.
+    /// A warning if the latest backup is older than a week or there is none.
     static StorageNotice backup(const std::string& latestUtc, const QDateTime& now, const QLocale& locale);
-    /// How the schedule's latest attempt went, and when.
+    /// Result and time of the schedule's latest attempt.
     static StorageNotice automatic(const database::BackupStanding& standing, const QDateTime& now, const QLocale& locale);
-    static StorageNotice sameDisk(); ///< backups beside what they are of
+    static StorageNotice sameDisk(); ///< backups lie on the same disk as the original
     static QString findingKind(const std::string& kind);
     static StorageNotice verified(const database::VerifyReport& report, const QLocale& locale);
 };

@@ -15,12 +15,13 @@ namespace chiron::desktop {
 
 class WorkToken;
 
-/// One long piece of work while it runs: what it is, how far, Cancel. Hidden between. GUI thread.
+/// Shows a running long task: description, progress, Cancel. It is hidden otherwise.
+/// Thread: GUI.
 class TaskStrip final : public QFrame {
     Q_OBJECT
 public:
     explicit TaskStrip(const Theme& theme, QWidget* parent = nullptr);
-    /// Without a token it cannot be cancelled and its end is not known.
+    /// Without a token the task cannot be cancelled and its progress is unknown.
     void start(const QString& what, std::shared_ptr<WorkToken> token = {});
     void stop();
     bool isRunning() const noexcept { return m_running; }

@@ -69,7 +69,7 @@ void CheckList::simulate() {
                 if (token.cancelled())
                     return core::fail(core::ErrorCode::cancelled, "check");
                 if (condition.stimulus.attribute == psychophysics::Attribute::apex) {
-                    plans.emplace_back(); // nothing is compared
+                    plans.emplace_back(); // nothing is compared, so only the duration is known
                     plans.back().minutes = psychophysics::minutesOf(condition, design.trial, session::trialsAtMost(condition));
                     continue;
                 }

@@ -13,8 +13,10 @@ namespace chiron::desktop {
 
 class WorkToken;
 
-/// The lines that are looked at before a design is frozen, each with a sign, what was found and a way to where it is put right. Observers that it
-/// simulates itself say how long and how precise the study will be. GUI thread.
+/// The list of checks before a design is frozen. Each line has an icon, the finding, and a link to the place
+/// where it can be corrected. The list runs its own simulated observers to estimate duration and precision of
+/// the study.
+/// Thread: GUI.
 class CheckList final : public QWidget {
     Q_OBJECT
 public:
@@ -25,7 +27,7 @@ public:
     bool has(FreezeCheck::State state) const;
 
 signals:
-    void changed(); ///< a line says something else
+    void changed(); ///< the result of a check changed
     void goAsked(const chiron::desktop::FreezeCheck& check);
 
 private:

@@ -6,7 +6,8 @@
 
 namespace chiron::desktop {
 
-/// The last page of a draft: what is looked at before freezing, trying it, and freezing itself. GUI thread.
+/// The last page of a draft: the checks before freezing, the pilot, and freezing itself.
+/// Thread: GUI.
 class CheckPage final : public QWidget {
     Q_OBJECT
 public:

@@ -38,7 +38,7 @@ ConditionsPage::ConditionsPage(const DesignPage& page, int shown, QWidget* paren
     column->addWidget(chooser());
     if (!page.draft.design().conditions.empty()) {
         column->addWidget(stimulusBox());
-        // In a study with one condition, the study's own instructions say everything.
+        // In a study with one condition, the study's own instructions suffice.
         if (!condition().instructions.empty() || (!page.readOnly && page.draft.design().conditions.size() > 1))
             column->addWidget(instructionsBox());
         if (!apex())
@@ -119,7 +119,8 @@ QWidget* ConditionsPage::chooser() {
         connect(button, &QPushButton::clicked, this, [this, i] { emit showAsked(static_cast<int>(i)); });
         row->addWidget(button);
     }
-    connect(&m_page.draft, &StudyDraft::changed, bar, [this, bar] { // a title that was typed is the button's at once
+    // A newly typed title appears on the button at once.
+    connect(&m_page.draft, &StudyDraft::changed, bar, [this, bar] {
         const auto& now = m_page.draft.design().conditions;
         for (std::size_t i = 0; i < now.size(); ++i)
             if (auto* button = bar->findChild<QPushButton*>(QStringLiteral("conditions.%1").arg(i)))
@@ -141,7 +142,7 @@ QWidget* ConditionsPage::chooser() {
 
 namespace {
 
-/// "Tube (2)": a title that no condition has in this language.
+/// "Tube (2)": a title that no other condition has in this language.
 std::string freeTitle(const StudyDesign& design, const std::string& language, const std::string& title) {
     const auto taken = [&](const std::string& wanted) {
         return std::any_of(design.conditions.begin(), design.conditions.end(), [&](const Condition& each) {
@@ -164,7 +165,7 @@ void ConditionsPage::addCondition() {
             copy.id = base + "_" + std::to_string(n);
         for (auto& [language, words] : copy.title)
             words = freeTitle(design, language, words);
-        copy.instructions.clear(); // what is different in the one is seldom so in the other
+        copy.instructions.clear(); // instructions rarely fit another condition
         design.conditions.push_back(std::move(copy));
     }, true);
     emit showAsked(static_cast<int>(m_page.draft.design().conditions.size()) - 1);
@@ -224,8 +225,8 @@ void ConditionsPage::addNames(FieldGrid& grid) {
 
 namespace {
 
-/// A name that tells the reference tells the one that is set: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and "tube_60_2" "tube_120". Names without
-/// it stay as they are.
+/// Updates names that contain the reference value: "Tube of 60 N/m (2)" becomes "Tube of 120 N/m", and
+/// "tube_60_2" becomes "tube_120". Other names stay as they are.
 void nameByReference(StudyDesign& design, std::size_t at, double before, double after, const QString& unit) {
     Condition& changed = design.conditions[at];
     const auto isFree = [&](const auto& isIts) {
@@ -259,7 +260,7 @@ void nameByReference(StudyDesign& design, std::size_t at, double before, double 
 
 } // namespace
 
-/// Names that follow the reference, as they stand in the fields above it.
+/// Updates the name fields above the reference after names have followed it.
 void ConditionsPage::showNames(FieldGrid& grid) const {
     const auto put = [&grid](const char* name, const QString& words) {
         auto* field = qobject_cast<QLineEdit*>(grid.field(QLatin1String(name)));
@@ -297,7 +298,7 @@ void ConditionsPage::addTask(FieldGrid& grid) {
     });
     grid.explain(QStringLiteral("condition.task"), study_words::taskInWords(condition().task));
     if (correctAnswer(condition().task, 0) < 0)
-        return; // no answer is right, so there is no proportion of right ones
+        return; // no answer is correct, so there is no proportion of correct answers
     constexpr double kPercent = 100.0;
     grid.number(tr("Threshold at"), QStringLiteral("condition.criterion"), kPercent * condition().criterion, {1, 99, 1, QStringLiteral("%"), 1}, [this](double now) {
         edit(tr("Criterion"), QStringLiteral("criterion"), [&](Condition& changed) { changed.criterion = now / kPercent; });
@@ -318,7 +319,8 @@ QWidget* ConditionsPage::tableBox() {
                 procedure = usualProcedure(std::string(kindOf(procedure)), changed);
         }, true);
     });
-    connect(&m_page.draft, &StudyDraft::changed, table, [this, table] { // the values of objects follow the reference
+    // The objects' values follow the reference.
+    connect(&m_page.draft, &StudyDraft::changed, table, [this, table] {
         if (static_cast<std::size_t>(m_shown) < m_page.draft.design().conditions.size())
             table->showObjects(condition().stimulus);
     });
@@ -355,7 +357,7 @@ QWidget* ConditionsPage::proceduresBox() {
     return box.frame;
 }
 
-/// Where the logarithm of a difference can be worked on, and the procedure leaves it open.
+/// Whether the procedure can work on the logarithm of a difference as well as on the difference.
 bool ConditionsPage::hasScale() const {
     return !apex() && !ranksThree(condition().task) && condition().task != Task::adjustment && condition().task != Task::magnitude;
 }

@@ -9,7 +9,8 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// The conditions of a design, one at a time: what is compared, how it is asked, by which procedures. GUI thread.
+/// Edits the conditions of a design, one at a time: the stimuli, the task and the procedures.
+/// Thread: GUI.
 class ConditionsPage final : public QWidget {
     Q_OBJECT
 public:
@@ -21,8 +22,8 @@ signals:
     void showAsked(int condition);
 
 private:
-    QWidget* sealedBox(); ///< codes instead of conditions
-    QWidget* sharedBox(); ///< what is the same of all of them
+    QWidget* sealedBox(); ///< shows codes instead of conditions
+    QWidget* sharedBox(); ///< properties that all conditions share
     QString buttonText(const psychophysics::Condition& condition) const;
     QWidget* chooser();
     QWidget* stimulusBox();
@@ -31,7 +32,7 @@ private:
     void addReference(FieldGrid& grid);
     void showNames(FieldGrid& grid) const;
     void addTask(FieldGrid& grid);
-    bool apex() const; ///< the condition on the page looks for one, and has neither task nor table
+    bool apex() const; ///< the condition on the page is an apex search, which has neither task nor table
     bool hasScale() const;
     QWidget* scaleGrid();
     QWidget* tableBox();

@@ -22,7 +22,7 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
     m_language->setCurrentIndex(std::max(0, m_language->findData(context.language())));
     m_language->setVisible(m_language->count() > 1);
     column()->addWidget(m_language, 0, Qt::AlignLeft);
-    const kit::Box read = kit::box(theme()); // whoever agrees says that they have read it
+    const kit::Box read = kit::box(theme()); // people who agree declare that they have read it
     read.layout->addWidget(kit::label(theme(), tr("Instructions"), TextStyle::title));
     m_instructions = kit::label(theme(), {}, TextStyle::body);
     m_instructions->setObjectName(QStringLiteral("consent.instructions"));
@@ -44,14 +44,14 @@ ConsentDialog::ConsentDialog(AppContext& context, const OpenStudy& study, const 
     showText();
     m_agreed->setFocus();
     if (parent)
-        resize(parent->window()->size()); // the participant reads it: what lies behind names conditions
+        resize(parent->window()->size()); // full size, because the window behind it names conditions
 }
 
 void ConsentDialog::showText() {
     m_instructions->setText(study_words::text(m_told, m_language->currentData().toString()));
     const auto found = m_texts.find(m_language->currentData().toString().toStdString());
     m_text->setText(found == m_texts.end() ? tr("This study has no consent text.") : QString::fromStdString(found->second));
-    m_agreed->setChecked(false); // of another text
+    m_agreed->setChecked(false); // it belonged to another text
 }
 
 void ConsentDialog::submit() {

@@ -10,8 +10,9 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// Instructions and consent text, read by the participant and agreed to; recorded with the consent text's SHA-256. It covers the window, which
-/// names conditions. GUI thread.
+/// Shows instructions and consent text for the participant to read and agree to. The consent is stored with
+/// the consent text's SHA-256. The dialog covers the window, because the window names conditions.
+/// Thread: GUI.
 class ConsentDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -20,7 +20,7 @@ struct FaultWords {
     Q_DECLARE_TR_FUNCTIONS(DesignFaults)
 };
 
-/// A line of the reader's: "file:3:4: $.conditions[0].id: found: expected".
+/// A line of the reader's error: "file:3:4: $.conditions[0].id: found: expected".
 struct ReaderFault {
     QString path; ///< without "$."
     QString found, expected;
@@ -39,7 +39,7 @@ std::vector<ReaderFault> readerFaults(const core::Error& error) {
     return faults;
 }
 
-/// Where texts, rules and limits of a study stand: the beginning of a path, the page, the field.
+/// Where the texts, rules and limits of a study are edited: the beginning of a path, the page, the field.
 struct Spot {
     const char* path;
     int tab;
@@ -73,7 +73,7 @@ constexpr Spot kSpots[] = {
     {"questionnaires", StudyScreen::questionnairesTab, ""},
 };
 
-/// Fields of a condition by the end of its path.
+/// Fields of a condition, by the end of the path.
 constexpr std::pair<const char*, const char*> kConditionSpots[] = {
     {"instructions", "condition.instructions"},
     {"title", "condition.title"},          {"id", "condition.id"},
@@ -84,12 +84,12 @@ constexpr std::pair<const char*, const char*> kConditionSpots[] = {
 
 const QString kTableField = QStringLiteral("differences.levels");
 
-/// Fields of a procedure that are called otherwise than their keys.
+/// Field of a procedure; handles the fields whose names differ from their keys.
 QString procedureField(const QString& procedure, const QString& key) {
     QString end = key;
     end.remove(QRegularExpression(QStringLiteral("^stop\\.?")));
     if (end.startsWith(QStringLiteral("differences")) || end.startsWith(QStringLiteral("stimuli")))
-        return kTableField; // which they are taken from
+        return kTableField; // because they are taken from it
     static const QRegularExpression kGrid(QStringLiteral("^parameters\\[(\\d+)\\]"));
     if (const auto match = kGrid.match(end); match.hasMatch())
         end = QStringLiteral("grid") + match.captured(1);
@@ -125,7 +125,7 @@ QString rangeWords(psychophysics::Attribute attribute, const QLocale& locale) {
     return FaultWords::tr("%1 to %2").arg(study_words::value(range.lowest, attribute, locale), study_words::value(range.highest, attribute, locale));
 }
 
-/// Of a reference or a table: what can be rendered, in the attribute's unit.
+/// The error text for a reference or a table: what can be rendered, in the attribute's unit.
 QString stimulusWords(const Condition& condition, const QString& field, const ReaderFault& fault, const QLocale& locale) {
     const psychophysics::StimulusDesign& stimulus = condition.stimulus;
     const QString allowed = rangeWords(stimulus.attribute, locale);
@@ -159,7 +159,7 @@ QString generalWords(const ReaderFault& fault, const QLocale& locale) {
     return fault.expected.isEmpty() ? fault.found : FaultWords::tr("Found: %1. Expected: %2.").arg(fault.found, fault.expected);
 }
 
-/// Of the smallest force: what is in its way.
+/// The error text for the smallest force: what prevents it.
 QString probeWords(const ReaderFault& fault, const QLocale& locale) {
     static const QRegularExpression kForce(QStringLiteral("([0-9.]+(?:e[-+]?\\d+)?) N"));
     const auto match = kForce.match(fault.expected);
@@ -185,7 +185,7 @@ QString wordsOf(const StudyDesign& design, const DesignFault& fault, const Reade
     return said.found;
 }
 
-/// Whichever of the two somebody has just changed.
+/// Reports the fault at both conditions, because either may be the one that was just changed.
 void addToBoth(std::vector<DesignFault>& faults, const StudyDesign& design, const DesignFault& fault) {
     for (std::size_t i = 0; i < design.conditions.size(); ++i)
         if (design.conditions[i].id == design.conditions[static_cast<std::size_t>(fault.condition)].id) {
@@ -211,7 +211,7 @@ std::vector<DesignFault> designFaults(const StudyDesign& design, const core::Err
         place(fault, each.path);
         fault.words = wordsOf(design, fault, each, locale);
         const bool ofTable = fault.field == kTableField && each.path.contains(QStringLiteral(".stimulus."));
-        if (ofTable) // what the procedures made of it goes with it
+        if (ofTable) // removes the procedures' errors that follow from the table's error
             std::erase_if(faults, [&](const DesignFault& other) { return other.condition == fault.condition && other.field == kTableField; });
         if (fault.field == QStringLiteral("condition.id") && each.expected.contains(kTwice))
             addToBoth(faults, design, fault);

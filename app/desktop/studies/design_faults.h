@@ -11,21 +11,22 @@
 
 namespace chiron::desktop {
 
-/// Something wrong with a design, where a researcher can put it right.
+/// An error in a design, and the place where the researcher can correct it.
 struct DesignFault {
-    int tab = 0;        ///< StudyScreen::Tab
-    int condition = -1; ///< of the conditions' page; -1: of no condition
-    QString field;      ///< object name of the field; empty: of none
+    int tab = 0;        ///< a StudyScreen::Tab
+    int condition = -1; ///< index on the conditions' page; -1: no condition
+    QString field;      ///< object name of the field; empty: none
     QString words;
 };
 
-/// What catalogue::readStudy found wrong, at the fields that hold it and in words with units, in the order of the pages.
+/// The errors that catalogue::readStudy found, assigned to their fields and described with units, in the
+/// order of the pages.
 std::vector<DesignFault> designFaults(const psychophysics::StudyDesign& design, const core::Error& error, const QLocale& locale);
 
-/// What reads well and is wrong all the same: conditions that have the same name.
+/// Errors in a design that is formally valid: conditions with the same name.
 std::vector<DesignFault> nameFaults(const psychophysics::StudyDesign& design);
 
-/// Those of a page, by field.
+/// The errors of one page, by field.
 QMap<QString, QString> faultsOfPage(const std::vector<DesignFault>& faults, int tab, int condition);
 
 } // namespace chiron::desktop

@@ -22,7 +22,7 @@ constexpr int kMostTyped = 64; // longer tables are generated or imported
 constexpr int kMostCandidates = 4096;
 constexpr int kApexTrials = 10;
 constexpr double kPercent = 100.0;
-constexpr double kUsualLow = 0.02; // of the reference
+constexpr double kUsualLow = 0.02; // share of the reference
 constexpr double kUsualHigh = 0.6;
 constexpr int kUsualCount = 40;
 } // namespace
@@ -113,7 +113,8 @@ DifferenceTable::DifferenceTable(const Theme& theme, const QLocale& locale, bool
 }
 
 void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
-    const auto onceTyped = [](QAbstractSpinBox* field) { field->setKeyboardTracking(false); }; // a table of what is half typed would be another one
+    // Half-typed numbers must not generate a table.
+    const auto onceTyped = [](QAbstractSpinBox* field) { field->setKeyboardTracking(false); };
     onceTyped(grid.number(tr("Smallest"), QStringLiteral("differences.low"), m_low_percent, {0.01, 1000, 2, QStringLiteral("%"), 0.5}, [this](double to) {
         m_low_percent = to;
         generate();
@@ -135,7 +136,8 @@ void DifferenceTable::addMaker(const Theme&, FieldGrid& grid) {
         generate();
     });
     grid.explain(QStringLiteral("differences.both"), tr("Also objects with less of the attribute than the reference."));
-    grid.setShown(QStringLiteral("differences.both"), m_mayBeLess || m_bothSides); // a table that has them already can be made anew without
+    // A table that already has them can be regenerated without them.
+    grid.setShown(QStringLiteral("differences.both"), m_mayBeLess || m_bothSides);
 }
 
 void DifferenceTable::addLevels(const Theme& theme, bool readOnly, FieldGrid& grid) {

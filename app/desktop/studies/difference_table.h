@@ -15,26 +15,29 @@ namespace chiron::desktop {
 class FieldGrid;
 class LevelsTable;
 
-/// A value of the attribute that studies usually compare with, SI.
+/// The usual reference value of an attribute in studies, in SI.
 double usualReference(psychophysics::Attribute attribute);
-/// Gives a condition another task, with a scale and a procedure that suit it.
+/// Changes the task of a condition, and with it scale and procedure.
 void takeTask(psychophysics::Condition& condition, psychophysics::Task task);
-/// Gives a condition another attribute, with the reference that is usual for it; to an apex and from one also with another task, table and procedure.
+/// Changes the attribute of a condition, and sets the usual reference for it. A change to or from an apex
+/// search also replaces task, table and procedure.
 void takeAttribute(psychophysics::Condition& condition, psychophysics::Attribute attribute);
 
-/// From, to and how many: in equal ratios, or in equal steps on both sides of the reference. D, ascending.
+/// A number of differences in equal ratios between two values, or in equal steps on both sides of the
+/// reference. Returns D, ascending.
 std::vector<double> differencesBetween(double low, double high, int count);
 std::vector<double> differencesAround(double high, int count);
 
-/// The candidates that a procedure chooses from, as differences in per cent of the reference and as values; made evenly from three numbers, or typed and
-/// pasted. What is changed counts at once. GUI thread.
+/// The candidates that a procedure chooses from, as differences in per cent of the reference and as values.
+/// They are generated evenly from three numbers, or typed, or pasted. Every change takes effect at once.
+/// Thread: GUI.
 class DifferenceTable final : public QWidget {
     Q_OBJECT
 public:
-    /// `mayBeLess`: the task takes objects with less of the attribute than the reference, too.
+    /// `mayBeLess`: the task also uses objects with less of the attribute than the reference.
     DifferenceTable(const Theme& theme, const QLocale& locale, bool readOnly, const psychophysics::StimulusDesign& stimulus, bool mayBeLess, QWidget* parent = nullptr);
 
-    /// The same table around another reference.
+    /// Shows the same table for another reference.
     void showObjects(const psychophysics::StimulusDesign& stimulus);
 
 signals:

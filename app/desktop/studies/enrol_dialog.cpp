@@ -28,13 +28,14 @@ EnrolDialog::EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* p
         if (questionnaire.when == psychophysics::Questionnaire::When::enrolment)
             addFields(questionnaire);
     setAccept(tr("Enrol"));
-    for (QLineEdit* field : {m_identity, m_account}) // one of them says who it is
+    for (QLineEdit* field : {m_identity, m_account}) // one of them must identify the person
         connect(field, &QLineEdit::textChanged, this,
                 [this] { setAcceptable(!m_identity->text().trimmed().isEmpty() || !m_account->text().trimmed().isEmpty()); });
     m_identity->setFocus();
 }
 
-/// What the design wants to know of a participant. Stored with the participation under the code, never in the key table.
+/// The design's questions about a participant. The answers are stored with the participation under the code,
+/// never in the key table.
 void EnrolDialog::addFields(const psychophysics::Questionnaire& questionnaire) {
     column()->addWidget(kit::label(theme(), study_words::text(questionnaire.title, context().language()), TextStyle::title));
     auto* form = new QuestionnaireForm(theme(), context().locale(), questionnaire, context().language());
@@ -65,7 +66,7 @@ void EnrolDialog::submit() {
             for (database::QuestionnaireAnswer& answer : theirs)
                 answer.participant = enrolled->id;
             if (auto stored = studies.storeQuestionnaireAnswers(theirs); !stored)
-                return tl::unexpected(stored.error()); // one transaction: nobody is enrolled then
+                return tl::unexpected(stored.error()); // everything is one transaction, so nobody is enrolled
             return enrolled;
         },
         [this, account](const core::Result<database::Participant>& participant) {

@@ -10,15 +10,18 @@ namespace chiron::desktop {
 
 class QuestionnaireForm;
 
-/// Enrols a participant, with the fields that the design has for it, and shows the code, the only thing that data will know them by. GUI thread.
+/// Enrols a participant with the fields that the design asks for, and shows the participant's code. The data
+/// identify the participant by this code only.
+/// Thread: GUI.
 class EnrolDialog final : public FormDialog {
     Q_OBJECT
 public:
     EnrolDialog(AppContext& context, const OpenStudy& study, QWidget* parent);
 
 signals:
-    void enrolledAs(const QString& code); ///< before changed()
-    void consentAsked(const chiron::database::Participant& participant); ///< as the next step
+    void enrolledAs(const QString& code); ///< emitted before changed()
+    /// Emitted if consent is the next step.
+    void consentAsked(const chiron::database::Participant& participant);
 
 protected:
     void submit() override;
@@ -29,8 +32,8 @@ private:
 
     database::StudyNumber m_study;
     QLineEdit* m_identity = nullptr;
-    QLineEdit* m_account = nullptr; ///< login name, where they have one
-    std::vector<QuestionnaireForm*> m_fields; ///< what the design wants to know of a participant
+    QLineEdit* m_account = nullptr; ///< login name, if the person has one
+    std::vector<QuestionnaireForm*> m_fields; ///< the design's questions about a participant
 };
 
 } // namespace chiron::desktop

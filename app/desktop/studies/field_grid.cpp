@@ -24,13 +24,14 @@ namespace {
 constexpr double kCell_px = 250;
 constexpr double kLine_px = 22;
 
-/// What was typed, without the unit that the field itself writes behind it.
+/// The typed text without the unit that the field appends itself.
 QString typedIn(const QString& text, const QString& suffix) {
     return (!suffix.isEmpty() && text.endsWith(suffix) ? text.chopped(suffix.size()) : text).trimmed();
 }
 
-/// What cannot be taken stays in the field while it is typed, and is told when the field is left: no letter goes without a word. Then there is again
-/// what stood there before: a beginning that could be read ("0.3" of "0.3 kg") was not meant either.
+/// A spin box that never discards input silently. Invalid input stays in the field during typing and is
+/// reported when the field is left. Then the previous value returns, because a readable beginning ("0.3" of
+/// "0.3 kg") was not meant either.
 template <class SpinBox> class TellingSpinBox : public SpinBox {
 public:
     std::function<void(const QString& typed)> refused;
@@ -40,7 +41,7 @@ public:
             refused(typedIn(input, this->suffix()));
         input = before();
     }
-    void keep() { m_before = this->value(); } ///< what is there now is what a refusal goes back to
+    void keep() { m_before = this->value(); } ///< sets the value that a refusal returns to
     QString before() const {
         const bool special = m_before == this->minimum() && !this->specialValueText().isEmpty();
         return special ? this->specialValueText() : this->textFromValue(m_before) + this->suffix();
@@ -56,7 +57,8 @@ private:
     decltype(std::declval<SpinBox>().value()) m_before{};
 };
 
-/// A number as somebody would write it: 300 and 0.75, not 300.0000 and 0.750; typed with any unit of the same dimension.
+/// Shows a number as people write it: 300 and 0.75, not 300.0000 and 0.750. Accepts any unit of the same
+/// dimension.
 class PlainSpinBox final : public TellingSpinBox<QDoubleSpinBox> {
 public:
     ReadQuantity read(const QString& text) const {
@@ -64,7 +66,7 @@ public:
         return readQuantity(typedIn(text, suffix), suffix.trimmed(), locale());
     }
     bool inRange(double value) const { return value >= minimum() && value <= maximum(); }
-    bool keeps(double value) const { // else a small number would become none
+    bool keeps(double value) const { // otherwise rounding would turn a small number into zero
         constexpr double kRounding = 0.01;
         const double steps = std::pow(10.0, decimals());
         return std::abs(std::round(value * steps) / steps - value) <= kRounding * std::abs(value);
@@ -89,7 +91,7 @@ public:
     }
 };
 
-/// The same of whole numbers.
+/// The same for whole numbers.
 class WholeSpinBox final : public TellingSpinBox<QSpinBox> {
 public:
     QValidator::State validate(QString& input, int&) const override {
@@ -121,7 +123,7 @@ void FieldGrid::add(const QString& label, QWidget* field, const QString& name, b
         words->setBuddy(field);
         column->addWidget(words);
     } else {
-        column->addSpacing(m_theme.px(kLine_px)); // level with fields that have a label above them
+        column->addSpacing(m_theme.px(kLine_px)); // aligns it with fields that have a label above them
     }
     column->addWidget(field);
     Field& kept = m_fields[name];
@@ -180,7 +182,7 @@ void FieldGrid::showFaults(const QMap<QString, QString>& faults) {
     }
 }
 
-/// Colour is never alone: a sign and the words stand under the field.
+/// The error is shown by an icon and text below the field, so that colour never stands alone.
 void FieldGrid::showFault(const QString& name) {
     Field& found = m_fields[name];
     const QString words = faultOf(name);
@@ -232,7 +234,7 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
     m_fields[name].unit = range.unit;
     field->refused = [this, grid = QPointer<FieldGrid>(this), field, name, unit = range.unit](const QString& typed) {
         if (!grid)
-            return; // it goes, and with it the field that has the focus
+            return; // the grid is being destroyed together with the focused field
         const ReadQuantity found = readQuantity(typed, unit, m_locale);
         const auto said = [this](double number) { return m_locale.toString(number, 'g', 6); };
         const QString still = field->before();
@@ -258,11 +260,11 @@ QDoubleSpinBox* FieldGrid::number(const QString& label, const QString& name, dou
 }
 
 void FieldGrid::refuse(const QString& name, const QString& words) {
-    m_refused = name; // this time
+    m_refused = name; // marks this refusal until editingFinished
     setUnread(name, words);
 }
 
-/// What was refused is told until the field is left with something that can be taken.
+/// A refusal remains visible until the field is left with valid input.
 void FieldGrid::forgetWhenTaken(QAbstractSpinBox* field, const QString& name) {
     connect(field, &QAbstractSpinBox::editingFinished, this, [this, grid = QPointer<FieldGrid>(this), name] {
         if (!grid)
@@ -386,7 +388,8 @@ void FieldGrid::arrange(int columns) {
             ++row;
             column = 0;
         }
-        // Aligned, which also keeps a cell from asking for more height: rows and cards would then share what a high page has left over.
+        // The alignment also keeps a cell from claiming extra height; rows and cards would otherwise share
+        // the free height of a tall page.
         m_grid->addWidget(cell.widget, row, column, 1, cell.wide ? columns : 1, cell.level);
         column = cell.wide ? columns : column + 1;
     }

@@ -26,26 +26,27 @@ class QSpinBox;
 
 namespace chiron::desktop {
 
-/// Numbers that a field takes, and how they are written.
+/// The range and display format of a number field.
 struct NumberRange {
     double minimum = -1e9;
     double maximum = 1e9;
     int decimals = 3;
     QString unit;
     double step = 0.0; ///< 0: a tenth of what decimals show
-    QString zero{};    ///< what the smallest value is called ("no limit"); empty: by its number
+    QString zero{};    ///< text for the smallest value ("no limit"); empty: its number
 };
 
-/// What is said under a number's field: what it may be and what it usually is, in the field's unit.
+/// The explanation under a number field: its range and usual value, in the field's unit.
 struct UsualNumber {
     double lowest = 0.0;
     double highest = 0.0;
     double usual = 0.0;
 };
 
-/// Fields under their labels in as many columns as the width has room for. Each calls back when it is changed by a person, never when it
-/// is filled. Under a field stands what it means, and what is wrong with it. Read-only grids show the same fields, which cannot be changed.
-/// GUI thread.
+/// Labelled fields in as many columns as fit the width. Each field calls back when a person changes it, never
+/// when it is filled by the program. Its explanation and its error stand below it. A read-only grid shows the
+/// same fields, disabled.
+/// Thread: GUI.
 class FieldGrid : public QWidget {
     Q_OBJECT
 public:
@@ -57,32 +58,36 @@ public:
                       std::function<void(const QVariant&)> taken);
     QCheckBox* check(const QString& label, const QString& name, bool value, std::function<void(bool)> taken);
     QLineEdit* text(const QString& label, const QString& name, const QString& value, std::function<void(const QString&)> taken, bool wholeWidth = false);
-    /// Several lines, over the whole width.
+    /// A field of several lines over the whole width.
     QPlainTextEdit* longText(const QString& label, const QString& name, const QString& value, int lines, std::function<void(const QString&)> taken);
-    /// Numbers in a line, as number_list.h reads them; what is no number is a fault of the field, and nothing is taken. Over the whole width.
+    /// A list of numbers in one line over the whole width, as number_list.h reads it. Text that is not a
+    /// number is an error of the field, and `taken` is not called.
     QLineEdit* list(const QString& label, const QString& name, const std::vector<double>& values, std::function<void(std::vector<double>)> taken);
-    /// Anything else over the whole width, in its turn.
+    /// Adds any other widget over the whole width, as the next row.
     void wide(QWidget* widget);
     void cell(QWidget* widget); ///< in one column
-    /// A widget of its own as a field, over the whole width: it can be explained and be wrong as the others.
+    /// Adds a custom widget as a field over the whole width. It can have an explanation and an error like the
+    /// others.
     void control(const QString& label, const QString& name, QWidget* field);
 
-    /// One sentence of what the field of this name means, under it and for screen readers; of a number with what it may be.
+    /// Sets the explanation of a field in one sentence, shown below it and available to screen readers; for a
+    /// number also its range.
     void explain(const QString& name, const QString& meaning);
     void explain(const QString& name, const QString& meaning, const UsualNumber& number);
-    /// What is wrong with the fields, by name: said under each with a sign, and for screen readers. Names of other grids are passed over; fields
-    /// that are not named are right.
+    /// Shows errors by field name, below each field with an icon, and for screen readers. Names of other
+    /// grids are ignored; fields without an entry have no error.
     void showFaults(const QMap<QString, QString>& faults);
-    /// What the field itself cannot take ("abc" for a number); empty: nothing.
+    /// Sets the error for input that the field cannot read ("abc" for a number); empty clears it.
     void setUnread(const QString& name, const QString& words);
-    void setShown(const QString& name, bool shown); ///< where a field does not apply now; nothing where there is none of this name
+    /// Hides a field that does not apply now; ignores unknown names.
+    void setShown(const QString& name, bool shown);
     bool hasField(const QString& name) const { return m_fields.contains(name); }
     QWidget* field(const QString& name) const;
-    /// Name of a field with something in it that it cannot take, told under it; empty: none.
+    /// Name of a field whose input cannot be read, with the error shown below it; empty if there is none.
     QString firstUnread() const;
-    QString faultOf(const QString& name) const; ///< what is said under it; empty: nothing
+    QString faultOf(const QString& name) const; ///< the error shown below it; empty if there is none
 
-    /// Stops "5" of the wheel from changing a field that is only scrolled past.
+    /// Prevents the mouse wheel from changing a field that is only scrolled past.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
@@ -99,12 +104,12 @@ private:
     void refuse(const QString& name, const QString& words);
     void forgetWhenTaken(QAbstractSpinBox* field, const QString& name);
 
-    /// A field with what is said under it.
+    /// A field with the texts below it.
     struct Field {
         QWidget* widget = nullptr;
         QBoxLayout* column = nullptr;
         QString meaning, unit, unread, given;
-        QWidget* fault = nullptr; ///< null where nothing is wrong
+        QWidget* fault = nullptr; ///< null if there is no error
     };
     struct Cell {
         QWidget* widget;
@@ -118,7 +123,7 @@ private:
     std::vector<Cell> m_cells;
     QHash<QString, Field> m_fields;
     int m_columns = 0;
-    QString m_refused; ///< field whose text was refused just now, until it says that its editing is over
+    QString m_refused; ///< field whose input was just refused, until its editingFinished signal
 };
 
 } // namespace chiron::desktop

@@ -21,8 +21,8 @@ using State = FreezeCheck::State;
 
 namespace {
 
-constexpr double kLong_min = 60.0;      // concentration wanes
-constexpr double kPrecise_log10 = 0.1;  // a factor of 1.26 from run to run
+constexpr double kLong_min = 60.0;      // concentration decreases after this time
+constexpr double kPrecise_log10 = 0.1;  // a factor of 1.26 between runs
 constexpr double kPower = 0.8;
 
 struct CheckWords {
@@ -65,7 +65,7 @@ FreezeCheck aimCheck(const StudyDesign& design) {
                    : found(check, State::bad, CheckWords::tr("Write what is to be found out and what you expect. It cannot be added later."));
 }
 
-/// Texts that the settings contradict: participants would read them, or reports say them.
+/// Texts that contradict the settings, which participants would read or reports would contain.
 FreezeCheck textsCheck(const StudyDesign& design, const QLocale& locale) {
     const std::vector<FalseClaim> claims = falseClaims(design, locale);
     if (claims.empty())
@@ -114,7 +114,8 @@ FreezeCheck practiceCheck(const StudyDesign& design) {
                : found(check, State::advice, CheckWords::tr("There are no practice trials. The first trials that count are then the participant's first ever."));
 }
 
-/// Designs of earlier versions let any touch count. Nothing to say where an object need not be touched, or nothing is compared.
+/// Designs of earlier versions count any touch. Returns nothing if objects need not be touched or nothing is
+/// compared.
 std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& locale) {
     const bool compares = std::any_of(design.conditions.begin(), design.conditions.end(), [](const auto& each) { return each.stimulus.attribute != psychophysics::Attribute::apex; });
     if (!compares || !design.trial.mustTouchAll)
@@ -126,8 +127,9 @@ std::optional<FreezeCheck> probeCheck(const StudyDesign& design, const QLocale& 
                                                  .arg(study_words::plainNumber(psychophysics::kUsualProbe_N, locale)));
 }
 
-/// What hides the sounds of the device. That it is not heard is told before anything is frozen, not at the first participant. Nothing is said where
-/// the design has it and nobody has looked for an output.
+/// Checks the sound that masks the device's own sounds. A missing sound output is reported before freezing,
+/// not at the first participant. Returns nothing if the design requires the sound and nobody has tested the
+/// output yet.
 std::optional<FreezeCheck> maskingCheck(const StudyDesign& design, const FreezeFacts& facts) {
     const FreezeCheck check = checkOf("masking", CheckWords::tr("Masking sound"), StudyScreen::trialsTab, "trial.masking_sound");
     if (!design.trial.maskingSound)
@@ -158,7 +160,8 @@ FreezeCheck durationCheck(const StudyDesign& design, const FreezeFacts& facts, c
                                : found(check, State::good, words);
 }
 
-/// The run-to-run spread of the worst condition, and of two conditions what can be told apart.
+/// The spread between runs of the worst condition and, with two conditions, the difference that can be
+/// detected.
 FreezeCheck precisionCheck(const StudyDesign& design, const FreezeFacts& facts, const QLocale& locale) {
     const FreezeCheck check = checkOf("precision", CheckWords::tr("Precision"), StudyScreen::previewTab, "preview.start");
     if (!facts.plans)
@@ -196,7 +199,7 @@ int balancedBy(const StudyDesign& design) {
         return 1;
     switch (design.order) {
     case OrderDesign::williams:
-        return conditions % 2 == 0 ? conditions : 2 * conditions; // an odd number takes two squares
+        return conditions % 2 == 0 ? conditions : 2 * conditions; // an odd number needs two squares
     case OrderDesign::latinSquare:
         return conditions;
     case OrderDesign::fixed:

@@ -11,34 +11,36 @@
 
 namespace chiron::desktop {
 
-/// One line of what is looked at before a design is frozen.
+/// The result of one check before a design is frozen.
 struct FreezeCheck {
     enum class State {
         good,
-        advice, ///< may be so on purpose
-        bad,    ///< nobody freezes such a design
-        waiting ///< is being found out
+        advice, ///< may be intended
+        bad,    ///< prevents freezing
+        waiting ///< still being determined
     };
-    QString name;  ///< "aim"; object names end with it
+    QString name;  ///< for example "aim"; object names end with it
     State state = State::good;
     QString title;
-    QString words; ///< what was found, and what to do
-    int tab = 0;   ///< where it is put right
+    QString words; ///< the finding, and what to do
+    int tab = 0;   ///< page on which to correct it
     int condition = -1;
-    QString field; ///< empty: none in particular
+    QString field; ///< empty: no particular field
 };
 
-/// What the checks go by.
+/// The facts that the checks use.
 struct FreezeFacts {
     std::vector<DesignFault> faults;
-    std::optional<std::vector<psychophysics::ConditionPlan>> plans; ///< of each condition, by simulated observers; nothing: not yet
-    int pilots = 0; ///< people who tried the design
-    std::optional<bool> hasSound{}; ///< whether this station can be heard; nothing: nobody has looked
+    /// For each condition, from simulated observers; no value: not available yet.
+    std::optional<std::vector<psychophysics::ConditionPlan>> plans;
+    int pilots = 0; ///< number of people who tried the design
+    std::optional<bool> hasSound{}; ///< whether this station has sound output; no value: not yet tested
 };
 
 std::vector<FreezeCheck> freezeChecks(const psychophysics::StudyDesign& design, const FreezeFacts& facts, const QLocale& locale);
 
-/// The multiple of participants at which every order of conditions comes equally often; 1 where that does not matter.
+/// The number of participants must be a multiple of this for every order of conditions to occur equally
+/// often; 1 if that does not matter.
 int balancedBy(const psychophysics::StudyDesign& design);
 
 } // namespace chiron::desktop

@@ -11,7 +11,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// In groups of eight, so that it can be broken and compared.
+/// In groups of eight digits, so that it can wrap and be compared.
 QString grouped(const std::string& sha256) {
     QStringList groups;
     for (std::size_t i = 0; i < sha256.size(); i += 8)
@@ -35,7 +35,8 @@ FreezeDialog::FreezeDialog(AppContext& context, const database::StudySummary& st
     m_seen = new QCheckBox(tr("I have seen what is worth a look and freeze it all the same"));
     m_seen->setObjectName(QStringLiteral("freeze.seen"));
     m_seen->setFont(theme().font(TextStyle::body));
-    auto* outside = static_cast<QVBoxLayout*>(layout()); // above the buttons, in sight however long the list is
+    // The row stands above the buttons, visible however long the list is.
+    auto* outside = static_cast<QVBoxLayout*>(layout());
     auto* row = new QHBoxLayout;
     row->setContentsMargins(theme().px(24), 0, theme().px(24), theme().px(10));
     row->addWidget(m_seen);

@@ -11,8 +11,9 @@ namespace chiron::desktop {
 
 class CheckList;
 
-/// What is looked at before a design is frozen, what freezing does and under which SHA-256; and does it. What must be corrected keeps it from being
-/// frozen; what is only worth a look takes a word. GUI thread.
+/// Shows the checks, explains what freezing does and under which SHA-256, and freezes the design. An error
+/// prevents freezing; advice only has to be confirmed.
+/// Thread: GUI.
 class FreezeDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -73,7 +73,7 @@ QWidget* GeneralPage::aimBox(const DesignPage& page) {
     return box.frame;
 }
 
-/// The words of the template are not shown as if somebody had written them.
+/// Does not show the template's words as if somebody had written them.
 void GeneralPage::addAim(FieldGrid& grid, const DesignPage& page) {
     const QString name = QStringLiteral("design.objective");
     addStudyText(grid, page, tr("Aim (required)"), name, 2, [](StudyDesign& design) -> StudyText& { return design.objective; });

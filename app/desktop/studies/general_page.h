@@ -7,11 +7,12 @@
 
 namespace chiron::desktop {
 
-/// What a new study of no template holds where its aim belongs: nobody's aim.
+/// The placeholder that a new study without a template contains as its aim.
 inline constexpr const char* kPlaceholderAim = "What is to be found out.";
 bool isPlaceholderAim(const QString& aim);
 
-/// What a study is about, who approved it, and what participants agree to. GUI thread.
+/// Edits the aim of a study, its ethics approval, and the consent text for participants.
+/// Thread: GUI.
 class GeneralPage final : public QWidget {
     Q_OBJECT
 public:

@@ -13,7 +13,8 @@ class AppContext;
 class FittedTable;
 class StatePanel;
 
-/// Who the codes are. Opened only when asked for, because each look is audited. GUI thread.
+/// Shows the identities behind the codes. It is opened only on request, because each look is audited.
+/// Thread: GUI.
 class KeyTableDialog final : public QDialog {
     Q_OBJECT
 public:

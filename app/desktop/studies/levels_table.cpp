@@ -35,8 +35,8 @@ LevelsTable::LevelsTable(const Theme& theme, const QLocale& locale, bool readOnl
     m_table->setAccessibleName(tr("Differences from the reference in per cent"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->verticalHeader()->setDefaultSectionSize(theme.px(kRow_px));
-    m_table->setTabKeyNavigation(false); // Tab goes on to the next control
-    m_table->setCornerButtonEnabled(false); // there is nothing to do with all cells at once
+    m_table->setTabKeyNavigation(false); // Tab moves to the next control
+    m_table->setCornerButtonEnabled(false); // there is no action for all cells at once
     m_table->setFixedHeight(theme.px(kRow_px) * (kRowsShown + 1) + theme.px(8));
     m_table->setMaximumWidth(theme.px(kWidth_px));
     m_table->installEventFilter(this);
@@ -87,7 +87,7 @@ QString LevelsTable::shown(double percent) const {
 
 void LevelsTable::setRow(int row, double percent) {
     auto* number = new QTableWidgetItem(shown(percent));
-    number->setData(Qt::UserRole, percent); // what is shown is rounded
+    number->setData(Qt::UserRole, percent); // unrounded, because the shown value is rounded
     auto* value = new QTableWidgetItem(m_value(percent));
     number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -120,7 +120,7 @@ void LevelsTable::edited(int row) {
     taken();
 }
 
-/// All rows, or what is wrong with the first that is no number.
+/// Emits all rows, or the error of the first row that is not a number.
 void LevelsTable::taken() {
     std::vector<double> percents;
     for (int row = 0; row < m_table->rowCount(); ++row) {

@@ -12,22 +12,25 @@ class QTableWidget;
 
 namespace chiron::desktop {
 
-/// Differences from the reference in per cent, a row each, with the value that an object then has: typed, or pasted from a table with decimal points or
-/// commas. GUI thread.
+/// A table of differences from the reference in per cent, one per row, with the resulting value of the
+/// object. The numbers are typed, or pasted from a table with decimal points or commas.
+/// Thread: GUI.
 class LevelsTable final : public QWidget {
     Q_OBJECT
 public:
-    /// `value` says what an object of so many per cent more is ("66 N/m"). `name`: of the table; its buttons are "<name>.paste", ".add", ".remove".
+    /// `value` formats the value of an object for a difference in per cent ("66 N/m"). `name` is the table's
+    /// object name; its buttons are "<name>.paste", ".add", ".remove".
     LevelsTable(const Theme& theme, const QLocale& locale, bool readOnly, const QString& name, const std::vector<double>& percents,
                 std::function<QString(double)> value, QWidget* parent = nullptr);
 
-    /// Replaces all rows by the numbers of a text; what is no number is said, and nothing is taken.
+    /// Replaces all rows by the numbers in a text. If it contains anything else, the table reports that and
+    /// changes nothing.
     void paste(const QString& text);
-    void showValues(); ///< of the objects anew: the reference is another one
+    void showValues(); ///< updates the objects' values after a change of the reference
 
 signals:
-    void changed(const std::vector<double>& percents); ///< by a person, all of them numbers
-    void unread(const QString& words); ///< what cannot be taken, in words; empty: everything can
+    void changed(const std::vector<double>& percents); ///< changed by a person; all entries are numbers
+    void unread(const QString& words); ///< describes input that cannot be read; empty if all of it can
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -36,12 +36,12 @@ bool isKey(const QString& key) {
     return kKey.match(key).hasMatch();
 }
 
-/// "Tubes of 60 N/m" as "tubes_of_60_n_m"; of letters that keys have none of, nothing.
+/// Converts "Tubes of 60 N/m" into "tubes_of_60_n_m"; letters that cannot occur in keys are dropped.
 QString keyOf(const QString& title) {
     static const QRegularExpression kOther(QStringLiteral("[^a-z0-9]+"));
     static const QRegularExpression kEnds(QStringLiteral("^[_0-9]+|_+$"));
     QString key = title.normalized(QString::NormalizationForm_D).toLower();
-    key.remove(QRegularExpression(QStringLiteral("[\\x{0300}-\\x{036F}]"))); // ü as u
+    key.remove(QRegularExpression(QStringLiteral("[\\x{0300}-\\x{036F}]"))); // ü becomes u
     return key.replace(kOther, QStringLiteral("_")).remove(kEnds).left(kLongestKey);
 }
 
@@ -52,7 +52,7 @@ QString freeKey(const QString& wanted, const std::set<QString>& taken) {
     return key;
 }
 
-/// What a template is found by: also in English, in which its source is written.
+/// The text by which a template is found; also in English, the language of its source.
 QString wordsOf(const psychophysics::StudyDesign& design, const QString& title, const QString& objective) {
     QStringList words{title, objective, QString::fromStdString(design.source), study_words::text(design.title, QStringLiteral("en"))};
     for (const psychophysics::Condition& condition : design.conditions) {
@@ -160,7 +160,8 @@ void NewStudyDialog::addNames() {
     });
 }
 
-/// Keys and titles that are taken: told while the form is filled in, not when it is sent.
+/// Loads the existing keys and titles, so that a conflict is reported while the form is filled in, not on
+/// submission.
 void NewStudyDialog::loadTaken() {
     readStudies(context(), this, [](database::StudyReader& reader) { return reader.listStudies(true); },
                 [this](const core::Result<std::vector<database::StudySummary>>& studies) {
@@ -190,10 +191,10 @@ void NewStudyDialog::showTemplates(std::vector<psychophysics::StudyDesign> templ
     m_templates.push_back(plainStudy());
     for (std::size_t i = 0; i < m_templates.size(); ++i)
         m_list->layout()->addWidget(tile(i, i + 1 == m_templates.size()));
-    filter(); // whoever is quick has typed already
+    filter(); // the person may already have typed
 }
 
-/// What it finds out, what a participant does for it, and where it was published.
+/// A template's tile: its aim, the participant's task, and the publication.
 QWidget* NewStudyDialog::tile(std::size_t index, bool plain) {
     const psychophysics::StudyDesign& design = m_templates[index];
     const QString title = plain ? tr("A simple study") : study_words::text(design.title, context().language());
@@ -236,7 +237,7 @@ const psychophysics::StudyDesign* NewStudyDialog::chosen() const {
 void NewStudyDialog::choose(int) {
     suggestTitle();
     renew();
-    filter(); // the one that was chosen before may go
+    filter(); // the previously chosen one may now be hidden
 }
 
 bool NewStudyDialog::isFound(int index) const {
@@ -252,7 +253,8 @@ std::optional<int> NewStudyDialog::firstFound() const {
     return std::nullopt;
 }
 
-/// The chosen one stays where it is whatever is typed: nobody creates what they do not see.
+/// The chosen template stays visible whatever is typed, so that nobody creates a study from one that is
+/// hidden.
 void NewStudyDialog::filter() {
     for (QAbstractButton* tile : m_choice->buttons())
         tile->setVisible(tile->isChecked() || isFound(m_choice->id(tile)));
@@ -262,7 +264,8 @@ void NewStudyDialog::filter() {
 }
 
 bool NewStudyDialog::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::FocusIn && static_cast<QFocusEvent*>(event)->reason() != Qt::MouseFocusReason) // else it would go from under the mouse
+    // Otherwise the tile would move away from under the mouse.
+    if (event->type() == QEvent::FocusIn && static_cast<QFocusEvent*>(event)->reason() != Qt::MouseFocusReason)
         if (auto* tile = qobject_cast<TileButton*>(watched))
             reveal(*tile);
     if (watched != m_filter || event->type() != QEvent::KeyPress)
@@ -276,13 +279,13 @@ bool NewStudyDialog::eventFilter(QObject* watched, QEvent* event) {
         tile->setFocus(Qt::TabFocusReason);
     } else if (tile) {
         tile->click();
-        m_title->setFocus(Qt::TabFocusReason); // with all of it selected
+        m_title->setFocus(Qt::TabFocusReason); // with the whole text selected
         reveal(*m_title);
     }
-    return true; // Enter in a filter never creates a study
+    return true; // Enter in the filter never creates a study
 }
 
-/// Until somebody types one: free, and in a copy of what the study it is of is called.
+/// Suggests a free title until the person types one; for a copy it is derived from the original's title.
 void NewStudyDialog::suggestTitle() {
     const psychophysics::StudyDesign* design = chosen();
     if (design && !m_ownTitle) {
@@ -324,7 +327,7 @@ void NewStudyDialog::showFault(QLineEdit* field, QLabel* words, const QString& f
 }
 
 void NewStudyDialog::renew() {
-    if (!chosen()) { // nothing is chosen, or templates are still being read
+    if (!chosen()) { // nothing is chosen, or templates are still loading
         setAcceptable(false);
         return;
     }
@@ -339,7 +342,8 @@ void NewStudyDialog::submit() {
     design.id = m_key->text().toStdString();
     const std::string title = m_title->text().trimmed().toStdString();
     if (design.title.at("en") != title)
-        design.title = {{"en", title}}; // in other languages the template's would be another study's
+        // The template's titles in other languages would describe another study.
+        design.title = {{"en", title}};
     renewInstructions(design);
     writeStudies(
         context(), this,

@@ -14,13 +14,15 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// A study of no template: the smallest one that is complete.
+/// The smallest complete study, for a start without a template.
 psychophysics::StudyDesign plainStudy();
-/// What a copy of a study begins as: all of its design, but nobody's approval, and no pilot of anything.
+/// The initial state of a copy: the whole design, but without ethics approval and pilots.
 psychophysics::StudyDesign copyOf(psychophysics::StudyDesign design);
 
-/// Makes a draft of a template, or of another study's design, under a name and a key of its own. Templates are found by words, as people are; none is chosen
-/// beforehand. Enter in the filter takes the first that is found and goes on to the title; Down goes into the list. GUI thread.
+/// Creates a draft from a template, or from another study's design, with its own title and key. Templates can
+/// be searched by words, like people; none is selected initially. Enter in the filter selects the first match
+/// and moves on to the title; Down moves into the list.
+/// Thread: GUI.
 class NewStudyDialog final : public FormDialog {
     Q_OBJECT
 public:
@@ -56,17 +58,18 @@ private:
 
     QLineEdit* m_filter = nullptr; ///< null for a copy
     QWidget* m_list = nullptr;
-    QLabel* m_none = nullptr; ///< no template is found
+    QLabel* m_none = nullptr; ///< shown if no template matches
     QButtonGroup* m_choice = nullptr; ///< null for a copy
     QLineEdit* m_title = nullptr;
     QLineEdit* m_key = nullptr;
     QLabel* m_titleFault = nullptr;
     QLabel* m_keyFault = nullptr;
     bool m_ownTitle = false; ///< typed, not suggested
-    bool m_ownKey = false; ///< typed, not made from the title
-    std::set<QString> m_keys, m_titles; ///< of the studies there are; titles as titleForComparison() makes them
+    bool m_ownKey = false; ///< typed, not derived from the title
+    /// Of the existing studies; titles as titleForComparison() returns them.
+    std::set<QString> m_keys, m_titles;
     std::vector<psychophysics::StudyDesign> m_templates;
-    std::vector<QString> m_folded; ///< of each template: its words as forSearch() makes them
+    std::vector<QString> m_folded; ///< per template: its text as forSearch() returns it
 };
 
 } // namespace chiron::desktop

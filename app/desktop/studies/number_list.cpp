@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLongestShown = 30;
 
-/// One number with a point or a comma; "1.234,5" and "1,234.5" have thousands.
+/// Reads one number with a decimal point or comma; "1.234,5" and "1,234.5" contain thousands separators.
 std::optional<double> numberOf(QString word) {
     const qsizetype comma = word.lastIndexOf(QLatin1Char(','));
     const qsizetype point = word.lastIndexOf(QLatin1Char('.'));
@@ -22,13 +22,13 @@ std::optional<double> numberOf(QString word) {
     if (word.count(QLatin1Char(',')) > 1)
         return std::nullopt;
     word.replace(QLatin1Char(','), QLatin1Char('.'));
-    word.replace(QChar(0x2212), QLatin1Char('-')); // a typeset minus
+    word.replace(QChar(0x2212), QLatin1Char('-')); // a typographic minus
     bool good = false;
     const double value = QLocale::c().toDouble(word, &good);
     return good && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// Commas separate where nothing else does and no number can have a decimal one.
+/// Commas separate numbers only if nothing else does and no number can contain a decimal comma.
 bool commasSeparate(const QString& text, const QLocale& locale) {
     if (!text.contains(QLatin1Char(',')))
         return false;

@@ -7,16 +7,17 @@
 
 namespace chiron::desktop {
 
-/// Numbers of a line, or of what was copied from a table.
+/// Numbers read from one line, or from text copied from a table.
 struct NumberList {
     std::vector<double> values;
-    QString unread; ///< the first piece that is no number; nothing is to be taken then
+    QString unread; ///< the first part that is not a number; `values` must not be used then
 };
 
-/// Reads numbers separated by semicolons, tabs, line ends or spaces, with a decimal point or a decimal comma, whichever the table had that they
-/// come from; by commas alone where the numbers have points ("0.5, 1.5"). What could be read in two ways ("0,5,1,5") is not read.
+/// Reads numbers that are separated by semicolons, tabs, line ends or spaces, with decimal points or decimal
+/// commas as in the table that they come from. Commas alone separate if the numbers contain points ("0.5,
+/// 1.5"). Ambiguous text ("0,5,1,5") is rejected.
 NumberList readNumbers(const QString& text, const QLocale& locale);
-/// What is wrong with it and what to do; empty: nothing.
+/// Describes the error and how to correct it; empty if there is none.
 QString unreadWords(const NumberList& list);
 
 /// "0.02; 0.05; 0.1" in the locale.

@@ -104,7 +104,7 @@ QString questionWords(const ParticipantView& view, const QLocale& locale) {
     return CardWords::tr("%1 before, %2 after").arg(locale.toString(view.questionsBefore), locale.toString(view.questionsAfter));
 }
 
-/// What a line is called.
+/// The title of a line.
 QString titleOf(const QString& name) {
     const std::pair<const char*, QString> titles[] = {{"conditions", CardWords::tr("Conditions")}, {"asked", CardWords::tr("Asked")},
                                                       {"trials", CardWords::tr("Trials")},         {"minutes", CardWords::tr("Duration")},

@@ -12,8 +12,9 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// What a participant will meet, beside whatever page of the design is open: made anew from the design at every change, so that it is always true.
-/// GUI thread.
+/// Summarises what a participant will experience, beside every page of the design. It is rebuilt from the
+/// design at every change, so that it is always up to date.
+/// Thread: GUI.
 class ParticipantCard final : public QFrame {
     Q_OBJECT
 public:
@@ -23,10 +24,11 @@ private:
     void renew();
 
     DesignPage m_page;
-    std::vector<std::pair<QString, QLabel*>> m_lines; ///< by object name
+    std::vector<std::pair<QString, QLabel*>> m_lines; ///< keyed by object name
 };
 
-/// The lines of the card: object name's end ("trials") and words. Of an empty design only what can be said.
+/// The lines of the card as pairs of the object name's end ("trials") and text. For an incomplete design,
+/// only what is already known.
 std::vector<std::pair<QString, QString>> participantFacts(const psychophysics::StudyDesign& design, const QLocale& locale, const QString& language);
 
 } // namespace chiron::desktop

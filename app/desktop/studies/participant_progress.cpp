@@ -11,7 +11,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct ParticipantProgress {
     Q_DECLARE_TR_FUNCTIONS(ParticipantProgress)
 };
@@ -23,7 +23,7 @@ const LeftRun* leftOf(const ParticipantRow& row, database::StudyRunNumber run) {
     return found == row.left.end() ? nullptr : &*found;
 }
 
-/// Of one that is asked after each condition: after every one that is done.
+/// A questionnaire that follows each condition must be answered after every completed one.
 bool isAnswered(const OpenStudy& study, const ParticipantRow& row, const psychophysics::Questionnaire& questions) {
     if (questions.when != psychophysics::Questionnaire::When::afterCondition)
         return study.answered.contains({row.participant.id, questions.id});
@@ -39,7 +39,8 @@ std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const P
     for (const std::string& label : session::labelsInOrder(study.design, study.sealed, row.participant.order)) {
         ConditionProgress progress;
         progress.label = label;
-        for (const database::StudyRun& run : row.runs) { // in the order begun: the last one says it
+        // The runs are in order of starting, so the last one determines the state.
+        for (const database::StudyRun& run : row.runs) {
             if (session::labelOf(run) != label)
                 continue;
             progress.state = run.state == database::StudyRunState::completed ? ProgressState::done
@@ -55,7 +56,7 @@ std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const P
 
 QString interruptedWords(const OpenStudy& study, const LeftRun& left, const QLocale& locale) {
     const QString when = study_words::moment(left.lastUtc, locale);
-    if (study.blinding.seals()) // at which trial would be how many there were
+    if (study.blinding.seals()) // the trial number would reveal how many there were
         return ParticipantProgress::tr("interrupted, %1").arg(when);
     const QString next = locale.toString(left.scored + 1);
     const QString where = left.atMost > 0 ? ParticipantProgress::tr("interrupted at trial %1 of at most %2").arg(next, locale.toString(std::max(left.atMost, left.scored + 1)))
@@ -89,7 +90,7 @@ QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QSt
         return ParticipantProgress::tr("Record the consent. Then the first condition can be begun.");
     const std::vector<ConditionProgress> conditions = conditionProgress(study, row);
     const auto name = [&](const ConditionProgress& each) { return conditionName(study, each.label, language); };
-    for (const ConditionProgress& each : conditions) // they are done in this order
+    for (const ConditionProgress& each : conditions) // participants do them in this order
         if (each.state == ProgressState::interrupted)
             return ParticipantProgress::tr("Press Run and resume “%1” at the trial where it stopped. If this participant does not come back, withdraw them: what they did is kept.").arg(name(each));
     for (const ConditionProgress& each : conditions)

@@ -9,25 +9,27 @@
 
 namespace chiron::desktop {
 
-/// Of one condition of a participant: what became of it, and whether a run of it can be begun or resumed.
+/// The progress of a participant in one condition, and whether a run of it can be started or resumed.
 struct ConditionProgress {
-    enum class State { done, interrupted, ended, notBegun }; ///< ended: with the participant's part in the study, half-way
+    /// ended: with the participant's part in the study, half-way.
+    enum class State { done, interrupted, ended, notBegun };
     std::string label; ///< session::labelOf
     State state = State::notBegun;
-    const LeftRun* left = nullptr; ///< of an interrupted one; in the row that was asked about
-    bool closed = false;           ///< not begun, and the study takes no run any more
+    const LeftRun* left = nullptr; ///< for an interrupted condition; points into the row that was passed
+    bool closed = false;           ///< not started, and the study accepts no more runs
 };
 
-/// By condition, in the participant's order. `row` has to outlive it.
+/// Returns the conditions in the participant's order. `row` must outlive the result.
 std::vector<ConditionProgress> conditionProgress(const OpenStudy& study, const ParticipantRow& row);
 
-/// "interrupted at trial 13 of at most 40, 28 November 2026 10:12"; while the study is sealed without numbers, which would tell how many there were.
+/// "interrupted at trial 13 of at most 40, 28 November 2026 10:12". While the study is sealed it contains no
+/// numbers, because they would reveal how many trials there were.
 QString interruptedWords(const OpenStudy& study, const LeftRun& left, const QLocale& locale);
 
-/// What became of a condition, in words; begins in lower case.
+/// The state of a condition in words, beginning in lower case.
 QString progressWords(const OpenStudy& study, const ConditionProgress& progress, const QLocale& locale);
 
-/// What the researcher can do for a participant now: a sentence, never empty.
+/// What the researcher can do next for a participant: one sentence, never empty.
 QString nextStepFor(const OpenStudy& study, const ParticipantRow& row, const QString& language);
 
 } // namespace chiron::desktop

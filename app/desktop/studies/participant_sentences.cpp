@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <set>
 
-/// The catalogues are part of a static library, whose resources the linker leaves out unless they are asked for.
+/// The catalogues are part of a static library, and the linker leaves out its resources unless they are
+/// requested.
 static void initialiseParticipantCatalogues() {
     Q_INIT_RESOURCE(i18n);
 }
@@ -26,12 +27,13 @@ namespace {
 
 constexpr const char* kContext = "ParticipantSentences";
 
-/// Texts in a language that need not be the program's.
+/// Translates texts into a language that may differ from the program's.
 class LanguageWords {
 public:
     explicit LanguageWords(const QString& language) : m_locale(QString::fromUtf8(core::languageOf(language.toStdString()).locale.data())) {
         initialiseParticipantCatalogues();
-        (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language)); // without one the words stay English
+        // Without a catalogue the texts stay English.
+        (void)m_translator.load(QStringLiteral(":/i18n/chiron_%1.qm").arg(language));
     }
     QString operator()(const char* text, int n = -1) const {
         QString words = m_translator.translate(kContext, text, nullptr, n);
@@ -119,7 +121,8 @@ QStringList time(const ParticipantView& view, const LanguageWords& words) {
 QStringList feedback(const ParticipantView& view, const LanguageWords& words) {
     const bool judged = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.rightOrWrong; });
     const bool apex = std::any_of(view.parts.begin(), view.parts.end(), [](const PartView& part) { return part.apex(); });
-    const bool inPractice = !view.feedback && view.parts.front().practice > 0; // which always tells
+    // Practice always gives feedback.
+    const bool inPractice = !view.feedback && view.parts.front().practice > 0;
     QStringList said;
     if (judged)
         said << words(inPractice    ? QT_TRANSLATE_NOOP("ParticipantSentences", "Only in practice you are told whether your answer was right.")

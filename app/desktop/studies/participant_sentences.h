@@ -7,15 +7,18 @@
 
 namespace chiron::desktop {
 
-/// What participants are told of a study that follows from its settings: what to do, number of answers and trials, practice, time, feedback,
-/// breaks, questions. A sentence each, made of session::ParticipantView. `language`: of the texts, whatever the program speaks.
+/// The sentences of a study's instructions that follow from its settings: task, number of answers and trials,
+/// practice, time, feedback, breaks, questionnaires. They are generated from session::ParticipantView.
+/// `language` is the language of the texts, independent of the program's.
 QStringList participantSentences(const psychophysics::StudyDesign& design, const QString& language);
 
-/// The researcher's own sentences of the instructions: all of them, where none are made from the settings yet.
+/// The researcher's own sentences in the instructions; the entire instructions if none have been generated
+/// from the settings yet.
 const psychophysics::StudyText& ownSentences(const psychophysics::StudyDesign& design);
 
-/// Makes the instructions of the researcher's own sentences and those of the settings, so that neither can say what the study does not do. In
-/// each language that the researcher wrote in; in all three where nothing was written.
+/// Assembles the instructions from the researcher's own sentences and those generated from the settings, so
+/// that they cannot contradict the study. It does so in each language that the researcher wrote in, or in all
+/// three if nothing was written.
 void renewInstructions(psychophysics::StudyDesign& design);
 
 } // namespace chiron::desktop

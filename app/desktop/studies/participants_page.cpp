@@ -163,8 +163,9 @@ void ParticipantsPage::showActions() {
 }
 
 void ParticipantsPage::enrol() {
-    auto* dialog = new EnrolDialog(m_app, m_study, window()); // it outlives this page, which is read anew
-    connect(dialog, &EnrolDialog::enrolledAs, this, &ParticipantsPage::selectedChanged); // the new one, once the list is read anew
+    auto* dialog = new EnrolDialog(m_app, m_study, window()); // it outlives this page, which is rebuilt
+    // This selects the new participant after the list is reloaded.
+    connect(dialog, &EnrolDialog::enrolledAs, this, &ParticipantsPage::selectedChanged);
     connect(dialog, &EnrolDialog::changed, this, &ParticipantsPage::changed);
     emit enrolOpened(dialog);
     dialog->open();

@@ -13,17 +13,19 @@ namespace chiron::desktop {
 class EnrolDialog;
 class FittedTable;
 
-/// Who takes part, by codes: enrol, consent, withdraw; who a code is, for those who may know. GUI thread.
+/// Lists the participants by code: enrol, record consent, withdraw, and for authorised people look up the
+/// person behind a code.
+/// Thread: GUI.
 class ParticipantsPage final : public QWidget {
     Q_OBJECT
 public:
-    /// `selected`: the code of whoever was selected before the list was read anew; empty: the first.
+    /// `selected`: the code that was selected before the list was reloaded; empty: select the first.
     ParticipantsPage(AppContext& app, const OpenStudy& study, const QString& selected = {}, QWidget* parent = nullptr);
 
 signals:
     void selectedChanged(const QString& code);
-    void enrolOpened(chiron::desktop::EnrolDialog* dialog); ///< it outlives this page
-    void changed(); ///< somebody was enrolled, consented or withdrew
+    void enrolOpened(chiron::desktop::EnrolDialog* dialog); ///< the dialog outlives this page
+    void changed(); ///< a participant was enrolled, consented or withdrew
 
 private:
     QWidget* actions();
@@ -36,7 +38,7 @@ private:
     void showKeys();
     void run();
     QString progressOf(const ParticipantRow& row) const;
-    void showDetail(); ///< of whoever is selected: each condition in words, and what to do next
+    void showDetail(); ///< for the selected participant: the state of each condition, and what to do next
 
     AppContext& m_app;
     OpenStudy m_study;

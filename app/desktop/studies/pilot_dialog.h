@@ -10,7 +10,8 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// Who tries a draft, at which condition, and that they agree; then its trials begin. GUI thread.
+/// Asks who tries a draft, at which condition, and for their consent; then the trials begin.
+/// Thread: GUI.
 class PilotDialog final : public FormDialog {
     Q_OBJECT
 public:
@@ -25,7 +26,7 @@ private:
     QComboBox* m_condition = nullptr;
     QLineEdit* m_who = nullptr;
     QCheckBox* m_agreed = nullptr;
-    QString m_language; ///< of the consent text that is shown
+    QString m_language; ///< of the displayed consent text
 };
 
 } // namespace chiron::desktop

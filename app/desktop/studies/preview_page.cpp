@@ -27,7 +27,7 @@ constexpr double kPercent = 100.0;
 
 bool isApex(const psychophysics::Condition& condition) { return condition.stimulus.attribute == psychophysics::Attribute::apex; }
 
-/// Of a mark along one axis, by the published mean error: per cent of the radius.
+/// SD of a mark along one axis, from the published mean error, in per cent of the radius.
 double publishedMarkSpread_percent() { return psychophysics::kP2MeanPercent / std::sqrt(2.0 / std::acos(-1.0)); }
 } // namespace
 
@@ -72,7 +72,7 @@ QWidget* PreviewPage::observerBox() {
                                                    "known, so bias and precision can be estimated before the first participant."),
                                          TextStyle::body, "muted"));
         box.layout->addWidget(observerGrid());
-    } else { // nobody's Weber fraction says how well an apex is found
+    } else { // a Weber fraction does not predict how well an apex is found
         box.layout->addWidget(kit::label(theme, tr("How well an apex is found is planned with the published spread of marks, %1 of the radius along each axis.")
                                                     .arg(study_words::percent(publishedMarkSpread_percent() / kPercent, m_page.app.locale())),
                                          TextStyle::body, "muted"));

@@ -13,9 +13,9 @@ using namespace psychophysics;
 
 namespace {
 
-constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // of the design's own number of trials
+constexpr std::array kShares{0.25, 0.5, 0.75, 1.0, 1.5}; // shares of the design's own number of trials
 
-/// The condition with runs of so many trials, whatever else would end them.
+/// The condition with runs that end after this number of trials, replacing other stopping rules.
 Condition withTrials(Condition condition, int trials) {
     const int each = std::max(1, trials / static_cast<int>(std::max<std::size_t>(1, condition.procedures.size())));
     for (ProcedureSpec& procedure : condition.procedures)
@@ -39,7 +39,7 @@ core::Result<PreviewResult> previewCondition(const StudyDesign& design, std::siz
     PreviewResult result;
     result.condition = condition.id;
     if (condition.stimulus.attribute == Attribute::apex)
-        return result; // nothing is compared: what to expect follows from its numbers alone
+        return result; // nothing is compared, so the expectation follows from its numbers alone
     result.plan = planCondition(condition, design.trial, observer, runs, design.seed);
     const double trials = result.plan.meanTrials;
     for (std::size_t i = 0; i < kShares.size() && endsByTrials(condition) && trials >= 4.0; ++i) {

@@ -10,7 +10,8 @@
 
 namespace chiron::desktop {
 
-/// What runs that end after so many trials may be expected to say: half of them say less than `weber`, a tenth less than `low` and a tenth more than `high` (Weber fractions).
+/// The expected results of runs with this number of trials, as Weber fractions: half of the runs estimate
+/// less than `weber`, a tenth less than `low` and a tenth more than `high`.
 struct PreviewPoint {
     double trials = 0.0;
     double weber = 0.0;
@@ -18,15 +19,17 @@ struct PreviewPoint {
     double high = 0.0;
 };
 
-/// What simulated observers make of a condition.
+/// The results of simulated observers for one condition.
 struct PreviewResult {
     std::string condition;
     psychophysics::ConditionPlan plan;
     std::vector<PreviewPoint> curve;
 };
 
-/// Plans one condition with `runs` simulated runs, then again with shorter and longer ones for the curve. `progress` hears how far it is (0..1)
-/// and says whether to go on. Blocking: a worker's task. Failure: cancelled.
+/// Plans one condition with `runs` simulated runs, then again with shorter and longer runs for the curve.
+/// `progress` receives the progress (0..1) and returns whether to continue.
+/// Thread: worker; blocks.
+/// Errors: cancelled.
 core::Result<PreviewResult> previewCondition(const psychophysics::StudyDesign& design, std::size_t condition, const psychophysics::ObserverSpec& observer,
                                              int runs, const std::function<bool(double)>& progress);
 

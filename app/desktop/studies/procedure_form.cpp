@@ -26,14 +26,16 @@ using session_report::procedureText;
 namespace {
 
 constexpr double kPercent = 100.0;
-constexpr double kJndOfSigma = 0.954; // √2 · 0.6745: what differs by so many σ is told apart in three of four pairs
+// √2 · 0.6745: a difference of this many σ is distinguished in three of four pairs.
+constexpr double kJndOfSigma = 0.954;
 constexpr double kUneven = 1e-6;
-constexpr int kMostWhole = 100000; // that a field takes
+constexpr int kMostWhole = 100000; // largest number that a field accepts
 
 bool isEven(const std::vector<double>& values) {
     const double step = values.size() > 1 ? values[1] - values[0] : 0.0;
     for (std::size_t i = 2; i < values.size(); ++i)
-        if (std::abs(values[i] - values[i - 1] - step) > kUneven + 0.02 * std::abs(step)) // written in few digits
+        // This tolerates values written with few digits.
+        if (std::abs(values[i] - values[i - 1] - step) > kUneven + 0.02 * std::abs(step))
             return false;
     return true;
 }
@@ -69,12 +71,12 @@ struct ProcedureForm::ControlOf {
         for (std::size_t i = 0; i < grids.size(); ++i)
             form.parameterField(row, grids, i);
     }
-    template <class Other> void operator()(const Other&) const {} // these are never asked
+    template <class Other> void operator()(const Other&) const {} // rows of other types are never asked
 };
 
 ProcedureForm::ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent)
     : FieldGrid(theme, locale, readOnly, parent), m_draft(draft), m_place(place), m_units(draft.design().conditions[place.condition].scale) {
-    if (condition().stimulus.attribute == Attribute::apex) { // marked so often, and nothing else
+    if (condition().stimulus.attribute == Attribute::apex) { // the number of marks is its only option
         apexField();
         return;
     }
@@ -100,7 +102,7 @@ void ProcedureForm::kindField() {
     wide(kit::label(gridTheme(), study_words::procedureInWords(kind), TextStyle::small, kindFor(procedure()).words().legacy ? "warning" : "muted"));
 }
 
-/// How often the apex is looked for: the one number of its constant stimuli.
+/// The number of trials of the apex search, which is the only number of its constant stimuli.
 void ProcedureForm::apexField() {
     for (const Parameter& row : kindFor(procedure()).rows())
         if (row.key == "repeats" && kindFor(procedure()).trialsAreFixed()) {
@@ -204,12 +206,14 @@ void ProcedureForm::numberField(const Parameter& row, double value) {
 }
 
 void ProcedureForm::wholeField(const Parameter& row, int value) {
-    std::vector<std::pair<const Parameter*, int>> limited; // what must not exceed it, as it was
+    // The options that must not exceed this one, with their present values.
+    std::vector<std::pair<const Parameter*, int>> limited;
     for (const Parameter& other : kindFor(procedure()).rows())
         if (!other.noMoreThan.empty() && other.noMoreThan == row.key && other.object == row.object)
             limited.emplace_back(&other, std::get<int>(other.get(procedure())));
     whole(procedureText(row.title), nameOf(row.key), value, 0, kMostWhole, [this, &row, limited](int now) {
-        const auto within = [now](int before) { return now > 0 ? std::min(before, now) : before; }; // 0: there is no limit
+        // A limit of 0 means no limit.
+        const auto within = [now](int before) { return now > 0 ? std::min(before, now) : before; };
         put(row, nameOf(row.key), [&](ProcedureSpec& spec) {
             row.set(spec, now);
             for (const auto& [other, before] : limited)
@@ -232,7 +236,7 @@ void ProcedureForm::wordField(const Parameter& row, const std::string& now) {
         for (const ParameterWord& each : row.words)
             offered.emplace_back(each.word);
     if (std::find(offered.begin(), offered.end(), now) == offered.end())
-        offered.push_back(now); // of an imported design
+        offered.push_back(now); // from an imported design
     std::vector<std::pair<QString, QVariant>> words;
     for (const std::string& word : offered)
         words.emplace_back(session_report::wordTitle(row, word), QString::fromStdString(word));

@@ -10,22 +10,23 @@
 
 namespace chiron::desktop {
 
-/// Where a procedure lies in a design.
+/// The position of a procedure in a design.
 struct ProcedurePlace {
     std::size_t condition = 0;
     std::size_t procedure = 0;
 };
 
-/// The options of one procedure, a control for each row of its kind that is asked (psychophysics/procedures/parameter.h), in differences in
-/// per cent of the reference; only those that apply. GUI thread; the draft outlives it.
+/// Edits the options of one procedure, with one control per applicable row of its parameter table
+/// (psychophysics/procedures/parameter.h). Values are shown as differences in per cent of the reference.
+/// Thread: GUI; the draft outlives it.
 class ProcedureForm final : public FieldGrid {
     Q_OBJECT
 public:
     ProcedureForm(const Theme& theme, const QLocale& locale, bool readOnly, StudyDraft& draft, ProcedurePlace place, QWidget* parent = nullptr);
 
 private:
-    struct ControlOf; ///< the control of a row, by the type of its value
-    /// How a stored number is shown: shown = to(stored), stored = from(shown).
+    struct ControlOf; ///< creates the control for a row, by the type of its value
+    /// The conversion of a stored number for display: shown = to(stored), stored = from(shown).
     struct Shown {
         std::function<double(double)> to, from;
     };
@@ -37,12 +38,12 @@ private:
     void wordField(const psychophysics::Parameter& row, const std::string& now);
     void listField(const psychophysics::Parameter& row, const std::vector<double>& values);
     void levelsField(const psychophysics::Parameter& row, const std::vector<double>& levels);
-    /// Distances on x: as factors of the difference, or as differences.
+    /// Distances on x, shown as factors of the difference or as differences.
     void stepsField(const psychophysics::Parameter& row, const std::vector<double>& steps);
     void parameterField(const psychophysics::Parameter& row, const std::vector<psychophysics::ParameterGrid>& grids, std::size_t index);
     void sharesField(const QString& label, const QString& key, const std::vector<double>& shares, const QString& meaning,
                      const std::function<void(std::vector<double>)>& taken);
-    /// From, to and how many of an evenly spaced grid.
+    /// Start, end and number of points of an evenly spaced grid.
     void gridFields(const QString& what, const QString& key, const std::vector<double>& values, const NumberRange& range, const Shown& shown,
                     const QString& meaning, const std::function<void(std::vector<double>)>& taken);
 

@@ -40,7 +40,7 @@ const KnownUnit* unitCalled(QString text) {
     static const QRegularExpression kSpaces(QStringLiteral("[\\s\\x{00A0}\\x{202F}]+"));
     text.remove(kSpaces);
     text.replace(QChar(0x03BC), QChar(0x00B5)); // the Greek letter, which looks the same
-    text.replace(QChar(0x22C5), QChar(0x00B7)); // the operator, too
+    text.replace(QChar(0x22C5), QChar(0x00B7)); // likewise the dot operator
     text.replace(QLatin1Char('*'), QChar(0x00B7));
     text.replace(QStringLiteral("Ns/"), QStringLiteral("N\u00B7s/"));
     for (const KnownUnit& unit : kUnits)
@@ -53,7 +53,7 @@ std::optional<double> numberTyped(const QString& digits, const QLocale& locale) 
     bool good = false;
     if (const double value = locale.toDouble(digits, &good); good && std::isfinite(value))
         return value;
-    const NumberList read = readNumbers(digits, locale); // the other kind of decimal point
+    const NumberList read = readNumbers(digits, locale); // tries the other decimal separator
     return read.unread.isEmpty() && read.values.size() == 1 ? std::optional(read.values.front()) : std::nullopt;
 }
 

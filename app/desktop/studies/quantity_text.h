@@ -6,20 +6,21 @@
 
 namespace chiron::desktop {
 
-/// What somebody typed into the field of a number.
+/// The result of reading a number field.
 struct ReadQuantity {
     enum class Fault {
         none,
         empty,
         noNumber, ///< "abc", "1,5,2"
-        otherUnit ///< a unit that is none, or of something else: "0.3 kg" for a stiffness
+        otherUnit ///< unknown unit, or one of another dimension: "0.3 kg" for a stiffness
     };
     Fault fault = Fault::none;
     double value = 0.0; ///< in the field's unit
 };
 
-/// A number, with or without a unit of the same dimension: "0.3 N/mm" for N/m is 300. Without one it is in `unit` (empty: a plain number). Numbers
-/// are read as people of the locale write them, and with points or commas where that is not ambiguous. Pure.
+/// Reads a number, with or without a unit of the same dimension: "0.3 N/mm" for N/m is 300. Without a unit it
+/// is in `unit` (empty: a plain number). Numbers may be written as in the locale, and with points or commas
+/// if that is not ambiguous. Pure.
 ReadQuantity readQuantity(const QString& text, const QString& unit, const QLocale& locale);
 
 } // namespace chiron::desktop

@@ -42,7 +42,7 @@ QuestionnaireItem usualItem(std::size_t number) {
     return item;
 }
 
-/// Of a text of an item.
+/// Locates a text of an item in a design.
 std::function<StudyText&(StudyDesign&)> textOf(std::size_t index, std::size_t item, StudyText QuestionnaireItem::*member) {
     return [=](StudyDesign& design) -> StudyText& { return design.questionnaires[index].items[item].*member; };
 }
@@ -219,7 +219,7 @@ QWidget* QuestionnairesPage::itemPart(std::size_t index, std::size_t item) {
             std::vector<QuestionnaireItem>& items = design.questionnaires[index].items;
             items.erase(items.begin() + static_cast<std::ptrdiff_t>(item));
         });
-        auto* row = new QWidget; // at the left, where the fields begin
+        auto* row = new QWidget; // left-aligned, where the fields begin
         auto* line = new QHBoxLayout(row);
         line->setContentsMargins(0, 0, 0, 0);
         line->addWidget(remove);

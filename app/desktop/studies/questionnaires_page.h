@@ -10,7 +10,8 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Questionnaires of a design and their questions. GUI thread.
+/// Edits the questionnaires of a design and their questions.
+/// Thread: GUI.
 class QuestionnairesPage final : public QWidget {
     Q_OBJECT
 public:

@@ -17,7 +17,7 @@ using namespace psychophysics;
 
 namespace {
 
-/// Adds fields of a struct in the design, each with what it means.
+/// Adds fields of a struct in the design, each with its explanation.
 template <class Part> struct PartFields {
     FieldGrid& grid;
     StudyDraft& draft;
@@ -33,7 +33,7 @@ template <class Part> struct PartFields {
         grid.number(label, name(key), draft.design().*part.*member, range, [self = *this, key, member](double now) { self.put(key, member, now); });
         grid.explain(name(key), meaning, {range.minimum, range.maximum, usual});
     }
-    /// A share, in per cent.
+    /// A share, edited in per cent.
     void percent(const QString& label, const char* key, double Part::*member, double highest, const QString& meaning, double usual) const {
         constexpr double kPercent = 100.0;
         grid.number(label, name(key), kPercent * (draft.design().*part.*member), {0, highest, 2, QStringLiteral("%"), 1}, [self = *this, key, member](double now) { self.put(key, member, now / kPercent); });
@@ -92,7 +92,8 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
         fields.number(tr("Smallest force on an object"), "probe_at_least", &TrialRules::probeAtLeast_N, {0, 100, 2, QStringLiteral("N"), 0.1, tr("any touch")},
                       tr("An object counts as touched only once it was pressed, pulled or lifted with this force, so that nobody answers after a graze. 0: any touch counts."), kUsualProbe_N);
     const auto showWhatApplies = [grid, &draft = page.draft] {
-        grid->setShown(QStringLiteral("trial.answer_limit"), draft.design().trial.exploreLimit_s > 0.0); // its clock starts with the other's end
+        // Its clock starts when the exploration time ends.
+        grid->setShown(QStringLiteral("trial.answer_limit"), draft.design().trial.exploreLimit_s > 0.0);
         grid->setShown(QStringLiteral("trial.probe_at_least"), draft.design().trial.mustTouchAll);
         grid->setShown(QStringLiteral("trial.break_at_least"), draft.design().trial.breakEvery > 0);
     };
@@ -102,7 +103,7 @@ QWidget* RulesPage::rulesBox(const DesignPage& page) {
     return box.frame;
 }
 
-/// The researcher's sentences, and below them what participants read.
+/// Edits the researcher's sentences, and below them shows the text that participants read.
 QWidget* RulesPage::instructionsBox(const DesignPage& page) {
     const Theme& theme = page.app.theme();
     const kit::Box box = titledBox(theme, tr("Instructions"));

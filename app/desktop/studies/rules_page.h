@@ -7,7 +7,9 @@
 
 namespace chiron::desktop {
 
-/// Rules of a trial, breaks, what participants read, order, blinding and the limits beyond which a trial is repeated. GUI thread.
+/// Edits the rules of a trial, breaks, instructions, order, blinding, and the limits beyond which a trial is
+/// repeated.
+/// Thread: GUI.
 class RulesPage final : public QWidget {
     Q_OBJECT
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done with the list of studies.
+// Actions on the list of studies.
 #include "catalogue/study_reader.h"
 
 #include "desktop/frame/file_folder.h"

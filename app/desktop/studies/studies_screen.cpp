@@ -166,7 +166,8 @@ void StudiesScreen::fill() {
             return item;
         };
         put(titleColumn, QString::fromStdString(study.title));
-        put(keyColumn, QString::fromStdString(study.key))->setFont(theme.font(TextStyle::mono)); // titles may be alike
+        // The key is shown because titles may be alike.
+        put(keyColumn, QString::fromStdString(study.key))->setFont(theme.font(TextStyle::mono));
         put(stateColumn, study_words::state(study.state))->setIcon(theme.icon(QLatin1String(iconOf(study.state))));
         put(progressColumn, study.participants == 0 ? tr("none") : tr("%1 of %2 done").arg(locale.toString(study.completed), locale.toString(study.participants)));
         put(trialsColumn, locale.toString(study.trials))->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

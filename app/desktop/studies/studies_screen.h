@@ -17,8 +17,9 @@ namespace chiron::desktop {
 class FittedTable;
 class StatePanel;
 
-/// The researcher's studies: state, identity and how far each is; new ones, and what is done with one. Place: {archived, study}. GUI
-/// thread.
+/// Lists the researcher's studies with state, identity and progress, and offers to create studies and to act
+/// on the selected one. The place is {archived, study}.
+/// Thread: GUI.
 class StudiesScreen final : public Screen {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
 
-    /// A new study from a JSON file; also without a file dialog (tests).
+    /// Creates a study from a JSON file. Tests call it directly, without a file dialog.
     void importFile(const QString& file);
 
 private:

@@ -48,7 +48,7 @@ void StudyDraft::load(psychophysics::StudyDesign design) {
 void StudyDraft::change(const QString& words, const QString& key, const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure) {
     psychophysics::StudyDesign after = m_design;
     edit(after);
-    renewInstructions(after); // what participants read follows the settings
+    renewInstructions(after); // keeps the participants' text consistent with the settings
     m_fromForm = true;
     m_history.push(new Step(*this, words, key, m_design, std::move(after), structure));
     m_fromForm = false;

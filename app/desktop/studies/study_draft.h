@@ -10,25 +10,26 @@
 
 namespace chiron::desktop {
 
-/// A design while it is edited: a value, every change of which can be undone. Forms read it once and call change(); after
-/// structureChanged() they are built anew. GUI thread.
+/// A design while it is edited. It is a value, and every change can be undone. Forms read it once and call
+/// change(); after structureChanged() they are rebuilt.
+/// Thread: GUI.
 class StudyDraft final : public QObject {
     Q_OBJECT
 public:
     explicit StudyDraft(QObject* parent = nullptr);
 
     const psychophysics::StudyDesign& design() const noexcept { return m_design; }
-    /// A design that was loaded: no step of the history.
+    /// Sets a loaded design. This is not a step of the history.
     void load(psychophysics::StudyDesign design);
-    /// `words` name the step ("Change of the title"); changes of the same `key` one after the other are one step. `structure`: parts came,
-    /// went or moved.
+    /// `words` names the step ("Change of the title"). Consecutive changes with the same `key` form one step.
+    /// `structure`: parts were added, removed or moved.
     void change(const QString& words, const QString& key, const std::function<void(psychophysics::StudyDesign&)>& edit, bool structure = false);
 
     QUndoStack& history() noexcept { return m_history; }
 
 signals:
-    void changed();          ///< design() is another one
-    void structureChanged(); ///< and forms of it are out of date
+    void changed();          ///< design() has changed
+    void structureChanged(); ///< forms of the design must be rebuilt
 
 private:
     class Step;
@@ -36,7 +37,7 @@ private:
 
     psychophysics::StudyDesign m_design;
     QUndoStack m_history;
-    bool m_fromForm = false; ///< the form shows the change already
+    bool m_fromForm = false; ///< the form already shows the change
 };
 
 } // namespace chiron::desktop

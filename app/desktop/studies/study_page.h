@@ -12,18 +12,19 @@ namespace chiron::desktop {
 class AppContext;
 class FieldGrid;
 
-/// What the pages of a design are given.
+/// The context that the pages of a design receive.
 struct DesignPage {
     AppContext& app;
     StudyDraft& draft;
     bool readOnly = true;
-    QString language = QStringLiteral("en"); ///< of the texts that are edited
+    QString language = QStringLiteral("en"); ///< of the texts being edited
     database::Blinding blinding{};
-    bool masked = false; ///< StudyRecord::masked: the design's conditions are codes, with what all of them share
+    /// StudyRecord::masked: the design's conditions are codes, with the properties that all of them share.
+    bool masked = false;
 };
 
-/// Adds a field for a text in the page's language. `text` finds it in a design. A text that may be absent is so when its field is emptied;
-/// any other has an error then.
+/// Adds a field for a text in the page's language. `text` locates it in a design. Clearing the field of an
+/// optional text (`mayBeAbsent`) removes the text; for any other it is an error.
 void addStudyText(FieldGrid& grid, const DesignPage& page, const QString& label, const QString& name, int lines,
                   const std::function<psychophysics::StudyText&(psychophysics::StudyDesign&)>& text, bool mayBeAbsent = false);
 /// A card with a title.

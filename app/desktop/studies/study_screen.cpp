@@ -33,7 +33,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr int kCheck_ms = 300;
-constexpr double kBeside_px = 800; // of page and card
+constexpr double kBeside_px = 800; // total width of page and card
 }
 
 StudyScreen::StudyScreen(AppContext& context, const Place& place)
@@ -49,8 +49,10 @@ StudyScreen::StudyScreen(AppContext& context, const Place& place)
     m_check.setInterval(kCheck_ms);
     connect(&m_check, &QTimer::timeout, this, &StudyScreen::check);
     connect(&m_draft, &StudyDraft::changed, this, &StudyScreen::changed);
-    connect(&m_draft.history(), &QUndoStack::indexChanged, this, &StudyScreen::showState); // the stack counts a step once it is done
-    connect(&m_draft, &StudyDraft::structureChanged, this, &StudyScreen::showPage, Qt::QueuedConnection); // the form that asked may be gone by then
+    // The stack counts a step only after it is done.
+    connect(&m_draft.history(), &QUndoStack::indexChanged, this, &StudyScreen::showState);
+    // The form that requested this may be gone by then.
+    connect(&m_draft, &StudyDraft::structureChanged, this, &StudyScreen::showPage, Qt::QueuedConnection);
 }
 
 QString StudyScreen::title() const {
@@ -99,7 +101,7 @@ bool StudyScreen::readOnly() const {
 }
 
 void StudyScreen::build() {
-    delete m_view; // of what was shown before
+    delete m_view; // removes the previous view
     m_back = m_next = nullptr;
     auto* scroll = new ScrollPage(context().theme(), 1200);
     m_view = scroll;
@@ -135,7 +137,7 @@ void StudyScreen::build() {
     auto* row = new ResponsiveRow(context().theme().px(kBeside_px), context().theme().px(16));
     row->add(holder, 5);
     if (!m_open.masked) {
-        auto* beside = new QWidget; // the card is no higher than its words
+        auto* beside = new QWidget; // keeps the card no higher than its text
         auto* cards = new QVBoxLayout(beside);
         cards->setContentsMargins(0, 0, 0, 0);
         cards->addWidget(new ParticipantCard(designPage()));
@@ -185,7 +187,7 @@ QWidget* StudyScreen::toolRow() {
         add("study.run", tr("Run"), "primary", "media-playback-start", [this] { context().navigator().go(QStringLiteral("study_run"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
         add("study.data", tr("Data"), "", "office-chart-line", [this] { context().navigator().go(QStringLiteral("study_data"), {{QStringLiteral("study"), qlonglong(m_study)}}); });
     }
-    if (!m_open.masked) // else a file would hold a design that nobody froze
+    if (!m_open.masked) // otherwise a file would contain a design that nobody froze
         add("study.copy", tr("Copy to new study …"), "quiet", "edit-copy", [this] { askCopy(); });
     if (!m_open.masked)
         add("study.export", tr("Save as JSON …"), "quiet", "document-save", [this] { askExport(); });
@@ -231,12 +233,12 @@ void StudyScreen::keyPressEvent(QKeyEvent* event) {
         Screen::keyPressEvent(event);
 }
 
-/// A page is left by Next only once it is right; its name above jumps all the same.
+/// Next leaves a page only if it has no errors. Its name in the bar above can always be chosen.
 void StudyScreen::step(int by) {
     if (by > 0 && !readOnly()) {
         checkNow();
         for (const FieldGrid* grid : m_page->findChildren<FieldGrid*>())
-            if (const QString name = grid->firstUnread(); !name.isEmpty()) { // what was typed there was not taken
+            if (const QString name = grid->firstUnread(); !name.isEmpty()) { // input that could not be read
                 goToField(m_tab, -1, name);
                 return;
             }
@@ -272,7 +274,7 @@ void StudyScreen::goToField(int tab, int condition, const QString& field) {
     }, Qt::QueuedConnection);
 }
 
-/// Under each field of the page, on the names of the pages, and above all of them.
+/// Shows the errors under each field of the page, on the names of the pages, and above all of them.
 void StudyScreen::showFaults() {
     if (!m_bar || readOnly())
         return;
@@ -292,13 +294,13 @@ void StudyScreen::showFaults() {
 void StudyScreen::showTab(int tab) {
     m_tab = tab;
     if (m_bar && m_bar->currentIndex() != tab) {
-        m_bar->setCurrentIndex(tab); // comes back here
+        m_bar->setCurrentIndex(tab); // calls this function again
         return;
     }
     note();
     showPage();
     if (auto* page = qobject_cast<ScrollPage*>(m_view))
-        page->verticalScrollBar()->setValue(0); // a new page is read from its beginning
+        page->verticalScrollBar()->setValue(0); // a new page starts at its top
 }
 
 void StudyScreen::note() {
@@ -316,7 +318,7 @@ void StudyScreen::showPage() {
     if (before) {
         m_holder->removeWidget(before);
         before->hide();
-        before->deleteLater(); // a button in it may still be at work
+        before->deleteLater(); // one of its buttons may still be active
     }
     m_holder->addWidget(m_page);
     showFaults();

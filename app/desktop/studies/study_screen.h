@@ -22,13 +22,15 @@ class NoticeArea;
 class ScrollPage;
 class StatePanel;
 
-/// One study: its design, a page at a time with a way to the next and the one before, and beside it what a participant will meet. While a draft it can be
-/// changed, each step undone, and what is right is kept at once; what is wrong is said at its field. The last page is the way to freezing it, later
-/// its participants. Place: {study, tab, condition}. GUI thread.
+/// Shows one study: its design page by page with Back and Next, and beside it a summary of what a participant
+/// will experience. A draft can be edited and every step undone. A valid design is stored at once; an invalid
+/// one shows each error at its field. The last page leads to freezing, and after that shows the participants.
+/// The place is {study, tab, condition}.
+/// Thread: GUI.
 class StudyScreen final : public Screen {
     Q_OBJECT
 public:
-    /// `checkTab` is the last page of a draft, where later the participants are.
+    /// `checkTab` is the last page of a draft; a frozen study has the participants there.
     enum Tab { generalTab, conditionsTab, trialsTab, questionnairesTab, previewTab, participantsTab, tabs, checkTab = participantsTab };
 
     StudyScreen(AppContext& context, const Place& place);
@@ -47,7 +49,7 @@ public:
     const std::vector<DesignFault>& faults() const { return m_wrong; }
 
 protected:
-    /// Enter in a field of one line goes on to the next page, as Next does.
+    /// Enter in a single-line field goes to the next page, like Next.
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -59,7 +61,7 @@ private:
     QWidget* toolRow();
     QWidget* stepRow();
     void showPage();
-    void sayPreviewEnds(); ///< where one is at work on the page that is left
+    void sayPreviewEnds(); ///< warns if a preview is running on the page being left
     void showFaults();
     void step(int by);
     void goToField(int tab, int condition, const QString& field);
@@ -71,7 +73,7 @@ private:
     bool readOnly() const;
     void note();
 
-    // study_screen_actions.cpp: checked, kept, frozen, brought in and out
+    // study_screen_actions.cpp: checking, storing, freezing, import and export
     void changed();
     void check();
     void checkNow();
@@ -90,18 +92,18 @@ private:
     database::StudyNumber m_study;
     int m_tab;
     int m_condition;
-    QString m_participant; ///< selected: the list is read anew after each change
+    QString m_participant; ///< selected participant, kept because the list is reloaded after each change
     QString m_language;
     OpenStudy m_open;
     StudyDraft m_draft;
-    std::vector<DesignFault> m_wrong; ///< with the newest design that was checked
-    bool m_good = true;      ///< the newest design reads
-    bool m_saved = true;     ///< and is stored
+    std::vector<DesignFault> m_wrong; ///< of the newest design that was checked
+    bool m_good = true;      ///< the newest design is valid
+    bool m_saved = true;     ///< the newest design is stored
     bool m_saving = false;
-    int m_version = 0;       ///< of the design, counted by changes
+    int m_version = 0;       ///< of the design; counts changes
     QTimer m_check{this};
     StatePanel* m_panel = nullptr;
-    QWidget* m_view = nullptr; ///< head, tabs and page; null until there is a study
+    QWidget* m_view = nullptr; ///< head, tabs and page; null until the study is loaded
     QTabBar* m_bar = nullptr;
     QLabel* m_state = nullptr;
     NoticeArea* m_faults = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A design checked, kept, frozen, brought in and out.
+// Checking, storing, freezing, importing and exporting a design.
 #include "catalogue/study_reader.h"
 
 #include "desktop/frame/file_folder.h"
@@ -38,13 +38,13 @@ void StudyScreen::check() {
 
 void StudyScreen::checked(int version, const core::Result<psychophysics::StudyDesign>& read) {
     if (version != m_version)
-        return; // of a design that was changed since
+        return; // the design has changed since
     take(read);
     if (m_good)
         save();
     showState();
     if (m_tab == checkTab && m_open.editable())
-        showPage(); // its lines are of the design before
+        showPage(); // its lines belong to the previous design
 }
 
 void StudyScreen::take(const core::Result<psychophysics::StudyDesign>& read) {
@@ -55,7 +55,7 @@ void StudyScreen::take(const core::Result<psychophysics::StudyDesign>& read) {
     showFaults();
 }
 
-/// Without waiting for the worker: somebody wants to go on.
+/// Checks at once, without the worker, because the person wants to continue.
 void StudyScreen::checkNow() {
     if (!m_saved && m_check.isActive())
         take(catalogue::readStudy(catalogue::studyJson(m_draft.design()), m_open.summary.key));
@@ -112,7 +112,7 @@ bool StudyScreen::mayLeaveDesign() {
     if (m_saved || readOnly() || !m_view)
         return true;
     const auto read = catalogue::readStudy(catalogue::studyJson(m_draft.design()), m_open.summary.key);
-    if (read) { // on its way: it is kept although this screen goes
+    if (read) { // a write is in progress and completes although this screen is destroyed
         writeStudies(
             context(), &context(),
             [study = m_study, json = catalogue::studyJson(*read).toStdString()](database::StudyRepository& studies) { return studies.saveDraft(study, json); },
@@ -140,7 +140,7 @@ void StudyScreen::askFreeze() {
     dialog->open();
 }
 
-/// Whether the design on the screen is the stored one; else what is in the way is shown.
+/// Returns whether the design on the screen is stored; otherwise shows the reason.
 bool StudyScreen::stored() {
     checkNow();
     if (!m_good)

@@ -16,7 +16,8 @@
 
 namespace chiron::desktop {
 
-/// Reads on a worker with a connection of its own: `job(StudyReader&)` returns a Result, which `done` gets on the GUI thread.
+/// Reads on a worker with its own connection. `job(StudyReader&)` returns a Result, which `done` receives on
+/// the GUI thread.
 template <class Job, class Done>
 std::shared_ptr<WorkToken> readStudies(AppContext& context, QObject* owner, Job job, Done done) {
     using Answer = std::invoke_result_t<Job, database::StudyReader&>;
@@ -32,7 +33,8 @@ std::shared_ptr<WorkToken> readStudies(AppContext& context, QObject* owner, Job 
         std::move(done));
 }
 
-/// Writes on a worker, in one transaction: `job(StudyRepository&)` returns a Result, which `done` gets on the GUI thread.
+/// Writes on a worker in one transaction. `job(StudyRepository&)` returns a Result, which `done` receives on
+/// the GUI thread.
 template <class Job, class Done>
 void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
     context.background().run(
@@ -46,55 +48,61 @@ void writeStudies(AppContext& context, QObject* owner, Job job, Done done) {
         std::move(done));
 }
 
-/// A run that was interrupted, as far as it got.
+/// The progress of an interrupted run.
 struct LeftRun {
     database::StudyRunNumber run = 0;
-    int scored = 0;      ///< trials
-    int atMost = 0;      ///< of the condition; 0: not known
-    std::string lastUtc; ///< of the last trial; of the run's beginning where there is none
+    int scored = 0;      ///< number of scored trials
+    int atMost = 0;      ///< largest number of trials of the condition; 0: not known
+    std::string lastUtc; ///< time of the last trial, or of the run's start if there is none
 };
 
-/// A participant with what they have done so far.
+/// A participant with their runs so far.
 struct ParticipantRow {
     database::Participant participant;
     std::vector<database::StudyRun> runs;
-    std::vector<LeftRun> left; ///< of the open ones
+    std::vector<LeftRun> left; ///< the open runs
 };
 
-/// Somebody's trial of a draft.
+/// A pilot: a person's trial run of a draft.
 struct PilotRow {
     database::StudySummary summary;
-    int scored = 0;  ///< trials
-    int spoiled = 0; ///< trials
-    double secondsPerTrial = 0.0; ///< of the scored ones, without practice
+    int scored = 0;  ///< number of scored trials
+    int spoiled = 0; ///< number of spoiled trials
+    double secondsPerTrial = 0.0; ///< mean over the scored trials, without practice
 };
 
-/// One study as its screens need it.
+/// One study with everything that its screens need.
 struct OpenStudy {
     database::StudySummary summary;
     psychophysics::StudyDesign design;
     std::vector<database::SealedCondition> sealed; ///< StudyReader::conditionCodes
     std::vector<ParticipantRow> participants;
-    std::set<std::pair<database::ParticipantNumber, std::string>> answered; ///< who has answered which questionnaire, of any condition
-    std::set<std::pair<database::StudyRunNumber, std::string>> answeredAfter{}; ///< after which run which of those that are asked after each
+    /// Which participant has answered which questionnaire, for any condition.
+    std::set<std::pair<database::ParticipantNumber, std::string>> answered;
+    /// For questionnaires asked after each condition: after which run which one was answered.
+    std::set<std::pair<database::StudyRunNumber, std::string>> answeredAfter{};
     database::Blinding blinding{};
     bool masked = false; ///< StudyRecord::masked
-    std::vector<PilotRow> pilots; ///< of its draft, in the order tried
+    std::vector<PilotRow> pilots; ///< of its draft, in order of time
 
     bool editable() const { return summary.state == database::StudyState::draft; }
-    /// Whether conditions go by their sealed codes on experimenters' screens.
+    /// Whether experimenters' screens show conditions by their sealed codes.
     bool blind() const { return blinding.on; }
 };
 
-/// Blocking. Failure: the reader's; badInput where the stored design does not read.
+/// Reads one study.
+/// Thread: worker; blocks.
+/// Errors: those of the reader; badInput if the stored design cannot be read.
 core::Result<OpenStudy> openStudy(database::StudyReader& reader, database::StudyNumber study);
 
-/// How many pilots came to a trial that counts.
+/// Number of pilots with at least one scored trial.
 int pilotsTried(const OpenStudy& study);
 
-/// What a condition is called on an experimenter's screen: its title, or its sealed code. `label`: session::labelOf.
+/// The name of a condition on an experimenter's screen: its title, or its sealed code. `label`:
+/// session::labelOf.
 QString conditionName(const OpenStudy& study, const std::string& label, const QString& language);
-/// Labels of the conditions as their analysis lists them: the design's order, while blind by code.
+/// Labels of the conditions in the order of their analysis: the design's order, or sorted by code while
+/// blind.
 std::vector<std::string> conditionLabels(const OpenStudy& study);
 
 } // namespace chiron::desktop

@@ -10,12 +10,12 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct StudyTitles {
     Q_DECLARE_TR_FUNCTIONS(StudyTitles)
 };
 
-constexpr qsizetype kLongestCopied = 200; // the repository takes 500 bytes, and a letter may have two
+constexpr qsizetype kLongestCopied = 200; // the repository accepts 500 bytes, and a letter may take two
 
 } // namespace
 
@@ -31,7 +31,8 @@ QString freeTitle(const QString& title, const std::set<QString>& taken) {
 QString copyTitle(const QString& original, const std::set<QString>& taken) {
     const QString word = StudyTitles::tr("copy");
     QString title = original.simplified().left(kLongestCopied);
-    title.remove(QRegularExpression(QStringLiteral("\\s*\\(%1( \\d+)?\\)$").arg(QRegularExpression::escape(word)))); // else "(copy) (copy)"
+    // Otherwise it would become "(copy) (copy)".
+    title.remove(QRegularExpression(QStringLiteral("\\s*\\(%1( \\d+)?\\)$").arg(QRegularExpression::escape(word))));
     for (int n = 1;; ++n)
         if (const QString copy = n == 1 ? QStringLiteral("%1 (%2)").arg(title, word) : QStringLiteral("%1 (%2 %3)").arg(title, word, QString::number(n));
             !taken.contains(titleForComparison(copy)))

@@ -6,14 +6,16 @@
 
 namespace chiron::desktop {
 
-/// Titles as they are compared: two that differ in capitals, accents or spaces alone look alike in a list.
+/// Normalises a title for comparison, because titles that differ only in case, accents or spaces look alike
+/// in a list.
 QString titleForComparison(const QString& title);
 
-/// `title`, or the same with the first number that is free. `taken`: titleForComparison() of each title that there is.
+/// Returns `title`, with the first free number appended if it is taken. `taken`: titleForComparison() of each
+/// existing title.
 QString freeTitle(const QString& title, const std::set<QString>& taken);
 
-/// What a copy of a study is called until somebody says otherwise: "Tubes (copy)", of a copy "Tubes (copy 2)". Never one that is taken, and never longer than
-/// a title may be.
+/// The initial title of a copy: "Tubes (copy)", or "Tubes (copy 2)" for a copy of a copy. It is never one
+/// that is taken, and never longer than a title may be.
 QString copyTitle(const QString& original, const std::set<QString>& taken);
 
 } // namespace chiron::desktop

@@ -18,7 +18,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(StudyWords)
 };
 
-/// The words of one token, or the token itself with spaces.
+/// The text of one token, or the token itself with spaces.
 QString oneOf(const std::map<std::string_view, QString>& words, std::string_view token) {
     const auto found = words.find(token);
     if (found != words.end())
@@ -27,7 +27,7 @@ QString oneOf(const std::map<std::string_view, QString>& words, std::string_view
 }
 
 QString procedureKind(std::string_view kind) {
-    if (kind.substr(0, kind.find('@')) == "limit") // of a run that ended there
+    if (kind.substr(0, kind.find('@')) == "limit") // for a run that ended at a limit
         return Words::tr("limited by the device");
     return session_report::procedureTitle(kind);
 }
@@ -104,7 +104,7 @@ QString taskInWords(Task task) {
 
 namespace {
 
-/// "stiffer", "heavier" ...: the comparative of what is felt.
+/// "stiffer", "heavier" ...: the comparative of the felt attribute.
 QString more(Attribute attribute) {
     switch (attribute) {
     case Attribute::stiffness:

@@ -25,14 +25,15 @@ using psychophysics::StudyDesign;
 using psychophysics::StudyText;
 using Where = FalseClaim::Where;
 
-/// Its texts are translated under this name.
+/// The translation context of the texts.
 struct TextClaims {
     Q_DECLARE_TR_FUNCTIONS(TextClaims)
 };
 
-constexpr double kSameShare = 0.006; // 0.08 s may be 0.0803
+constexpr double kSameShare = 0.006; // tolerates 0.0803 for 0.08 s
 
-/// What texts say, and what has to be set for it. Of the three languages together: none of their words means something else in another.
+/// A statement in a text, and the setting that it requires. The words of all three languages stand together,
+/// because none of them has another meaning in another language.
 struct Expected {
     const char* words;
     std::function<bool(const StudyDesign&)> holds;
@@ -47,7 +48,7 @@ double numberIn(const QString& digits) { return QString(digits).replace(QLatin1C
 
 bool same(double a, double b) { return std::abs(a - b) <= kSameShare * std::max(std::abs(a), std::abs(b)); }
 
-/// SI of one, and what it measures.
+/// The size of a unit in SI, and the attributes that it measures.
 struct TitleUnit {
     double factor;
     std::vector<Attribute> of;
@@ -72,7 +73,8 @@ void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition&
     const psychophysics::StimulusDesign& stimulus = condition.stimulus;
     const QString setting = TextClaims::tr("the reference is %1").arg(study_words::value(stimulus.reference, stimulus.attribute, locale));
     for (const auto& [language, words] : condition.title) {
-        const QString title = QString::fromStdString(words).replace(QChar(0x03BC), QChar(0x00B5)); // two letters mean micro
+        // Both characters mean micro.
+        const QString title = QString::fromStdString(words).replace(QChar(0x03BC), QChar(0x00B5));
         const auto tell = [&](const QString& said) { claims.push_back({Where::title, at, QString::fromStdString(language), said, setting}); };
         for (auto each = withUnit.globalMatch(title); each.hasNext();) {
             const QRegularExpressionMatch match = each.next();
@@ -83,14 +85,14 @@ void checkTitle(std::vector<FalseClaim>& claims, const psychophysics::Condition&
             if (std::find(of.begin(), of.end(), stimulus.attribute) == of.end() || !same(numberIn(match.captured(1)) * unit->second.factor, stimulus.reference))
                 tell(match.captured(0));
         }
-        if (stimulus.attribute == Attribute::friction) // the one that has no unit
+        if (stimulus.attribute == Attribute::friction) // the only attribute without a unit
             for (auto each = plain.globalMatch(title); each.hasNext();)
                 if (const QRegularExpressionMatch match = each.next(); !same(numberIn(match.captured(1)), stimulus.reference))
                     tell(match.captured(1));
     }
 }
 
-/// Sentences that hold only with a setting.
+/// Statements that are true only with a certain setting.
 std::vector<Expected> expectations() {
     return {{"three out of four|drei von vier|τρεις από τέσσερις",
              [](const StudyDesign& d) { return std::any_of(d.conditions.begin(), d.conditions.end(), [](const auto& each) { return same(each.criterion, 0.75); }); },
@@ -111,7 +113,7 @@ int numberOfWord(const QString& word) {
     return found == numbers.end() ? word.toInt() : found->second;
 }
 
-/// What sentences say of how many, and of how long.
+/// The numbers and durations that sentences state.
 struct Counts {
     std::vector<double> objects, trials, seconds;
 };
@@ -163,7 +165,7 @@ std::vector<FalseClaim> falseClaims(const StudyDesign& design, const QLocale& lo
     for (std::size_t i = 0; i < design.conditions.size(); ++i) {
         const int condition = static_cast<int>(i);
         checkTitle(claims, design.conditions[i], condition, locale);
-        StudyDesign alone = design; // what is true of another condition is no excuse
+        StudyDesign alone = design; // so that a statement about another condition does not count
         alone.conditions = {design.conditions[i]};
         checkSentences(claims, alone, design.conditions[i].instructions, Where::part, condition);
     }

@@ -8,7 +8,8 @@ class QCheckBox;
 
 namespace chiron::desktop {
 
-/// A participant takes no further part. GUI thread.
+/// Withdraws a participant from a study.
+/// Thread: GUI.
 class WithdrawDialog final : public FormDialog {
     Q_OBJECT
 public:

@@ -23,7 +23,7 @@ namespace {
 enum ApexColumn { codeColumn, biasXColumn, biasYColumn, sdXColumn, sdYColumn, errorColumn, trialsColumn, stateColumn, apexColumns };
 constexpr int kMostApexRows = 14;
 constexpr int kFewestApexRows = 3;
-constexpr double kOne = 100.0; ///< per cent in one
+constexpr double kOne = 100.0; ///< converts a share into per cent
 
 QVBoxLayout* columnOf(QWidget* page, const Theme& theme) {
     auto* column = new QVBoxLayout(page);
@@ -76,14 +76,15 @@ QWidget* ApexPage::chooser() {
     return bar;
 }
 
-/// A length and its share of the radius; while blind the share alone, as both would tell the radius.
+/// A length and its share of the radius. While blind only the share, because both together would reveal the
+/// radius.
 QString ApexPage::error(double mm, double percent) const {
     const QLocale locale = m_app.locale();
     const QString share = study_words::percent(percent / kOne, locale);
     return m_facts.study.blind() || !std::isfinite(mm) ? share : tr("%1 mm (%2)").arg(study_words::number(mm, locale), share);
 }
 
-/// Of a narrow column: in mm alone; while blind as a share of the radius.
+/// For a narrow column: in mm only; while blind as a share of the radius.
 QString ApexPage::spread(const psychophysics::ApexAxis& axis) const {
     if (m_facts.study.blind() || !std::isfinite(axis.sd_mm))
         return error(axis.sd_mm, axis.sdPercent);

@@ -9,8 +9,10 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// What marks of an apex say, as P2's figure 4: marks about the true apex by person, bias and sd an axis, errors in mm and per cent of the
-/// radius. Of everybody at one condition, or of one run. GUI thread; the facts outlive it.
+/// Shows the results of an apex search as in P2's figure 4: marks about the true apex by person, bias and SD
+/// per axis, errors in mm and per cent of the radius. They come from all participants at one condition, or
+/// from one run.
+/// Thread: GUI; the facts outlive it.
 class ApexPage final : public QWidget {
     Q_OBJECT
 public:

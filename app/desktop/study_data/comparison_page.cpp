@@ -11,7 +11,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr int kMostCompared = 14; ///< rows seen at once
+constexpr int kMostCompared = 14; ///< visible rows
 }
 
 ComparisonPage::ComparisonPage(AppContext& app, const StudyFacts& facts, QWidget* parent) : QWidget(parent), m_app(app), m_facts(facts) {

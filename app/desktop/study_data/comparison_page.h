@@ -9,7 +9,8 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// The conditions of a study, two by two; and of each two that are not compared what is missing. GUI thread; the facts outlive it.
+/// Compares the conditions of a study in pairs. For pairs that cannot be compared it says what is missing.
+/// Thread: GUI; the facts outlive it.
 class ComparisonPage final : public QWidget {
     Q_OBJECT
 public:

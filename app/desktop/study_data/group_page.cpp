@@ -23,7 +23,7 @@ namespace {
 enum Column { codeColumn, weberColumn, intervalColumn, jndColumn, groupColumn, warningColumn, trialsColumn, priorColumn, stateColumn, columns };
 constexpr int kMostRows = 14;
 constexpr int kFewestRows = 3;
-constexpr double kUnknownFactor = 50.0; // between the ends of an interval that says nothing
+constexpr double kUnknownFactor = 50.0; // ratio of the ends above which an interval is uninformative
 } // namespace
 
 GroupPage::GroupPage(AppContext& app, const StudyFacts& facts, std::size_t condition, QWidget* parent)
@@ -87,7 +87,8 @@ QStringList GroupPage::weberWords(const psychophysics::GroupEstimate& group) con
     QStringList words{tr("Weber fraction (random effects)")};
     if (!interval.isEmpty())
         words << tr("95 %: %1").arg(interval);
-    if (group.prediction95.high > kUnknownFactor * group.prediction95.low) // of three people it may reach from nothing to 5,000 %
+    // With three people it may extend from zero to 5,000 %.
+    if (group.prediction95.high > kUnknownFactor * group.prediction95.low)
         words << tr("too few participants for a prediction");
     else if (!next.isEmpty())
         words << tr("prediction for a new participant: %1").arg(next);
@@ -103,7 +104,7 @@ QWidget* GroupPage::groupBox() {
     box.layout->addWidget(kit::label(theme, tr("Group"), TextStyle::title));
     const auto& designed = m_facts.designed[m_condition];
     QStringList words;
-    if (std::isfinite(group.exponent)) { // of numbers said there is no Weber fraction
+    if (std::isfinite(group.exponent)) { // magnitude estimates have no Weber fraction
         box.layout->addWidget(kit::label(theme, study_words::number(group.exponent, locale), TextStyle::display, "accent"));
         words << tr("Exponent of the power law");
         if (const QString interval = study_words::interval(group.exponent95.low, group.exponent95.high, locale); !interval.isEmpty())
@@ -212,7 +213,7 @@ QWidget* GroupPage::tableBox() {
     return part;
 }
 
-/// One statement, whether there is a value or not.
+/// Writes one statement, whether or not there is a value.
 void GroupPage::addGroupWords(QVBoxLayout& layout) const {
     const Theme& theme = m_app.theme();
     const QStringList said = session_report::groupSentences(m_facts.rolls[m_condition], m_app.locale());

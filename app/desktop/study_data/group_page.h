@@ -9,7 +9,9 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// All participants at one condition: each one's Weber fraction with its interval, and what they share. GUI thread; the facts outlive it.
+/// Shows all participants at one condition: each one's Weber fraction with its interval, and the group's
+/// estimate.
+/// Thread: GUI; the facts outlive it.
 class GroupPage final : public QWidget {
     Q_OBJECT
 public:
@@ -24,10 +26,11 @@ private:
     QWidget* chooser();
     QWidget* groupBox();
     QStringList weberWords(const psychophysics::GroupEstimate& group) const;
-    void addAgreement(QVBoxLayout& layout) const; ///< of rankings
+    void addAgreement(QVBoxLayout& layout) const; ///< of the participants' rankings
     QWidget* plotBox();
     QWidget* tableBox();
-    void addGroupWords(QVBoxLayout& layout) const; ///< who is in the group's value and who is not
+    /// Says who is included in the group's value and who is not.
+    void addGroupWords(QVBoxLayout& layout) const;
     std::vector<const RunFacts*> runs() const;
 
     AppContext& m_app;

@@ -7,7 +7,8 @@
 
 namespace chiron::desktop {
 
-/// One run: its curve with the data, and its estimates with intervals and warnings. GUI thread; the facts outlive it.
+/// Shows one run: its psychometric curve with the data, and its estimates with intervals and warnings.
+/// Thread: GUI; the facts outlive it.
 class PersonPage final : public QWidget {
     Q_OBJECT
 public:

@@ -27,7 +27,7 @@ QualityBox::QualityBox(AppContext& app, const StudyFacts& facts, QWidget* parent
                                      "across all conditions.")));
     column->addWidget(table(app, facts));
     column->addWidget(kit::label(theme, tr("The number of trials is shown only for participants who have completed every condition."), TextStyle::small, "muted"));
-    column->addStretch(); // else the notice takes the height that a page leaves
+    column->addStretch(); // otherwise the notice would fill the free height of the page
 }
 
 QWidget* QualityBox::table(AppContext& app, const StudyFacts& facts) {

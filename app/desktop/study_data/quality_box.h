@@ -9,8 +9,9 @@ namespace chiron::desktop {
 
 class AppContext;
 
-/// What is shown of a blinded study whose conditions differ: how well each participant's trials went, over all conditions together, and why no more is
-/// shown. GUI thread; keeps nothing of the facts.
+/// Shown for a blinded study whose conditions differ: the quality of each participant's trials over all
+/// conditions together, and the reason why nothing more is shown.
+/// Thread: GUI; keeps nothing of the facts.
 class QualityBox final : public QFrame {
     Q_OBJECT
 public:

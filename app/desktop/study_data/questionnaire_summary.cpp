@@ -65,7 +65,7 @@ QWidget* QuestionnaireSummary::questionnaireBox(const psychophysics::Questionnai
     return box.frame;
 }
 
-/// What an instrument makes of the answers: the whole score first, then its parts.
+/// The instrument's scores from the answers: first the total, then its parts.
 QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const {
     std::map<database::ParticipantNumber, psychophysics::QuestionnaireReply> replies;
     for (const database::QuestionnaireAnswer& answer : answers)
@@ -92,7 +92,7 @@ QStringList QuestionnaireSummary::scoreLines(const psychophysics::Questionnaire&
     return lines;
 }
 
-/// Of a score, or of the scale that it is a part of.
+/// Name of a score, or of the scale that it belongs to.
 QString QuestionnaireSummary::scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const {
     if (id == "sus")
         return tr("Usability score (0 to 100)");

@@ -7,7 +7,9 @@
 
 namespace chiron::desktop {
 
-/// What was answered, question by question: distribution and middle of scales and numbers, counts of choices, free texts. GUI thread.
+/// Summarises the answers question by question: distribution and centre of scales and numbers, counts of
+/// choices, free texts.
+/// Thread: GUI.
 class QuestionnaireSummary final : public QWidget {
     Q_OBJECT
 public:
@@ -16,7 +18,7 @@ public:
 private:
     QWidget* questionnaireBox(const psychophysics::Questionnaire& questionnaire) const;
     QString scoreName(const std::string& id, const psychophysics::Questionnaire& questionnaire) const;
-    /// `answers`: to this questionnaire, all of one condition where it is asked after each.
+    /// `answers`: all answers to this questionnaire, of one condition if it is asked after each.
     QStringList scoreLines(const psychophysics::Questionnaire& questionnaire, const std::vector<database::QuestionnaireAnswer>& answers) const;
     QWidget* itemPart(const psychophysics::QuestionnaireItem& item, const std::vector<database::QuestionnaireAnswer>& answers) const;
     QWidget* barsOf(const psychophysics::QuestionnaireItem& item, const std::vector<double>& numbers) const;

@@ -19,7 +19,7 @@ using psychophysics::WorthEstimate;
 
 namespace {
 
-constexpr double k95 = 1.959963984540054; // of the normal distribution
+constexpr double k95 = 1.959963984540054; // 97.5 % quantile of the normal distribution, for 95 % intervals
 constexpr double kPlotHeight = 230;
 constexpr double kThreeAbreast = 860;
 constexpr std::size_t kObjects = 3;

@@ -12,8 +12,10 @@ namespace chiron::desktop {
 class AppContext;
 class FieldGrid;
 
-/// What rankings of three objects say: whole orders, agreement (W), likeness to the true order (τ), trend (L), and worths of the objects by
-/// three models as dots with intervals and as a table; each with what it means. Without a ranking it says that there is none. GUI thread.
+/// Shows the results of ranking three objects, each with its explanation: complete orders, agreement (W),
+/// similarity to the true order (τ), trend (L), and the worths of the objects by three models as dots with
+/// intervals and as a table. Without a ranking it says that there is none.
+/// Thread: GUI.
 class RankingBox final : public QFrame {
     Q_OBJECT
 public:

@@ -7,9 +7,9 @@ class QComboBox;
 
 namespace chiron::desktop {
 
-/// The run with this number, else the first one; null where there is none.
+/// The run with this number, else the first one; null if there are no runs.
 const RunFacts* runOf(const StudyFacts& facts, database::StudyRunNumber run);
-/// A list of all runs, by participant's code and condition; its data are the runs' numbers.
+/// A selection list of all runs, by participant's code and condition; the item data are the runs' numbers.
 QComboBox* runChoice(AppContext& app, const StudyFacts& facts, const RunFacts* chosen);
 
 } // namespace chiron::desktop

@@ -61,7 +61,7 @@ void StudyDataScreen::askUnblind() {
     dialog->open();
 }
 
-/// Whether something can be written now; else it is told why not.
+/// Returns whether an export can start now; otherwise says why not.
 bool StudyDataScreen::mayExport() {
     if (m_panel->state() != StatePanel::State::content)
         context().messages().information(tr("The study is not on the screen yet, so nothing was exported. Try again once it is there."));
@@ -72,7 +72,7 @@ bool StudyDataScreen::mayExport() {
     return false;
 }
 
-/// Each way out is told: a dialog that is closed is one.
+/// Says that nothing was exported when the dialog is closed.
 void StudyDataScreen::tellIfCancelled(QFileDialog* dialog) {
     connect(dialog, &QDialog::rejected, this, [this] { context().messages().information(tr("Nothing was exported: no place was chosen.")); });
 }
@@ -99,7 +99,7 @@ void StudyDataScreen::exportTo(const ExportWords& words,
     progress->setValue(0);
     m_exporting = true;
     context().background().run(
-        &context(), // whoever has gone to another screen meanwhile is told, too
+        &context(), // so that people who moved to another screen get the result as well
         [&database = context().site().database(), actor = context().actor(), write](WorkToken&) -> core::Result<void> {
             auto connection = database.openReader();
             if (!connection)
@@ -119,7 +119,7 @@ void StudyDataScreen::exportTo(const ExportWords& words,
         });
 }
 
-/// An export of nothing looks like one that went wrong.
+/// Mentions that there are no scored trials, because an empty export looks like a failed one.
 QString StudyDataScreen::written(const QString& where) const {
     return m_facts.study.summary.trials > 0 ? where : where + QLatin1Char(' ') + tr("There are no scored trials yet.");
 }

@@ -166,12 +166,13 @@ QWidget* StudyDataScreen::headRow() {
     auto* facts = kit::label(theme, words.join(QStringLiteral(" · ")), TextStyle::body, "muted");
     facts->setObjectName(QStringLiteral("data.facts"));
     column->addWidget(facts);
-    if (!m_facts.sealed) // nothing of a group is shown there
+    if (!m_facts.sealed) // a sealed study shows nothing of a group
         column->addWidget(shownChoice());
     return head;
 }
 
-/// Always in sight, since it decides what every value on the pages is of; kept for whoever chose it.
+/// Always visible, because it determines what every value on the pages refers to. The choice is stored for
+/// the person.
 QWidget* StudyDataScreen::shownChoice() {
     auto* shown = new QCheckBox(tr("Groups include runs with force shown, not felt"));
     shown->setObjectName(QStringLiteral("data.with_shown"));

@@ -20,8 +20,9 @@ class ApexPage;
 class StatePanel;
 class WorkToken;
 
-/// What came of a study: group and persons, every trial, questionnaires, conditions compared; unblinding and exports. Place: {study, tab, condition, run}. GUI
-/// thread.
+/// Shows the results of a study: group and persons, every trial, questionnaires, comparisons of conditions.
+/// It also offers unblinding and exports. The place is {study, tab, condition, run}.
+/// Thread: GUI.
 class StudyDataScreen final : public Screen {
     Q_OBJECT
 public:
@@ -35,7 +36,7 @@ public:
     void enter() override;
     std::vector<ScreenCommand> commands() override;
 
-    /// Writes into a new folder there (or a PDF file), as the buttons do once a place is chosen.
+    /// Writes into a new folder in `parent` (or a PDF file), like the buttons after a folder was chosen.
     void exportCsvTo(const QString& parent);
     void exportBidsTo(const QString& parent);
     void exportPdfTo(const QString& file);
@@ -55,7 +56,7 @@ private:
     // study_data_actions.cpp
     QWidget* toolRow();
     void askUnblind();
-    /// Where `folder` is there already: asks whether it is replaced, or kept beside the new one.
+    /// If `folder` exists, asks whether to replace it or to keep it beside the new one.
     void chooseFolder(const QString& folder, const std::function<void(const QString& folder, bool replaces)>& then);
     void askFolder(void (StudyDataScreen::*then)(const QString&));
     void askPdf();
@@ -75,8 +76,8 @@ private:
     database::StudyRunNumber m_run;
     std::vector<database::StudySummary> m_list;
     StudyFacts m_facts;
-    bool m_withShown; ///< remembered of whoever is logged in
-    bool m_exporting = false; ///< a folder is being written
+    bool m_withShown; ///< stored for the logged-in person
+    bool m_exporting = false; ///< an export is in progress
     std::shared_ptr<WorkToken> m_work;
     QTabBar* m_bar = nullptr;
     QVBoxLayout* m_holder = nullptr;

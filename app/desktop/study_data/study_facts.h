@@ -10,51 +10,58 @@
 
 namespace chiron::desktop {
 
-/// One run with what it says.
+/// One run with its results.
 struct RunFacts {
-    std::size_t participant = 0; ///< in OpenStudy::participants
-    std::size_t condition = 0;   ///< place in conditionLabels(), which is not the design's while blind
+    std::size_t participant = 0; ///< index into OpenStudy::participants
+    /// Index into conditionLabels(), which is not in the design's order while blind.
+    std::size_t condition = 0;
     database::StudyRun run;
     std::vector<database::StudyTrial> trials;
     psychophysics::RunEstimate estimate;
     session::ReplayedChoices replayed;
     int scored = 0;
     int spoiled = 0;
-    std::optional<bool> felt{}; ///< false where any trial was only shown
-    std::optional<psychophysics::ApexSummary> apex{}; ///< of a condition in which an apex is looked for
-    psychophysics::RankingSummary ranking{}; ///< where three are ranked; else of none
-    session::Presence presence = session::Presence::noValue; ///< whether the group's value uses it, or why not
+    std::optional<bool> felt{}; ///< false if force was only shown in any trial
+    std::optional<psychophysics::ApexSummary> apex{}; ///< for a condition with an apex search
+    psychophysics::RankingSummary ranking{}; ///< if three objects are ranked; else empty
+    /// Whether the group's value includes the run, or why not.
+    session::Presence presence = session::Presence::noValue;
 };
 
-/// A condition in which an apex is looked for: everybody's marks, and whose they are by the summary's numbers.
+/// The marks of all participants in a condition with an apex search; the summary's numbers index their names.
 struct ApexFacts {
     psychophysics::ApexSummary summary;
-    std::vector<QString> names; ///< empty: nobody has done it
+    std::vector<QString> names; ///< empty: nobody has done the condition
 };
 
-/// Everything that the data of a study are shown from.
+/// Everything from which the data of a study are shown.
 struct StudyFacts {
     OpenStudy study;
     std::vector<RunFacts> runs;
-    // Of each of conditionLabels():
+    // One entry per entry of conditionLabels():
     std::vector<psychophysics::GroupEstimate> groups;
-    std::vector<session::GroupRoll> rolls; ///< what each group's value rests on
-    std::vector<psychophysics::RankingSummary> rankings; ///< where three are ranked
+    std::vector<session::GroupRoll> rolls; ///< which runs each group's value is based on
+    std::vector<psychophysics::RankingSummary> rankings; ///< if three objects are ranked
     std::vector<std::optional<ApexFacts>> apexes;
-    std::vector<std::optional<psychophysics::Condition>> designed; ///< what it is analysed by: StudyAnalysis::designed()
-    std::vector<session::ComparedConditions> comparisons; ///< by places in conditionLabels(); none while blinded
+    /// The condition that the analysis uses: StudyAnalysis::designed().
+    std::vector<std::optional<psychophysics::Condition>> designed;
+    /// Indexed as conditionLabels(); empty while blinded.
+    std::vector<session::ComparedConditions> comparisons;
     std::vector<database::QuestionnaireAnswer> answers;
-    std::vector<database::ParticipantQuality> quality; ///< by participant: also while blinded
-    bool sealed = false;    ///< runs are listed, and nothing is said of them
-    bool withShown = false; ///< groups hold runs that were shown, not felt
-    bool anyShown = false;  ///< there are such runs
+    std::vector<database::ParticipantQuality> quality; ///< by participant; also available while blinded
+    bool sealed = false;    ///< runs are listed without any results
+    bool withShown = false; ///< groups include runs that were shown, not felt
+    bool anyShown = false;  ///< such runs exist
 
-    /// The task of a condition; unknown while blind where conditions differ.
+    /// Whether the task of a condition is to rank three objects; unknown, and therefore false, while blind if
+    /// conditions differ.
     bool ranks(std::size_t condition) const { return designed[condition] && psychophysics::ranksThree(designed[condition]->task); }
 };
 
-/// Reads a study and analyses it as exports and reports do (session::analyseStudy), with the study's own seed. Blocking: a worker's task.
-/// Failure: the reader's; badInput.
+/// Reads a study and analyses it like the exports and reports (session::analyseStudy), with the study's own
+/// seed.
+/// Thread: worker; blocks.
+/// Errors: those of the reader; badInput.
 core::Result<StudyFacts> studyFacts(database::StudyReader& reader, database::StudyNumber study, bool withShown = false);
 
 } // namespace chiron::desktop

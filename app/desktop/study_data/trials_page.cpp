@@ -50,7 +50,7 @@ TrialsPageOfRun::TrialsPageOfRun(AppContext& app, const StudyFacts& facts, datab
     column->addWidget(table(*shown));
 }
 
-// Short, so that a window of 1280 pixels holds them in every language; what each means is in its tool tip.
+// The headings are short, so that they fit a window of 1280 pixels in every language; tool tips explain them.
 void TrialsPageOfRun::setHeadings(QTableWidget& shown) {
     shown.setHorizontalHeaderLabels({tr("No."), tr("Difference"), tr("Answer"), tr("Counts"), tr("Time (s)"), tr("Force (N)"), tr("Speed (mm/s)"),
                                      tr("Late ticks"), tr("Deviation")});
@@ -68,7 +68,9 @@ QWidget* TrialsPageOfRun::table(const RunFacts& run) const {
     shown->setObjectName(QStringLiteral("data.trials"));
     shown->setAccessibleName(tr("Trials"));
     setHeadings(*shown);
-    if (theme.scale() < kLargeScale) // its words are the longest: what does not fit is in the tool tip. At a large scale nothing would be left of it: the table scrolls
+    // This column has the longest texts, and its tool tip shows what does not fit; at a large scale nothing
+    // of it would remain, so the table scrolls instead.
+    if (theme.scale() < kLargeScale)
         shown->horizontalHeader()->setSectionResizeMode(countsColumn, QHeaderView::Stretch);
     const std::optional<psychophysics::Condition>& condition = m_facts.designed[run.condition];
     shown->setRowCount(static_cast<int>(run.trials.size()));

@@ -9,7 +9,8 @@ class QTableWidget;
 
 namespace chiron::desktop {
 
-/// Every presentation of a run with its fidelity; what did not count says why. GUI thread; the facts outlive it.
+/// Lists every presentation of a run with its fidelity, and for those that did not count the reason.
+/// Thread: GUI; the facts outlive it.
 class TrialsPageOfRun final : public QWidget {
     Q_OBJECT
 public:

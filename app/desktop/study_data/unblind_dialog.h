@@ -8,11 +8,13 @@ class QLineEdit;
 
 namespace chiron::desktop {
 
-/// Unseals a study's conditions, for a reason, and says who is still to come. GUI thread.
+/// Unseals a study's conditions, for a stated reason, and says how many participants have not finished yet.
+/// Thread: GUI.
 class UnblindDialog final : public FormDialog {
     Q_OBJECT
 public:
-    /// `toCome`: participants whose runs would be conducted by somebody who is no longer blind.
+    /// `toCome`: the number of participants whose remaining runs would be conducted by somebody who is no
+    /// longer blind.
     UnblindDialog(AppContext& context, database::StudyNumber study, int toCome, QWidget* parent);
 
 protected:

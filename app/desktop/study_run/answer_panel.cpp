@@ -40,7 +40,7 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     m_why->setAlignment(Qt::AlignCenter);
     column->addWidget(m_why);
     m_row = new QWidget;
-    auto* row = new FlowLayout(theme.px(12), m_row); // a large scale needs a second line
+    auto* row = new FlowLayout(theme.px(12), m_row); // wraps at a large scale
     switch (task) {
     case Task::rank3:
     case Task::rank3Ties:
@@ -91,7 +91,8 @@ AnswerPanel::AnswerPanel(const Theme& theme, Task task, psychophysics::Attribute
     setOpen(false);
 }
 
-/// The answers are in the middle, as wide as all of them or as there is room. How wide they are is known once they are styled.
+/// Centres the answers at the width of all of them, or of the available space. Their width is known only
+/// after styling.
 void AnswerPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     const QLayout& row = *m_row->layout();
@@ -106,12 +107,14 @@ QString AnswerPanel::question() const { return study_words::question(m_task, m_a
 QPushButton* AnswerPanel::add(const QString& text, const QString& name, const char* kind) {
     auto* button = kit::button(m_theme, text, kind);
     button->setObjectName(name);
-    button->setFont(m_theme.font(m_theme.scale() < kLargeScale ? TextStyle::title : TextStyle::strong)); // large enough, and fewer lines
+    // At a large scale the smaller font is large enough and needs fewer lines.
+    button->setFont(m_theme.font(m_theme.scale() < kLargeScale ? TextStyle::title : TextStyle::strong));
     m_row->layout()->addWidget(button);
     return button;
 }
 
-/// Its number is its name, its key and what stands at it in the scene; where it lies is said for whoever does not see the scene.
+/// The number is the object's name, its key and its label in the scene. The accessible description gives its
+/// position for people who do not see the scene.
 QPushButton* AnswerPanel::addPlace(int place, int places) {
     const QString where = place == 0 ? tr("the left one") : place + 1 == places ? tr("the right one") : tr("the middle one");
     const QString number = QString::number(place + 1);
@@ -142,7 +145,7 @@ void AnswerPanel::buildRanking() {
 
 void AnswerPanel::setOpen(bool open, const QString& why) {
     if (open == m_open && why == m_whyText)
-        return; // asked each frame
+        return; // this is called every frame
     const bool opened = open && !m_open;
     m_open = open;
     m_whyText = why;
@@ -217,7 +220,7 @@ void AnswerPanel::rank(int place) {
         m_order.empty() ? std::int8_t{0} : static_cast<std::int8_t>(m_ranks[static_cast<std::size_t>(m_order.back())] + (m_nextEqual ? 0 : 1));
     m_order.push_back(place);
     setNextEqual(false);
-    if (m_task == Task::rank3 && m_order.size() == 2) // the last one is given
+    if (m_task == Task::rank3 && m_order.size() == 2) // the last rank follows
         rank(3 - m_order[0] - m_order[1]);
     showRanking();
     emit marksChanged();
@@ -230,7 +233,7 @@ void AnswerPanel::takeBack() {
         setNextEqual(false);
     } else {
         m_order.pop_back();
-        if (m_task == Task::rank3 && m_order.size() == 2) // the one that was given
+        if (m_task == Task::rank3 && m_order.size() == 2) // the rank that followed
             m_order.pop_back();
     }
     showRanking();

@@ -16,21 +16,23 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// How a participant answers a task: the question and a button for each answer, all by keys as well (1 2 3, =, Y N, + −, Enter). No value or
-/// name of a condition is in it. GUI thread.
+/// Lets a participant answer a task: the question and a button for each answer, all usable by keyboard (1 2
+/// 3, =, Y N, + −, Enter). It contains no value or name of a condition.
+/// Thread: GUI.
 class AnswerPanel final : public QWidget {
     Q_OBJECT
 public:
     AnswerPanel(const Theme& theme, psychophysics::Task task, psychophysics::Attribute attribute, QWidget* parent = nullptr);
 
-    /// Whether an answer is taken now; where not, `why` says what is missing (may be empty).
+    /// Whether an answer is accepted now; if not, `why` says what is missing (may be empty).
     void setOpen(bool open, const QString& why = {});
-    void clear(); ///< for the next trial
-    /// Keys that answer (Qt::Key); Enter comes by enterKey().
+    void clear(); ///< prepares for the next trial
+    /// The keys that answer (Qt::Key). Enter is passed to enterKey().
     static std::vector<int> keys();
-    bool key(int key); ///< false: not one of them here
+    bool key(int key); ///< false: the key is not used here
     void enterKey();
-    /// What a ranking has so far, for the places ("least" ...; with ties "1 =", ...); empty without one.
+    /// The current ranking as marks for the places ("least" ...; with ties "1 =", ...); empty if the task is
+    /// not a ranking.
     QStringList marks() const;
     QString question() const;
 
@@ -66,10 +68,10 @@ private:
     std::vector<QPushButton*> m_choices;
     QPushButton* m_confirm = nullptr;
     QPushButton* m_back = nullptr;
-    QPushButton* m_equal = nullptr; ///< with ties: the next one feels as the last
+    QPushButton* m_equal = nullptr; ///< with ties: the next object feels the same as the last
     QLineEdit* m_number = nullptr;
     std::vector<int> m_order; ///< ranking: places from least to most, so far
-    psychophysics::Ranking m_ranks{}; ///< of those places
+    psychophysics::Ranking m_ranks{}; ///< ranks of those places
     bool m_nextEqual = false;
 };
 

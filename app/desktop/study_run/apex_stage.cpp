@@ -36,7 +36,7 @@ QWidget* ApexStage::buildFoot(const Theme& theme) {
     m_mark = kit::button(theme, tr("Here it is (Enter)"), "primary");
     m_mark->setObjectName(QStringLiteral("apex.mark"));
     m_mark->setFont(theme.font(TextStyle::title));
-    m_mark->setFocusPolicy(Qt::NoFocus); // Enter is the screen's
+    m_mark->setFocusPolicy(Qt::NoFocus); // Enter belongs to the screen
     m_mark->setEnabled(false);
     connect(m_mark, &QPushButton::clicked, this, &ApexStage::markAsked);
     column->addWidget(m_mark, 0, Qt::AlignHCenter);
@@ -53,7 +53,8 @@ void ApexStage::show(const haptics::DisplayState& state, bool canMark, const QSt
             m_start_ns = state.now_ns;
         m_drawn = sceneStateOf(state, m_cues, m_start_ns);
         if (!m_cues.object)
-            for (scene3d::ToolView& tool : m_drawn.tool) { // at the surface it would draw the sphere
+            // A tool drawn at the surface would reveal the sphere.
+            for (scene3d::ToolView& tool : m_drawn.tool) {
                 tool.drawnAtSurface = false;
                 tool.p_WProxy = tool.p_WT;
             }

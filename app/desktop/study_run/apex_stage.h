@@ -15,9 +15,10 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// Where a participant looks for an apex: the exercise's own scene, with as much in it as the study lets be seen. Where the sphere is hidden
-/// and nothing is felt, the tool is drawn where the hand is, never at the surface, and force as the exercise's hidden levels show it.
-/// GUI thread.
+/// The view in which a participant searches for an apex: the exercise's own scene, limited to what the study
+/// lets be seen. If the sphere is hidden and no force is felt, the tool is drawn where the hand is, never at
+/// the surface, and force is shown as on the exercise's hidden levels.
+/// Thread: GUI.
 class ApexStage final : public QWidget {
     Q_OBJECT
 public:
@@ -30,9 +31,9 @@ public:
 
     QWidget& area() { return *m_scene->widget(); }
     QObject& source() { return *m_scene->inputSource(); }
-    /// `canMark`: a mark is taken now; `words`: what is missing, or what to do.
+    /// `canMark`: a mark is accepted now. `words`: what is missing, or what to do.
     void show(const haptics::DisplayState& state, bool canMark, const QString& words);
-    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state that was drawn
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state drawn
 
 signals:
     void markAsked();

@@ -41,7 +41,7 @@ void followAskedSitting(AppContext& context, const AskedSitting& asked) {
             QObject::disconnect(*once);
             openAsked(context, asked);
         },
-        Qt::QueuedConnection); // after the home screen
+        Qt::QueuedConnection); // after the home screen has been shown
 }
 
 } // namespace chiron::desktop

@@ -7,13 +7,15 @@
 
 namespace chiron::desktop {
 
-/// Who is to sit down now, as the command line says it: `chiron --study KEY --person CODE`.
+/// The study and participant named on the command line: `chiron --study KEY --person CODE`.
 struct AskedSitting {
     QString study;  ///< key or number
-    QString person; ///< code
+    QString person; ///< the participant's code
 };
 
-/// Once somebody is logged in, goes to that participant's next trial; a study that is not there is said in a message. GUI thread.
+/// Opens that participant's next condition once somebody is logged in. If the study does not exist, a message
+/// says so.
+/// Thread: GUI.
 void followAskedSitting(AppContext& context, const AskedSitting& asked);
 
 } // namespace chiron::desktop

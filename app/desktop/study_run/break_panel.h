@@ -11,18 +11,20 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// What stands in the place of the scene while nothing is explored: instructions, a break with its countdown, the end. GUI thread.
+/// Replaces the scene between trials: instructions, a break with its countdown, the end.
+/// Thread: GUI.
 class BreakPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit BreakPanel(const Theme& theme, QWidget* parent = nullptr);
 
-    /// `action`: what the button says; empty: no button.
+    /// `action` is the label of the button; if it is empty, there is no button.
     void say(const QString& title, const QString& text, const QString& action);
-    /// A countdown of `left_s` of `of_s`; the button waits for its end. Negative: none.
+    /// Shows a countdown of `left_s` out of `of_s` and disables the button until its end. A negative value
+    /// hides it.
     void countDown(double left_s, double of_s);
     void focusButton();
-    /// A second, quiet button below; empty: none. What say() says next has none.
+    /// Shows a second, quiet button below; empty: none. The next say() removes it.
     void offer(const QString& more);
 
 signals:
@@ -30,7 +32,7 @@ signals:
     void moreAsked();
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override; ///< Enter, on the button
+    void keyPressEvent(QKeyEvent* event) override; ///< Enter presses the button
 
 private:
     QLabel* m_title;

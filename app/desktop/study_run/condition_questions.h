@@ -16,12 +16,13 @@ class AppContext;
 class NoticeArea;
 class QuestionnaireForm;
 
-/// What a participant is asked after a condition, on their own page: the questionnaires of it one after the other, each stored as it is submitted.
-/// No name or value of a condition is in it. GUI thread.
+/// Asks the participant, on their own page, the questionnaires that follow a condition, one after the other.
+/// Each is stored when it is submitted. It contains no name or value of a condition.
+/// Thread: GUI.
 class ConditionQuestions final : public QWidget {
     Q_OBJECT
 public:
-    /// The run that was completed, and whose it is.
+    /// The completed run and its participant.
     struct About {
         database::StudyNumber study = 0;
         QString participant; ///< code
@@ -29,11 +30,11 @@ public:
     };
     ConditionQuestions(AppContext& context, const psychophysics::StudyDesign& design, const About& about, QWidget* parent = nullptr);
 
-    /// Whether the design asks anything after each condition.
+    /// Whether the design contains questionnaires to ask after each condition.
     static bool areIn(const psychophysics::StudyDesign& design);
 
 signals:
-    void answered(); ///< all of them
+    void answered(); ///< all questionnaires are answered
 
 private:
     void showNext();
@@ -41,7 +42,7 @@ private:
 
     AppContext& m_context;
     About m_about;
-    std::vector<psychophysics::Questionnaire> m_left; ///< the first is shown
+    std::vector<psychophysics::Questionnaire> m_left; ///< the first one is shown
     QVBoxLayout* m_column = nullptr;
     QWidget* m_page = nullptr;
     QuestionnaireForm* m_form = nullptr;

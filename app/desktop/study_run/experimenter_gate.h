@@ -9,7 +9,8 @@ namespace chiron::desktop {
 
 class FieldNote;
 
-/// Lets the experimenter by, and nobody else: asks for the password of whoever is logged in. GUI thread.
+/// Asks for the password of the logged-in person, so that only the experimenter can continue.
+/// Thread: GUI.
 class ExperimenterGate final : public FormDialog {
     Q_OBJECT
 public:

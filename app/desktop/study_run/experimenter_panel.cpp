@@ -45,7 +45,7 @@ ExperimenterPanel::ExperimenterPanel(const Theme& theme, const QLocale& locale, 
     box.layout->addWidget(m_estimate);
     m_plotHolder = new QVBoxLayout;
     box.layout->addLayout(m_plotHolder, 1);
-    box.layout->addStretch(); // takes the room of the plot until there is one
+    box.layout->addStretch(); // takes the plot's space until there is one
     box.layout->addWidget(kit::rule());
     box.layout->addWidget(m_fidelity);
     m_spoil = add("experimenter.spoil", tr("Discard this trial"), "", "edit-delete");
@@ -94,7 +94,8 @@ void ExperimenterPanel::show(const session::LiveStudyView& view, const session::
 
 QString ExperimenterPanel::fidelityText(const session::LiveStudyNumbers& numbers) const {
     const session::TrialFidelity& trial = numbers.lastFidelity;
-    const bool none = trial.contacts == 0 && !std::isfinite(trial.meanSpeed_m_per_s) && !std::isfinite(trial.duration_s); // in this sitting: others may have been before
+    // This session has no contacts yet; earlier ones may have had some.
+    const bool none = trial.contacts == 0 && !std::isfinite(trial.meanSpeed_m_per_s) && !std::isfinite(trial.duration_s);
     if (m_seen <= 0 || none)
         return tr("The fidelity of each trial will appear here.") + QLatin1Char('\n') + delayText(numbers.limits);
     QStringList words;
@@ -122,7 +123,7 @@ QString ExperimenterPanel::forceText(const session::TrialFidelity& trial) const 
     return words.join(QLatin1Char('\n'));
 }
 
-/// What limits of passive rendering count with.
+/// Describes the delay on which the limits of passive rendering are based.
 QString ExperimenterPanel::delayText(const session::RenderingLimits& limits) const {
     if (!std::isfinite(limits.largestStiffness_N_per_m))
         return tr("Force is shown, not felt, so rendering is not limited.");
@@ -146,7 +147,7 @@ void ExperimenterPanel::takeEstimates(const session::LiveStudyNumbers& numbers, 
     }
 }
 
-/// The marks so far: an interval of one person's would be that of nobody.
+/// Plots the marks so far. It shows no interval, because an interval from one person would describe nobody.
 void ExperimenterPanel::drawApex(const psychophysics::ApexSummary& apex) {
     delete m_plot;
     m_plot = nullptr;

@@ -18,8 +18,9 @@ class PlotView;
 
 namespace chiron::desktop {
 
-/// What the experimenter sees beside the participant's view: how far, the estimate as it settles, how true the last trial was; spoil,
-/// pause, stop. Blind where the study is: sealed codes and no estimate. GUI thread.
+/// The experimenter's view: progress, the developing estimate, and the fidelity of the last trial; with
+/// buttons to spoil a trial, pause and stop. If the study is blind it shows sealed codes and no estimate.
+/// Thread: GUI.
 class ExperimenterPanel final : public QScrollArea {
     Q_OBJECT
 public:
@@ -41,7 +42,7 @@ private:
     QString fidelityText(const session::LiveStudyNumbers& numbers) const;
     QString delayText(const session::RenderingLimits& limits) const;
 
-    /// A procedure's estimate after a trial, as Weber fraction in percent.
+    /// A procedure's estimate after a trial, as a Weber fraction in per cent.
     struct Point {
         double trial = 0.0;
         double weber = 0.0;
@@ -59,11 +60,12 @@ private:
     QPushButton* m_spoil = nullptr;
     QPushButton* m_pause = nullptr;
     QPushButton* m_stop = nullptr;
-    int m_seen = -1; ///< presentations that the panel knows
+    int m_seen = -1; ///< number of presentations already shown
     std::vector<std::vector<Point>> m_points; ///< [procedure]
 };
 
-/// A procedure's first parameter as a Weber fraction: log10 σ by W = 10^(0.954 σ) − 1, a threshold by its scale; NaN for what is neither.
+/// Converts a procedure's first parameter into a Weber fraction: log10 σ by W = 10^(0.954 σ) − 1, a threshold
+/// by its scale; NaN for any other parameter.
 double weberOf(const std::string& parameter, double value, psychophysics::ProcedureScale scale);
 
 } // namespace chiron::desktop

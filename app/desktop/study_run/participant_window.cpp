@@ -47,7 +47,7 @@ QWidget* ParticipantWindow::giveBack() {
     return m_page;
 }
 
-/// The experimenter ends a sitting in the other window.
+/// The experimenter ends the session from the other window.
 void ParticipantWindow::closeEvent(QCloseEvent* event) { event->ignore(); }
 
 } // namespace chiron::desktop

@@ -10,21 +10,22 @@ class QScreen;
 
 namespace chiron::desktop {
 
-/// The participant's window, where the station has a second screen: their page over all of it, and nothing else. Whoever sits there cannot
-/// close it. GUI thread.
+/// The participant's window if the station has a second screen. Their page fills all of that screen. The
+/// participant cannot close it.
+/// Thread: GUI.
 class ParticipantWindow final : public QWidget {
     Q_OBJECT
 public:
-    /// A screen that `window` is not on; null: there is none.
+    /// A screen that `window` is not on; null if there is none.
     static QScreen* otherScreen(const QWidget& window);
 
     ParticipantWindow(const Theme& theme, QScreen& screen, QWidget* parent);
 
-    void take(QWidget* page); ///< shows it
-    QWidget* giveBack();      ///< the page without a parent, and the window is gone from the screen
+    void take(QWidget* page); ///< shows this page
+    QWidget* giveBack();      ///< returns the page without a parent and hides the window
 
 signals:
-    void lost(); ///< its screen was unplugged or switched off
+    void lost(); ///< the window's screen was unplugged or switched off
 
 protected:
     void closeEvent(QCloseEvent* event) override;

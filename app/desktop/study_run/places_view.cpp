@@ -10,19 +10,20 @@ namespace chiron::desktop {
 
 namespace {
 
-// A camera in front of and above the places: enough perspective to tell near from far, not so much that a place looks larger.
-constexpr double kHalfWidth_m = 0.085;  // of W that the width shows at y = 0
-constexpr double kTilt = 0.55;          // how much of y is seen as height
-constexpr double kHorizon_m = 0.9;      // far away: where lines meet
-constexpr double kFloor = 0.62;         // of the height, where y = 0, z = 0 lies
+// A camera in front of and above the places, with enough perspective to distinguish near from far, but not so
+// much that one place looks larger.
+constexpr double kHalfWidth_m = 0.085;  // half of the visible width of W at y = 0
+constexpr double kTilt = 0.55;          // scale of y when it is drawn as height
+constexpr double kHorizon_m = 0.9;      // distance of the vanishing point
+constexpr double kFloor = 0.62;         // height of y = 0, z = 0 as a share of the view
 constexpr double kPadHeight_m = 0.006;
 constexpr double kShaft_m = 0.09;
-constexpr double kFootRadius_m = 0.0102; // of what a tube or an object stands on
+constexpr double kFootRadius_m = 0.0102; // of the foot below a tube or an object
 
 } // namespace
 
 PlacesView::PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent) : QWidget(parent), m_theme(theme), m_setup(setup) {
-    setMinimumSize(theme.px(160), theme.px(60)); // at 200 % the answers need the room more
+    setMinimumSize(theme.px(160), theme.px(60)); // at 200 % the answers need the space more
     setAccessibleName(tr("Objects to explore"));
     setFocusPolicy(Qt::StrongFocus);
 }
@@ -92,7 +93,7 @@ void PlacesView::paintPad(QPainter& painter, double x_m) const {
 
 void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     const double scale = pixelsPerMetre(0.0);
-    const double radius = m_setup.gripRadius_m * scale; // all that is drawn of the ring takes hold
+    const double radius = m_setup.gripRadius_m * scale; // the whole drawn ring can be taken hold of
     const double footRadius = kFootRadius_m * scale;
     const QPointF foot = project(x_m, 0, 0);
     const QPointF rest = project(x_m, 0, m_setup.gripHeight_m);
@@ -112,7 +113,7 @@ void PlacesView::paintHook(QPainter& painter, double x_m, bool held) const {
     painter.drawEllipse(end, radius, radius);
 }
 
-/// The same for all places, small enough for the longest name to stand beside the others: at large scales there is little room.
+/// One font for all places, small enough for the longest name to fit between the others at large scales.
 QFont PlacesView::nameFont(double width_px) const {
     QFont font = m_theme.font(TextStyle::strong);
     double widest = 1.0;
@@ -182,7 +183,7 @@ void PlacesView::paintTool(QPainter& painter) const {
 }
 
 void PlacesView::paintForce(QPainter& painter) const {
-    // Nothing is felt: force is a bar beside the scene, without a number.
+    // No force is felt, so a bar beside the scene shows it, without a number.
     const QRectF bar(width() - m_theme.px(34), m_theme.px(20), m_theme.px(14), height() - m_theme.px(40));
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
     painter.setBrush(m_theme.color(Colour::surface));

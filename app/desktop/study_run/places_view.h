@@ -10,35 +10,38 @@
 
 namespace chiron::desktop {
 
-/// Where objects lie and how a tool comes to them, in W (m).
+/// The positions of the objects, and the geometry for taking hold of them.
+/// Unit: m.
+/// Frame: W (world).
 struct PlacesSetup {
     int places = 3;
     double spacing_m = 0.04;
     double padRadius_m = 0.009;
     double gripHeight_m = 0.03;   ///< simulation::gripZone
     double gripRadius_m = 0.006;
-    bool hooked = false;  ///< taken hold of (a tube, an object) instead of pressed (a pad)
-    bool visible = true;  ///< the objects are drawn; else their places alone
-    QStringList names;    ///< under the places: "1" ...
+    bool hooked = false;  ///< the tool takes hold of it (a tube, an object) instead of pressing it (a pad)
+    bool visible = true;  ///< the objects are drawn; otherwise only their positions
+    QStringList names;    ///< labels below the positions: "1" ...
 };
 
-/// What a participant sees: places that all look alike, the tool, which ones were touched. Nothing drawn depends on a stimulus: objects
-/// do not give way, the tool is drawn at the surface. GUI thread.
+/// The participant's view: positions that all look alike, the tool, and which objects were touched. Nothing
+/// drawn depends on a stimulus: objects do not deform, and the tool is drawn at the surface.
+/// Thread: GUI.
 class PlacesView final : public QWidget {
     Q_OBJECT
 public:
     PlacesView(const Theme& theme, const PlacesSetup& setup, QWidget* parent = nullptr);
 
     struct Now {
-        bool objects = false;       ///< they lie there
-        std::uint32_t touched = 0;  ///< one bit a place
-        int place = -1;             ///< touched now
-        bool feltNothing = false;   ///< the device renders no force: it is shown as a bar
+        bool objects = false;       ///< the objects are present
+        std::uint32_t touched = 0;  ///< one bit per place
+        int place = -1;             ///< the place being touched; -1: none
+        bool feltNothing = false;   ///< the device renders no force, so force is shown as a bar
         double force_N = 0.0;
         double limit_N = 4.0;
     };
     void show(const haptics::DisplayState& state, const Now& now);
-    /// Marks on the places ("1st" of a ranking); empty strings for none.
+    /// Marks at the places ("1st" of a ranking); empty strings for none.
     void setMarks(const QStringList& marks);
 
 protected:

@@ -37,7 +37,7 @@ QString RunScreen::help() const {
 void RunScreen::enter() { load(); }
 
 void RunScreen::load() {
-    m_heard.reset(); // headphones may have come
+    m_heard.reset(); // headphones may have been connected
     m_panel->showLoading(tr("Reading the studies …"),
                          readStudies(context(), this,
                                      [](database::StudyReader& reader) -> core::Result<std::vector<OpenStudy>> {
@@ -163,7 +163,7 @@ void RunScreen::showParticipant() {
     m_holder->addWidget(m_shown);
 }
 
-/// Said here, to the experimenter, because the participant's page is no place for it.
+/// Shown here to the experimenter, because it does not belong on the participant's page.
 QWidget* RunScreen::soundNotice() {
     const ParticipantRow* row = participant();
     if (!study()->design.trial.maskingSound || !row || row->participant.state != database::ParticipantState::consented)
@@ -203,7 +203,8 @@ QWidget* RunScreen::participantBox() {
             if (each.when == when)
                 box.layout->addWidget(questionnaireRow(*row, each));
     };
-    for (const psychophysics::Questionnaire& each : open.design.questionnaires) // of whoever was enrolled without it
+    // These are offered to participants who were enrolled without them.
+    for (const psychophysics::Questionnaire& each : open.design.questionnaires)
         if (each.when == When::enrolment && !open.answered.contains({row->participant.id, each.id}))
             box.layout->addWidget(questionnaireRow(*row, each));
     questionnaires(When::before);
@@ -219,13 +220,14 @@ QWidget* RunScreen::participantBox() {
         const auto run = std::find_if(row->runs.begin(), row->runs.end(), [&](const database::StudyRun& each) {
             return session::labelOf(each) == progress.label && each.state == database::StudyRunState::completed;
         });
-        for (const psychophysics::Questionnaire& each : open.design.questionnaires) // about what was just done: before it is done there is nothing to ask
+        // These are asked only after the condition is completed.
+        for (const psychophysics::Questionnaire& each : open.design.questionnaires)
             if (each.when == When::afterCondition && run != row->runs.end())
                 box.layout->addWidget(questionnaireRow(*row, each, &*run, position));
         ++position;
     }
     questionnaires(When::after);
-    if (!offered) { // no dead end
+    if (!offered) { // always offers a next step
         auto* step = kit::label(theme, nextStepFor(open, *row, context().language()), TextStyle::body);
         step->setObjectName(QStringLiteral("run.next_step"));
         box.layout->addWidget(step);
@@ -234,10 +236,10 @@ QWidget* RunScreen::participantBox() {
     return box.frame;
 }
 
-/// Whoever has just seen somebody off needs the next one, here and not on another page.
+/// Enrolling the next participant must be possible here, without going to another page.
 void RunScreen::addEnrol(QVBoxLayout& layout, bool first) {
     if (study()->summary.state != database::StudyState::frozen)
-        return; // a closed study takes nobody in
+        return; // a closed study accepts no participants
     auto* button = kit::button(context().theme(), participant() ? tr("Enrol the next participant …") : tr("Enrol somebody …"), first ? "primary" : "", QStringLiteral("list-add-user"));
     button->setObjectName(QStringLiteral("run.enrol"));
     connect(button, &QPushButton::clicked, this, &RunScreen::enrol);
@@ -265,7 +267,8 @@ QWidget* RunScreen::conditionRow(const ParticipantRow& row, int position, const 
     auto* line = new QHBoxLayout;
     const std::string& label = progress.label;
     const QString name = conditionName(open, label, context().language());
-    auto* said = new QVBoxLayout; // one under the other: beside each other, what was interrupted breaks into four lines
+    // The texts are stacked, because side by side a text about an interruption would wrap into four lines.
+    auto* said = new QVBoxLayout;
     said->setSpacing(theme.px(2));
     line->addLayout(said, 1);
     said->addWidget(kit::label(theme, tr("%1. %2").arg(context().locale().toString(position + 1), name), TextStyle::strong));

@@ -19,8 +19,10 @@ struct ConditionProgress;
 class StatePanel;
 class Theme;
 
-/// Who takes part next, at what: studies that can be run, participants by code, their conditions in order (by sealed code where the
-/// experimenter is blind) and questionnaires. Place: {study, participant}. GUI thread.
+/// Chooses who takes part next, and in which condition: studies that can be run, participants by code, their
+/// conditions in order (by sealed code if the experimenter is blind) and their questionnaires. The place is
+/// {study, participant}.
+/// Thread: GUI.
 class RunScreen final : public Screen {
     Q_OBJECT
 public:
@@ -35,18 +37,22 @@ private:
     void loaded(core::Result<std::vector<OpenStudy>> studies);
     void build();
     QWidget* choiceBox();
-    /// Where a row has its button, or has none: as wide in every row, so that what stands before it is in line.
+    /// The cell for the button of a row, with or without one. It is equally wide in every row, so that the
+    /// texts before it are aligned.
     static QVBoxLayout* buttonCell(QHBoxLayout& line);
-    QWidget* leftBox(); ///< what was interrupted of the others; null where nothing was
+    QWidget* leftBox(); ///< interrupted runs of the other participants; null if there are none
     QPushButton* resumeButton(const QString& participant, const database::StudyRun& run);
-    QString firstChoice() const; ///< whoever was interrupted last, else the first who still takes part
+    /// The participant who was interrupted last, else the first one who still takes part.
+    QString firstChoice() const;
     QWidget* participantBox();
-    void addEnrol(QVBoxLayout& layout, bool first); ///< `first`: nothing else is left to do here
+    void addEnrol(QVBoxLayout& layout, bool first); ///< `first`: nothing else is left to do on this screen
     void enrol();
     void askConsent(const database::Participant& participant);
-    QWidget* soundNotice(); ///< of a study with masking sound on a machine that plays none; else null
+    /// The notice for a study with masking sound on a computer without sound output; otherwise null.
+    QWidget* soundNotice();
     QWidget* conditionRow(const ParticipantRow& row, int position, const ConditionProgress& progress, bool next);
-    /// `run`: of the condition that is asked about, at `position`; null: asked once.
+    /// `run`: the run of the condition that the questionnaire is about, at `position`; null if it is asked
+    /// once.
     QWidget* questionnaireRow(const ParticipantRow& row, const psychophysics::Questionnaire& questionnaire, const database::StudyRun* run = nullptr, int position = 0);
     void showParticipant();
     const OpenStudy* study() const;
@@ -59,7 +65,7 @@ private:
     QVBoxLayout* m_holder = nullptr;
     QWidget* m_shown = nullptr;
     std::vector<OpenStudy> m_studies;
-    std::optional<bool> m_heard; ///< whether this machine has a sound output; not asked yet
+    std::optional<bool> m_heard; ///< whether this computer has sound output; no value: not yet tested
     database::StudyNumber m_study;
     QString m_participant;
 };

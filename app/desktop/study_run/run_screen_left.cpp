@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was interrupted, and one click to go on with it.
+// Lists interrupted runs, each with a button to resume it.
 #include "desktop/study_run/run_screen.h"
 
 #include "desktop/studies/participant_progress.h"

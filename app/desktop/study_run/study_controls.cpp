@@ -57,7 +57,8 @@ QString answerHow(Task task, Attribute attribute, const StudyHand& hand) {
 } // namespace
 
 bool isTakenHold(Attribute attribute) {
-    return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute)); // in the same order
+    // Both enumerations have the same order.
+    return attribute != Attribute::apex && simulation::isHooked(static_cast<simulation::ComparedAttribute>(attribute));
 }
 
 std::vector<ControlHint> studyControls(Task task, Attribute attribute, const StudyHand& hand) {

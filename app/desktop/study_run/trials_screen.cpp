@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sitting from its instructions to its end. What is shown meanwhile: trials_screen_show.cpp.
+// A study session from its instructions to its end. trials_screen_show.cpp updates the display meanwhile.
 #include "desktop/study_run/trials_screen.h"
 
 #include "desktop/frame/app_context.h"
@@ -32,7 +32,7 @@ using State = session::LiveStudyView::State;
 
 namespace {
 constexpr int kFrame_ms = 16;
-constexpr int kOnePress_ms = 600;      // shorter than the time between two trials, longer than a double press takes
+constexpr int kOnePress_ms = 600;      // shorter than the time between two trials, longer than a double press
 constexpr double kFreeMinute_s = 60.0; // long enough to try every control, short enough not to tire
 
 QString paragraphs(QStringList texts) {
@@ -46,13 +46,13 @@ TrialsScreen::~TrialsScreen() {
     m_keys->setActive(false);
     m_pointer.reset();
     m_hand.reset();
-    m_live.reset(); // ends the sitting; the run stays open
+    m_live.reset(); // ends the session; the run stays open
     context().setTrialRuns(false);
 }
 
 QString TrialsScreen::title() const { return tr("Study"); }
 
-/// Read by participants as well: nothing of it tells more than their own page.
+/// Participants read this as well, so it reveals no more than their own page.
 QString TrialsScreen::help() const {
     return tr("Here a participant explores objects and answers.\n\nMove the tool with the device, or with the mouse; with the mouse, raise and "
               "lower it with the wheel or PageUp and PageDown. T frees the pointer, and a click in the scene captures it again and answers "
@@ -92,18 +92,19 @@ void TrialsScreen::begin() {
     }
     m_live = std::move(*live);
     context().setTrialRuns(true);
-    placePage(); // before the scene is made: it would have to move
+    placePage(); // before the scene is created, which would otherwise have to move
     buildLive();
     connectPointer();
     if (m_live->design().trial.maskingSound)
-        (void)m_sound.open(); // whether it plays is asked all the time: an output may go
+        (void)m_sound.open(); // polled continuously, because an output may disappear
     showSilence();
     m_live->pause(); // nothing is presented until the instructions are read
     showInstructions();
     m_frame.start(kFrame_ms);
 }
 
-/// Whoever has done a part of the study has read all of it before: then it is a short page, and the whole text at a press.
+/// A participant who has completed a part of the study has read the whole text before. They get a short page,
+/// with the whole text one key press away.
 void TrialsScreen::showInstructions() {
     if (m_live->view().firstPart)
         return showWholeInstructions();
@@ -114,11 +115,11 @@ void TrialsScreen::showInstructions() {
     m_break->focusButton();
 }
 
-/// The researcher's own words about this condition; empty: none.
+/// The researcher's own text about this condition; empty if there is none.
 QString TrialsScreen::partText() const { return study_words::text(m_live->condition().instructions, context().language()); }
 
-/// What the design says of it: what is the same, and what may differ. What else a researcher does otherwise (a glove, another hand) the design does not know,
-/// and nothing here denies it.
+/// Describes, from the design, what stays the same and what may differ. The design does not know other
+/// changes that a researcher makes (a glove, another hand), so the text must not exclude them.
 QString TrialsScreen::furtherPartText() const {
     const session::ParticipantView study = session::participantView(m_live->design());
     const auto anyOther = [&](const auto& same) {
@@ -146,7 +147,7 @@ void TrialsScreen::showWholeInstructions() {
     m_break->focusButton();
 }
 
-/// The controls of the device in hand, for the task that comes.
+/// Shows the controls of the present device for the coming task.
 void TrialsScreen::showCard() {
     const psychophysics::Condition& condition = m_live->condition();
     const StudyHand hand{m_live->training().pointer() != nullptr, m_live->training().felt()};
@@ -159,7 +160,7 @@ void TrialsScreen::showCard() {
     facts.limit = hand.felt ? tr("You feel the objects through the device.") : tr("This device renders no force: what a hand would feel is shown beside the scene.");
     facts.clock = m_live->view().tryLeft_s > 0.0 ? tr("First comes a free minute to try the controls. Nothing counts in it, and you can end it at any time.")
                                                  : tr("The trials go on where they were interrupted.");
-    facts.offersPractice = false; // the free minute comes by itself
+    facts.offersPractice = false; // the free minute follows anyway
     m_card = new ReadyCard(context().theme(), facts, ReadyCard::Kind::whole);
     m_card->setToolKeys(studyMovementKeys(hand));
     connect(m_card, &ReadyCard::goAsked, this, &TrialsScreen::go);
@@ -175,9 +176,9 @@ void TrialsScreen::go() {
     m_begun = true;
     m_wentOn.start();
     m_break->say(tr("One moment …"), {}, {});
-    m_stage->setCurrentWidget(m_break); // until the scene is there, which then takes focus and pointer
+    m_stage->setCurrentWidget(m_break); // until the scene is ready, which then takes focus and pointer
     m_card->hide();
-    m_card->deleteLater(); // it is what asked for this
+    m_card->deleteLater(); // deferred, because the card itself requested this
     m_card = nullptr;
     m_live->resume();
 }
@@ -196,7 +197,7 @@ void TrialsScreen::poll() {
         return;
     m_live->poll();
     if (m_live->sessions() != m_sessions) {
-        connectPointer(); // the session before took its pointer along
+        connectPointer(); // the pointer of the previous session was destroyed with it
         if (m_begun && m_stage->currentWidget() == m_trial)
             capturePointer();
     }
@@ -246,8 +247,9 @@ void TrialsScreen::onBreakButton() {
 
 bool TrialsScreen::isPage() const { return m_page->isVisible() && (m_stage->currentWidget() == m_break || (m_card && m_stage->currentWidget() == m_card)); }
 
-/// A key that comes with the page was meant for what was there before it, and a second press for the page before: neither answers anything.
-/// Where the experimenter is to come, or force was taken away, going on is not the only thing to do.
+/// A key press within kOnePress_ms after a page appears was meant for the previous view, and a second press
+/// for the previous page; both are ignored. If the experimenter must come, or force was removed, continuing
+/// is not the only possible action.
 bool TrialsScreen::goOnByKey() {
     if (m_wentOn.isValid() && m_wentOn.elapsed() < kOnePress_ms)
         return true;
@@ -275,16 +277,17 @@ void TrialsScreen::answer(int answer, std::optional<double> value) {
 
 void TrialsScreen::mark() {
     if (running() && m_apex && m_live->view().canAnswer)
-        (void)m_live->answer(0); // where none is taken any more, the trial has just ended
+        (void)m_live->answer(0); // if no answer is accepted any more, the trial has just ended
 }
 
 void TrialsScreen::pauseOrResume() {
     if (!running() || !m_begun || m_live->view().state == State::stopped)
-        return; // that takes R; and before it has begun, the card
+        return; // when stopped, R is needed; before the start, the card
     m_live->view().state == State::paused ? m_live->resume() : m_live->pause();
 }
 
-/// While the instructions are read nothing is rendered; and who has stopped force already wants more.
+/// Nothing is rendered while the instructions are read, so Esc asks to stop the session there. It also does
+/// so if force has already been stopped.
 void TrialsScreen::stopForce() {
     if (!running())
         return;
@@ -314,7 +317,7 @@ void TrialsScreen::capturePointer() {
 void TrialsScreen::askToStop() {
     if (!running() || m_asking)
         return;
-    if (isPilot()) { // nothing of it is missed
+    if (isPilot()) { // nothing is lost
         m_live->stop();
         return;
     }
@@ -353,7 +356,7 @@ void TrialsScreen::fail(const core::Error& error) {
     m_panel->showError(tr("The session could not be run"), error, [this] { leave(); }, Tried::saving);
 }
 
-/// No failure: another device, or another study, is what it takes.
+/// This is not an error: it takes another device or another study.
 void TrialsScreen::refuse(const QString& words) {
     over();
     m_panel->showEmpty(tr("Not possible with this device"), words, tr("Back to the participant"), [this] { leave(); });

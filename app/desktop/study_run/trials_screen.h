@@ -31,12 +31,15 @@ class PlacesView;
 class ReadyCard;
 class StatePanel;
 
-/// One sitting of one participant at one condition. The participant's page (no value, level, condition or estimate: places to compare, or the
-/// scene in which an apex is looked for) fills a window of its own where there is a second screen, and the experimenter's desk this one; with
-/// one screen the page fills this window, and the desk comes in its place for the experimenter alone: where the study blinds anybody with
-/// their password. Each trial is stored as it is answered; leaving keeps the run, which is resumed at the trial. Place: {study, participant,
-/// condition}; without a condition the participant's next one; with "one_screen" true a second screen is left alone; "free_minute_s" is another length of the
-/// free minute. GUI thread.
+/// One session of one participant in one condition of a study. The participant's page shows no value, level,
+/// condition or estimate: only the places to compare, or the scene of the apex search. With a second screen
+/// the page fills a window there, and the experimenter's desk is in this window. With one screen the page
+/// fills this window; the desk replaces it for the experimenter only, and if the study blinds anybody, only
+/// with their password. Each trial is stored when it is answered. Leaving the screen keeps the run, which
+/// resumes at the same trial. The place is {study, participant, condition}; without a condition it is the
+/// participant's next one. "one_screen": true ignores a second screen; "free_minute_s" changes the length of
+/// the free minute.
+/// Thread: GUI.
 class TrialsScreen final : public Screen {
     Q_OBJECT
 public:
@@ -50,14 +53,16 @@ public:
     bool isBusy() const override { return running(); }
     std::vector<ScreenCommand> commands() override;
 
-    session::LiveSitting* live() const { return m_live.get(); } ///< null before it begins
-    bool atDesk() const; ///< the experimenter's desk is in this window
+    session::LiveSitting* live() const { return m_live.get(); } ///< null before it starts
+    bool atDesk() const; ///< whether the experimenter's desk is in this window
     ParticipantWindow* participantWindow() const { return m_window; } ///< null with one screen
 
-    /// Why the device is not taken, in the language of the program; empty where it is refused for something else.
+    /// Why the device is not accepted, in the program's language; empty if the session was refused for
+    /// another reason.
     static QString refusalWords(const session::SittingError& error, const QLocale& locale);
 
-    /// Why a trial does not count, as a participant is told it; whether an answer was right is not in it. `pulls`: objects are taken hold of.
+    /// The participant's explanation why a trial does not count. It does not reveal whether the answer was
+    /// right. `pulls`: objects are held and pulled.
     static QString repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale);
 
 private:
@@ -67,14 +72,14 @@ private:
     QWidget* buildHead();
     QWidget* buildStage();
     QWidget* buildStrip();
-    void buildLive(); ///< what depends on the task, once it is known
+    void buildLive(); ///< the parts that depend on the task, once it is known
     void buildPlaces();
     void buildApex();
     void buildKeys();
     void toolKey(int key, bool down);
     void connectPointer();
-    QWidget& area();   ///< of the scene
-    QObject& source(); ///< of its mouse and keys
+    QWidget& area();   ///< area of the scene
+    QObject& source(); ///< source of the scene's mouse and key events
 
     // trials_screen_show.cpp
     void showState(const session::LiveStudyView& view);
@@ -84,25 +89,28 @@ private:
     QString apexWords(const session::LiveStudyView& view) const;
     QString stoppedText() const;
     QString triedText() const;
-    QString trialText(const session::LiveStudyView& view) const; ///< "Trial 3 of 12"; nothing of how the procedure stands
+    /// "Trial 3 of 12"; does not reveal the state of the procedure.
+    QString trialText(const session::LiveStudyView& view) const;
     QString repeatedText(const session::LiveStudyView& view) const;
     QString comesAgainText() const;
 
     void showStrip(const session::LiveStudyView& view);
     void hearMasking(bool scene);
-    void showSilence(); ///< to the experimenter alone
+    void showSilence(); ///< visible to the experimenter only
 
-    // trials_screen_desk.cpp: who sees what, and who may go on
+    // trials_screen_desk.cpp: who sees what, and who may continue
     void placePage();
-    void bringBack(); ///< the participant's screen is gone
+    void bringBack(); ///< the participant's screen has disappeared
     bool guarded() const;
     bool isPilot() const { return m_live && !m_live->design().pilotOf.empty(); }
     void callExperimenter(std::function<void()> then);
     void showDesk();
     void showPage();
-    void askQuestions(const QString& what); ///< what the study asks after each condition, on the participant's page; showEnd() follows
+    /// Asks the questionnaires after the condition, on the participant's page; showEnd() follows.
+    void askQuestions(const QString& what);
     void showEnd(const QString& what);
-    void clearHead(const QString& note); ///< of what only belongs to a sitting; the experimenter may go on
+    /// Removes what is only needed during the session; the experimenter may leave.
+    void clearHead(const QString& note);
     void leave();
 
     // trials_screen.cpp
@@ -113,13 +121,15 @@ private:
     QString furtherPartText() const;
     void showCard();
     void go();
-    void stripAction(); ///< the free minute, or the feedback of practice, was long enough
+    void stripAction(); ///< ends the free minute, or the feedback of practice, early
     void poll();
     void onBreakButton();
-    bool goOnByKey(); ///< Enter or Space, on a page where going on is the only thing to do; false where the key means something else
-    bool isPage() const; ///< something to read, no trial
+    /// Enter or Space on a page where continuing is the only action. Returns false if the key has another
+    /// meaning.
+    bool goOnByKey();
+    bool isPage() const; ///< a page to read, not a trial
     void answer(int answer, std::optional<double> value);
-    void mark(); ///< "here it is", of an apex
+    void mark(); ///< marks the apex ("here it is")
     void pauseOrResume();
     void stopForce();
     void rearm();
@@ -137,48 +147,51 @@ private:
     std::string m_condition;
     database::StudyNumber m_study;
     StatePanel* m_panel = nullptr;
-    QStackedWidget* m_faces = nullptr; ///< of this window: the participant's page, the experimenter's desk
+    /// Pages of this window: the participant's page, the experimenter's desk.
+    QStackedWidget* m_faces = nullptr;
     QWidget* m_page = nullptr;
     QWidget* m_desk = nullptr;
     ParticipantWindow* m_window = nullptr;
     QLabel* m_deskNote = nullptr;
-    QWidget* m_noSound = nullptr; ///< at the desk: masking sound is asked for and not heard
+    QWidget* m_noSound = nullptr; ///< at the desk: masking sound is required but not audible
     QPushButton* m_toPage = nullptr;
     QPushButton* m_leave = nullptr;
     ReadyCard* m_card = nullptr;
     QLabel* m_strip = nullptr;
-    QLabel* m_repeated = nullptr; ///< why the trial before did not count; empty where it did
+    QLabel* m_repeated = nullptr; ///< why the previous trial did not count; empty if it did
     QPushButton* m_takeBack = nullptr;
     QPushButton* m_enough = nullptr;
     QStackedWidget* m_stage = nullptr;
     BreakPanel* m_break = nullptr;
-    ConditionQuestions* m_questions = nullptr; ///< null until a condition is done after which something is asked
+    /// Null until a condition with questions after it is completed.
+    ConditionQuestions* m_questions = nullptr;
     QWidget* m_trial = nullptr;
-    PlacesView* m_places = nullptr;   ///< null where an apex is looked for
-    AnswerPanel* m_answers = nullptr; ///< as m_places
-    ApexStage* m_apex = nullptr;      ///< null where places are compared
+    PlacesView* m_places = nullptr;   ///< null for an apex search
+    AnswerPanel* m_answers = nullptr; ///< null for an apex search
+    ApexStage* m_apex = nullptr;      ///< null if places are compared
     QLabel* m_note = nullptr;
     QProgressBar* m_progress = nullptr;
     QProgressBar* m_time = nullptr;
     ExperimenterPanel* m_experimenter = nullptr;
-    QPushButton* m_call = nullptr; ///< the experimenter, from the participant's page
+    QPushButton* m_call = nullptr; ///< calls the experimenter from the participant's page
     QPushButton* m_stop = nullptr;
     KeyFilter* m_keys = nullptr;
     SoundCuePlayer m_sound{4.0};
     bool m_masking = true;
-    bool m_released = false;  ///< the experimenter goes on elsewhere
-    bool m_gate = false;      ///< their password is asked for
-    QString m_ended;          ///< what became of the sitting, for the experimenter
+    bool m_released = false;  ///< the experimenter has left for another screen
+    bool m_gate = false;      ///< the experimenter's password is being asked for
+    QString m_ended;          ///< result of the session, for the experimenter
     bool m_completed = false;
     bool m_over = false;
     bool m_asking = false;
-    bool m_begun = false; ///< the instructions were read
+    bool m_begun = false; ///< the instructions have been read
     session::LiveStudyView::State m_state = session::LiveStudyView::State::starting;
-    QElapsedTimer m_pageCame; ///< by itself, where something else was at hand
-    QElapsedTimer m_wentOn;   ///< by a key
+    /// Time since a page appeared without a key press, while the participant was doing something else.
+    QElapsedTimer m_pageCame;
+    QElapsedTimer m_wentOn;   ///< time since a key press continued
     QTimer m_frame;
     std::unique_ptr<session::LiveSitting> m_live;
-    int m_sessions = 0; ///< whose pointer is connected
+    int m_sessions = 0; ///< session whose pointer is connected
     std::unique_ptr<HandControl> m_hand;
     std::unique_ptr<ScenePointer> m_pointer;
 };

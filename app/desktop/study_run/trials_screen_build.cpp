@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a sitting's screen, its keys and pointer.
+// Builds the screen of a study session, its keys and its pointer.
 #include "desktop/study_run/trials_screen.h"
 
 #include "catalogue/exercise.h"
@@ -61,7 +61,7 @@ void TrialsScreen::buildPage() {
     m_faces->addWidget(m_page);
 }
 
-/// The experimenter's: nothing of it is ever on the participant's page.
+/// Builds the experimenter's desk. Nothing of it ever appears on the participant's page.
 void TrialsScreen::buildDesk() {
     const Theme& theme = context().theme();
     m_desk = new QWidget;
@@ -124,7 +124,7 @@ QWidget* TrialsScreen::buildHead() {
     m_progress->setToolTip(tr("Progress of this part"));
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 100);
-    m_progress->setMinimumWidth(theme.px(40)); // it gives way before a button's words do
+    m_progress->setMinimumWidth(theme.px(40)); // it shrinks before a button's text does
     row->addWidget(m_progress, 2);
     m_call = kit::button(theme, tr("Experimenter …"), "quiet", QStringLiteral("system-lock-screen"));
     m_call->setObjectName(QStringLiteral("trials.experimenter"));
@@ -152,13 +152,15 @@ QWidget* TrialsScreen::buildStage() {
     column->addWidget(buildStrip());
     m_repeated = kit::label(theme, {}, TextStyle::body, "warning");
     m_repeated->setObjectName(QStringLiteral("trials.repeated"));
-    m_repeated->setMinimumHeight(m_repeated->fontMetrics().height()); // its room is there while it is empty: nothing moves
+    // The label reserves its height while it is empty, so that nothing moves.
+    m_repeated->setMinimumHeight(m_repeated->fontMetrics().height());
     column->addWidget(m_repeated);
     m_stage->addWidget(m_trial);
     return m_stage;
 }
 
-/// Above the scene: what a participant is told, the time, and what they may do. Everything keeps its room, so that nothing moves.
+/// The strip above the scene: messages to the participant, the time, and their actions. Everything reserves
+/// its space, so that nothing moves.
 QWidget* TrialsScreen::buildStrip() {
     const Theme& theme = context().theme();
     auto* strip = new QWidget;
@@ -183,7 +185,7 @@ QWidget* TrialsScreen::buildStrip() {
     row->addWidget(m_time, 1);
     m_takeBack = kit::button(theme, tr("Take back (⌫)"), "");
     m_takeBack->setObjectName(QStringLiteral("trials.take_back"));
-    m_takeBack->setFocusPolicy(Qt::NoFocus); // keys are the screen's
+    m_takeBack->setFocusPolicy(Qt::NoFocus); // keys belong to the screen
     connect(m_takeBack, &QPushButton::clicked, this, [this] {
         if (running())
             m_live->takeBack();
@@ -247,17 +249,18 @@ void TrialsScreen::buildPlaces() {
 }
 
 void TrialsScreen::buildKeys() {
-    m_keys = new KeyFilter(*m_page); // wherever the page is: keys typed at the desk are no answers
+    // The filter follows the page to any window, because keys typed at the desk are not answers.
+    m_keys = new KeyFilter(*m_page);
     connect(m_keys, &KeyFilter::stopAsked, this, &TrialsScreen::stopForce);
     connect(m_keys, &KeyFilter::pauseAsked, this, [this] {
         if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isPage())
-            button->click(); // Space, as Enter, on the button that has the focus
+            button->click(); // Space presses the focused button, like Enter
         else if (!goOnByKey())
             pauseOrResume();
     });
     connect(m_keys, &KeyFilter::rearmAsked, this, &TrialsScreen::rearm);
     connect(m_keys, &KeyFilter::markAsked, this, [this] {
-        if (!m_page->isVisible() || goOnByKey()) // keys at the desk are no answers
+        if (!m_page->isVisible() || goOnByKey()) // keys at the desk are not answers
             return;
         if (!m_enough->isHidden())
             stripAction();
@@ -279,7 +282,7 @@ void TrialsScreen::toolKey(int key, bool down) {
             key == Qt::Key_T ? freePointer() : toggleExperimenter();
         return;
     }
-    if (m_card) { // a first movement
+    if (m_card) { // the first movement starts
         const std::vector<int> movements = studyMovementKeys({m_live->training().pointer() != nullptr, m_live->training().felt()});
         if (down && std::find(movements.begin(), movements.end(), key) != movements.end())
             go();
@@ -309,7 +312,8 @@ void TrialsScreen::connectPointer() {
             keys.push_back(key);
         m_pointer = std::make_unique<ScenePointer>(*m_hand, source(), area());
         connect(m_pointer.get(), &ScenePointer::marked, this, [this] {
-            if (m_apex && m_live->view().canAnswer) // a click on an object answers nothing, and one that comes too early is no mark
+            // Clicking an object is not an answer, and an early click is not a mark.
+            if (m_apex && m_live->view().canAnswer)
                 m_hand->click();
         });
         connect(m_pointer.get(), &ScenePointer::captureAsked, this, &TrialsScreen::capturePointer);

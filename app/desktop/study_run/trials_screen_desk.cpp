@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who sees what of a sitting: the participant's page and the experimenter's desk, and the way from one to the other.
+// The participant's page and the experimenter's desk in a study session: who sees which of them, and the
+// changes between them.
 #include "desktop/studies/study_screen.h"
 #include "desktop/study_run/trials_screen.h"
 
@@ -20,7 +21,7 @@ namespace chiron::desktop {
 
 bool TrialsScreen::atDesk() const { return m_window || m_faces->currentWidget() == m_desk; }
 
-/// Where a second screen is, the participant sits before it; the desk stays here.
+/// If there is a second screen, the participant sits in front of it; the desk stays here.
 void TrialsScreen::placePage() {
     QScreen* second = place().parameters.value(QStringLiteral("one_screen")).toBool() ? nullptr : ParticipantWindow::otherScreen(*this);
     if (!second)
@@ -52,9 +53,10 @@ void TrialsScreen::bringBack() {
                            "in this window now."));
 }
 
-/// Whether the experimenter has to show who they are before anybody sees the desk or goes on.
+/// Whether the experimenter must identify themselves before anybody sees the desk or continues.
 bool TrialsScreen::guarded() const {
-    return m_live && !isPilot() && (m_live->design().blindParticipant || m_live->design().blindExperimenter); // a pilot is its author's own, and no data
+    // A pilot belongs to its author and produces no data.
+    return m_live && !isPilot() && (m_live->design().blindParticipant || m_live->design().blindExperimenter);
 }
 
 void TrialsScreen::callExperimenter(std::function<void()> then) {
@@ -94,10 +96,10 @@ void TrialsScreen::showPage() {
     m_break->focusButton();
 }
 
-/// F2 and "Experimenter …".
+/// Handles F2 and "Experimenter …".
 void TrialsScreen::toggleExperimenter() {
     if (m_window)
-        return; // it is there all the time
+        return; // the desk is always visible
     if (atDesk())
         showPage();
     else if (m_over)
@@ -126,7 +128,7 @@ void TrialsScreen::clearHead(const QString& note) {
     m_deskNote->setText(note);
 }
 
-/// The same for everybody, whatever became of the sitting.
+/// Looks the same for everybody, whatever the result of the session.
 void TrialsScreen::showEnd(const QString& what) {
     m_ended = what;
     m_panel->showContent();
@@ -149,7 +151,8 @@ void TrialsScreen::leave() {
         context().messages().done(m_ended);
     else if (!m_ended.isEmpty())
         context().messages().information(m_ended);
-    if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) { // a pilot goes back to the design that was tried
+    // A pilot returns to the design that was tried.
+    if (const QVariant draft = place().parameters.value(QStringLiteral("pilot_of")); draft.isValid()) {
         context().navigator().replace({QStringLiteral("study"), {{QStringLiteral("study"), draft}, {QStringLiteral("tab"), int(StudyScreen::checkTab)}}});
         return;
     }
@@ -158,7 +161,7 @@ void TrialsScreen::leave() {
 
 bool TrialsScreen::mayLeave() {
     if (m_released || !m_live || m_panel->state() != StatePanel::State::content)
-        return true; // it never began: the experimenter is still there
+        return true; // it never started, so the experimenter is still there
     if (!atDesk() && guarded()) {
         callExperimenter([this] { m_over ? leave() : showDesk(); });
         return false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a participant sees of a sitting, frame by frame: the objects, a break, why no answer is taken.
+// Updates what a participant sees of a study session in each frame: the objects, a break, the reason why no
+// answer is accepted.
 #include "desktop/study_run/trials_screen.h"
 
 #include "desktop/frame/app_context.h"
@@ -24,7 +25,7 @@ namespace chiron::desktop {
 using State = session::LiveStudyView::State;
 
 namespace {
-constexpr int kFreeMinuteEnds_s = 10; // told so long before: time to finish what is at hand
+constexpr int kFreeMinuteEnds_s = 10; // announced this long before the end, to finish the current action
 }
 
 void TrialsScreen::showState(const session::LiveStudyView& view) {
@@ -41,7 +42,8 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
     if (scene) {
         if (m_stage->currentWidget() != m_trial) {
             m_stage->setCurrentWidget(m_trial);
-            area().setFocus(Qt::OtherFocusReason); // Enter answers, and presses no button that was left behind
+            // Enter answers, and cannot press a button that had the focus.
+            area().setFocus(Qt::OtherFocusReason);
             capturePointer();
         }
         showScene(view);
@@ -53,7 +55,8 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         }
         showBreak(view);
         if (comes && view.state != State::paused)
-            m_page->setFocus(Qt::OtherFocusReason); // it came by itself: a key that was meant for the trial presses no button
+            // The page appeared by itself, and a key meant for the trial must press no button.
+            m_page->setFocus(Qt::OtherFocusReason);
     }
     m_keys->setHeld(!scene);
     hearMasking(scene);
@@ -61,7 +64,7 @@ void TrialsScreen::showState(const session::LiveStudyView& view) {
         m_answers->clear();
 }
 
-/// Masking noise, and what the run says of it.
+/// Plays the masking noise, and records in the run whether it was audible.
 void TrialsScreen::hearMasking(bool scene) {
     using session::TrialCircumstances;
     const bool wanted = m_masking && m_live->design().trial.maskingSound;
@@ -72,9 +75,10 @@ void TrialsScreen::hearMasking(bool scene) {
 
 void TrialsScreen::showSilence() { m_noSound->setVisible(m_live->design().trial.maskingSound && !m_sound.works()); }
 
-/// How many trials there are is known, or at most; a staircase's state is not in it.
+/// Gives the number of trials, exact or at most, but not the state of a staircase.
 QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
-    if (view.state == State::feedback || (view.ofAtMost > 0 && view.trial >= view.ofAtMost)) // of the one that was just answered; it was the last
+    // The strip keeps the text of the trial that was just answered, or of the last one.
+    if (view.state == State::feedback || (view.ofAtMost > 0 && view.trial >= view.ofAtMost))
         return m_strip->text();
     const QLocale locale = context().locale();
     const QString number = locale.toString(view.trial + 1);
@@ -83,7 +87,7 @@ QString TrialsScreen::trialText(const session::LiveStudyView& view) const {
     return view.ofAtMost <= 0 ? tr("Trial %1").arg(number) : fixed ? tr("Trial %1 of %2").arg(number, most) : tr("Trial %1 of at most %2").arg(number, most);
 }
 
-/// The free minute, and the feedback of practice.
+/// Updates the strip for the free minute and the feedback of practice.
 void TrialsScreen::showStrip(const session::LiveStudyView& view) {
     const bool trying = view.state == State::trying;
     const int left_s = static_cast<int>(std::ceil(view.tryLeft_s));
@@ -103,7 +107,7 @@ void TrialsScreen::showStrip(const session::LiveStudyView& view) {
         m_time->setValue(static_cast<int>(std::lround(100.0 * view.timeLeft_s / most_s)));
 }
 
-/// Names of the objects of `places`, one bit each.
+/// Names of the objects in `places`, one bit per place.
 static QString namesOfPlaces(const session::LiveStudyView& view, std::uint32_t places) {
     const QStringList names = AnswerPanel::placeNames(view.places);
     QStringList said;
@@ -113,10 +117,11 @@ static QString namesOfPlaces(const session::LiveStudyView& view, std::uint32_t p
     return said.join(QStringLiteral(", "));
 }
 
-/// What is missing: names of the objects that were not touched yet.
+/// Names of the objects that have not been touched yet.
 static QString missingObjects(const session::LiveStudyView& view) { return namesOfPlaces(view, ~view.touched); }
 
-/// Of objects that were only grazed, or are held without being pulled yet: that more force is needed. How much an object gives way for it is not told.
+/// Says that objects that were only grazed, or are held without being pulled, need more force. It does not
+/// say how far an object yields to that force.
 static QString harderWords(const session::LiveStudyView& view, bool pulls, const QLocale& locale) {
     const std::uint32_t light = view.grazed & ~view.touched;
     const std::uint32_t here = view.place >= 0 ? light & (1U << view.place) : light;
@@ -134,19 +139,21 @@ static QString untouchedWords(double probe_N, const QLocale& locale) {
                          : TrialsScreen::tr("Not every object was touched in time.");
 }
 
-/// What the hand has to do otherwise. `pulls`: objects are taken hold of.
+/// Tells the participant how to move differently. `pulls`: objects are held and pulled.
 static QString handWords(const std::string& did, bool pulls) {
     if (did == "speed")
         return TrialsScreen::tr("You moved too fast. Move more slowly.");
     return pulls ? TrialsScreen::tr("You pulled too hard. Pull more gently.") : TrialsScreen::tr("You pressed too hard. Press more gently.");
 }
 
-/// Where the procedure goes from answer to answer the same objects come at once; a list is gone on with, and has them later.
+/// A procedure that depends on each answer repeats the same objects at once; a list continues and repeats
+/// them later.
 QString TrialsScreen::comesAgainText() const {
     return m_apex || session::trialsAreFixed(m_live->condition()) ? tr("It comes again later.") : tr("The same objects come again.");
 }
 
-/// A participant is told the kind of reason: what they can mend, or that it was not their doing. Which limit was passed is the experimenter's to read.
+/// A participant learns only the kind of reason: what they can do differently, or that it was not their
+/// fault. The experimenter's view names the exceeded limit.
 QString TrialsScreen::repeatedWords(const std::string& reason, bool pulls, double probe_N, const QLocale& locale) {
     if (reason == "untouched")
         return untouchedWords(probe_N, locale);
@@ -171,7 +178,7 @@ QString TrialsScreen::whyNoAnswer(const session::LiveStudyView& view) const {
     case State::trying:
         return tr("The answers are here. They are taken once the trials begin.");
     case State::coming:
-        if (!repeatedText(view).isEmpty()) // the line above says what became of them
+        if (!repeatedText(view).isEmpty()) // the line above says what happened to the previous ones
             return tr("The next objects are coming. Lift the tool off.");
         if (!view.hand.empty())
             return tr("%1 These objects come again. Lift the tool off.").arg(handWords(view.hand, isTakenHold(m_live->condition().stimulus.attribute)));
@@ -229,7 +236,7 @@ void TrialsScreen::showScene(const session::LiveStudyView& view) {
     m_answers->setOpen(view.canAnswer, whyNoAnswer(view));
 }
 
-/// Why the supervisor took force away, where nobody stopped it.
+/// Why the supervisor removed force although nobody stopped it.
 QString TrialsScreen::stoppedText() const {
     const haptics::DisplayState& state = m_live->training().display().latest();
     const QString kept = tr("The clock stands still and everything so far is kept. Press R to go on, or Esc to stop the session.");
@@ -238,7 +245,7 @@ QString TrialsScreen::stoppedText() const {
     return forceWords(state, {}, context().locale()).title + QLatin1Char('\n') + kept;
 }
 
-/// What comes after the free minute.
+/// Explains what follows the free minute.
 QString TrialsScreen::triedText() const {
     return m_live->design().trial.practiceTrials > 0
                ? tr("What you tried does not count. Practice trials come next, and they do not count either; after them every answer counts. Press Continue when you are ready.")

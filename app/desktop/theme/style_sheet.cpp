@@ -9,9 +9,9 @@ namespace chiron::desktop {
 
 namespace {
 
-// @name is a colour of the theme, #12# a length at 100 %, #12-# that length less one pixel. Widgets say what they are by the property "kind".
-// A border of 2 pixels instead of 1 takes its pixel from the padding, so that what gets the focus is as large as it was: layouts are not made
-// anew for it.
+// In the sheet, @name is a colour of the theme, #12# a length at 100 %, #12-# that length minus one pixel.
+// Widgets set the property "kind" to select their style. A border of 2 pixels instead of 1 takes the extra
+// pixel from the padding, so that a focused widget keeps its size and no layout has to be recalculated.
 constexpr const char* kSheet = R"(
 QMainWindow, QDialog, QWidget[kind="page"] { background: @window; }
 QScrollArea, QScrollArea > QWidget > QWidget[kind="page"] { background: @window; border: none; }
@@ -155,7 +155,7 @@ QString Theme::styleSheet() const {
     const auto drawing = [this](Colour ink) { return color(ink).lightness() > 128 ? QStringLiteral("light") : QStringLiteral("dark"); };
     sheet.replace(QStringLiteral("%INK%"), drawing(Colour::text));
     sheet.replace(QStringLiteral("%ONACCENT%"), drawing(Colour::accentText));
-    // Longer names first, so that @accent does not eat the beginning of @accentSoft.
+    // Longer names come first, so that @accent does not replace the beginning of @accentSoft.
     std::vector<std::pair<QString, QColor>> names;
 #define CHIRON_COLOUR(role) names.emplace_back(QStringLiteral("@" #role), color(Colour::role));
     CHIRON_THEME_COLOURS(CHIRON_COLOUR)

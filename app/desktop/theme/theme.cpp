@@ -6,8 +6,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-/// The tokens are part of a static library, whose resources the linker leaves out unless they are asked for. Global, as the
-/// macro wants it.
+/// The tokens are part of a static library, and the linker leaves out its resources unless they are
+/// requested. The macro requires a function in the global namespace.
 static void initialiseDesktopResources() {
     Q_INIT_RESOURCE(desktop);
 }

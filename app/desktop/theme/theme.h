@@ -14,13 +14,15 @@
 
 namespace chiron::desktop {
 
-/// Colours, fonts and measures of one theme at one scale, all from resources/theme/tokens.json. A value that does not
-/// change: another theme or scale is another Theme, and the window is built anew with it. GUI thread.
+/// Colours, fonts and lengths of one theme at one scale, all from resources/theme/tokens.json. The value is
+/// immutable: another theme or scale is another Theme, with which the window is rebuilt.
+/// Thread: GUI.
 class Theme {
 public:
-    /// Failure (badInput): the token file lacks a name or holds a bad value; the message names it.
+    /// Loads a theme from the token file.
+    /// Errors: badInput if the file lacks a name or holds a bad value; the message names it.
     static core::Result<Theme> load(ThemeName name, double scale);
-    /// The same from other bytes (tests).
+    /// The same from other JSON text (for tests).
     static core::Result<Theme> fromJson(const QByteArray& json, ThemeName name, double scale);
 
     ThemeName name() const noexcept { return m_name; }
@@ -28,16 +30,18 @@ public:
     bool isDark() const { return color(Colour::window).lightness() < 128; }
     QColor color(Colour role) const { return m_colours[static_cast<std::size_t>(role)]; }
     QFont font(TextStyle style) const;
-    /// Logical pixels of 100 % in this scale: every length on the screen goes through here.
+    /// Converts logical pixels at 100 % into this scale. Every length on the screen is converted here.
     int px(double at100Percent) const { return qRound(at100Percent * m_scale); }
     int controlHeight() const { return px(m_control_px); } ///< of a button or field
     int radius() const { return px(m_radius_px); }
 
-    /// A Breeze icon by name, in this theme's ink (or the colour given). Never null: an icon that is missing is a plain dot.
+    /// A Breeze icon by name, in this theme's text colour or the given one. Never null: a missing icon is
+    /// drawn as a plain dot.
     QIcon icon(const QString& name, Colour ink = Colour::text) const;
 
     QPalette palette() const;
-    /// The style sheet of every widget; screens need none of their own (widgets take dynamic properties, see README).
+    /// The style sheet for all widgets. Screens need none of their own (widgets take dynamic properties, see
+    /// README).
     QString styleSheet() const;
 
 private:

@@ -3,7 +3,7 @@
 
 namespace chiron::desktop {
 
-/// The roles that a colour can have; a theme of tokens.json names each of them, by the same name.
+/// The roles of colours. Each theme in tokens.json defines all of them by the same names.
 #define CHIRON_THEME_COLOURS(X)                                                                              \
     X(window) X(surface) X(raised) X(sidebar) X(sidebarText) X(sidebarActive) X(border) X(borderStrong)      \
     X(text) X(muted) X(accent) X(accentText) X(accentHover) X(accentSoft) X(focus) X(good) X(goodSoft)       \
@@ -17,7 +17,7 @@ enum class Colour {
         count
 };
 
-/// Kinds of text; tokens.json gives each its size (logical pixels at 100 %) and weight.
+/// Text styles. tokens.json defines size (logical pixels at 100 %) and weight of each.
 #define CHIRON_TEXT_STYLES(X) X(small) X(body) X(label) X(strong) X(title) X(heading) X(display) X(mono)
 
 enum class TextStyle {

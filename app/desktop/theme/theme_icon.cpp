@@ -10,7 +10,7 @@ namespace chiron::desktop {
 
 namespace {
 
-/// Breeze keeps one drawing for each size and kind; the plain 22 px drawings are the ones made for buttons.
+/// Breeze has one drawing per size and kind; the plain 22 px drawings are those made for buttons.
 QString fileOf(const QString& name) {
     for (const char* kind : {"actions/22", "actions/32", "status/22", "devices/22", "places/22", "apps/22", "actions/16", "status/16"}) {
         const QString path = QStringLiteral("/usr/share/icons/breeze/%1/%2.svg").arg(QLatin1String(kind), name);
@@ -31,8 +31,9 @@ QPixmap dot(const QSize& size, const QColor& ink) {
     return pixmap;
 }
 
-/// Breeze's shape in one ink (its own colours belong to a desktop's palette, not to ours), drawn in the size that is asked for
-/// when it is asked for: a screen has many icons, and most sizes and modes of most of them are never seen.
+/// Draws a Breeze shape in one colour, because its own colours belong to a desktop's palette, not to this
+/// theme. It draws on demand in the requested size, because a screen has many icons and most of their sizes
+/// and modes are never shown.
 class InkedIcon final : public QIconEngine {
 public:
     InkedIcon(QString name, QColor ink, QColor disabled) : m_name(std::move(name)), m_ink(ink), m_disabled(disabled) {}

@@ -31,11 +31,12 @@ QString AnswerNote::foundWords() const {
     return object ? m_found->words(*object, m_locale) : QString();
 }
 
-/// What the picture may show of this trial: the ball whose top was marked, or what was to be found.
+/// Keeps what the scene may show of this trial: the sphere whose apex was marked, or the objects to be found.
 void AnswerNote::keepTruth(const session::LiveSample& at) {
     const bool marked = (at.events & bits::kMarked) != 0;
     const auto object = truth();
-    if (!object || (!isFound() && object->radius_m <= 0.0) || (isFound() && marked)) // a finding is marked, the trial goes on
+    // Marking a finding does not end the trial.
+    if (!object || (!isFound() && object->radius_m <= 0.0) || (isFound() && marked))
         return;
     m_shown.emplace(Shown{*object, {}});
     if (m_found)
@@ -61,7 +62,8 @@ void AnswerNote::take(const haptics::DisplayState& state, std::span<const sessio
             said = AnswerTexts::tr("Too much: the tissue was damaged");
         else if (m_feedback && (sample.events & bits::kSlipped) != 0)
             said = AnswerTexts::tr("It slipped: hold it a little more firmly");
-        else if ((sample.events & bits::kTrialStarted) != 0) { // the next one runs: what came of the last is over
+        else if ((sample.events & bits::kTrialStarted) != 0) {
+            // The next trial runs, so the last result disappears.
             m_said.clear();
             m_shown.reset();
         }

@@ -35,7 +35,7 @@ void ColumnTrace::add(double t_s, double value) noexcept {
     const std::int64_t index = cellOf(t_s);
     if (m_newestCell >= 0 && index <= m_newestCell - kCount)
         return;
-    // What lies between the newest sample and this one was not measured: those cells are empty again.
+    // No samples exist between the newest one and this one, so the cells in between become empty.
     for (std::int64_t i = std::max(m_newestCell + 1, index - kCount + 1); i <= index; ++i)
         cell(i) = {};
     m_newestCell = std::max(m_newestCell, index);

@@ -7,23 +7,24 @@
 
 namespace chiron::desktop {
 
-/// Lowest and highest value of one pixel column; `any` false where nothing was measured.
+/// Lowest and highest value in one pixel column; `any` is false if it contains no sample.
 struct ColumnRange {
     double lowest = 0.0;
     double highest = 0.0;
     bool any = false;
 };
 
-/// The last seconds of a 1 kHz signal for a plot that scrolls: each cell keeps the lowest and highest value of its piece of
-/// time, and columns are made from whole cells, so that no peak is ever lost between pixels. add() and columns() allocate
-/// nothing once the size is known. One thread.
+/// The last seconds of a 1 kHz signal for a scrolling plot. Each cell keeps the lowest and highest value of
+/// its time interval, and columns consist of whole cells, so that no peak is lost between pixels. add() and
+/// columns() allocate nothing once the size is known.
+/// Thread: one.
 class ColumnTrace {
 public:
-    static constexpr std::size_t kCells = 2048; ///< finer than any plot is wide
+    static constexpr std::size_t kCells = 2048; ///< more than the width of any plot in pixels
 
     explicit ColumnTrace(double span_s);
 
-    /// Times must not go back; a sample older than the newest cell's span is ignored, as one that is not finite.
+    /// Times must not decrease. A sample that is older than the span, or not finite, is ignored.
     void add(double t_s, double value) noexcept;
     void clear() noexcept;
 
@@ -31,7 +32,7 @@ public:
     double span_s() const noexcept { return m_span_s; }
     /// Highest value in the span; 0 if there is none.
     double highest() const noexcept;
-    /// `count` columns, oldest first; the last one holds the newest sample. kCells at most.
+    /// Returns `count` columns (kCells at most), oldest first; the last one contains the newest sample.
     const std::vector<ColumnRange>& columns(std::size_t count);
 
 private:

@@ -8,18 +8,21 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kStackedFrom = 1.5; // above this scale four buttons side by side are wider than a small window in German
+// Above this scale four buttons side by side are wider than a small window in German.
+constexpr double kStackedFrom = 1.5;
 } // namespace
 
 ControlBar::ControlBar(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) {
     const bool stacked = theme.scale() > kStackedFrom;
     const int gap = theme.px(stacked ? 4 : 10);
-    setFixedHeight(stacked ? 2 * theme.controlHeight() + gap : theme.px(58)); // a stop is found without looking
+    // The bar is high, so that the stop button is found without looking.
+    setFixedHeight(stacked ? 2 * theme.controlHeight() + gap : theme.px(58));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.px(10));
     m_stop = add(tr("Stop force (Esc)"), "danger", QStringLiteral("process-stop"), QStringLiteral("training.stop"));
-    m_stop->setFont(theme.font(stacked ? TextStyle::strong : TextStyle::title)); // in Greek the larger one is wider than the button
+    // In Greek the larger text is wider than the button.
+    m_stop->setFont(theme.font(stacked ? TextStyle::strong : TextStyle::title));
     row->addWidget(m_stop, 3);
     m_main = add({}, "primary", {}, QStringLiteral("training.main"));
     row->addWidget(m_main, 2);
@@ -54,7 +57,8 @@ void ControlBar::setMain(Main main) {
     if (main == m_is)
         return;
     m_is = main;
-    m_stop->setEnabled(m_running && main != Main::rearm); // force that is stopped cannot be stopped again, and must not look as if it flowed
+    // Stopped force cannot be stopped again, and must not look as if it still flowed.
+    m_stop->setEnabled(m_running && main != Main::rearm);
     QString text = tr("Pause (Space)");
     QString icon = QStringLiteral("media-playback-pause");
     if (main == Main::resume) {

@@ -9,8 +9,9 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// The buttons of a running session: stop force (large), pause / resume / re-arm in one place, resume here, start again, end.
-/// GUI thread.
+/// The buttons of a running session: stop force (large), pause / resume / re-arm on one button, resume here,
+/// start again, end.
+/// Thread: GUI.
 class ControlBar final : public QWidget {
     Q_OBJECT
 public:
@@ -19,9 +20,9 @@ public:
     explicit ControlBar(const Theme& theme, QWidget* parent = nullptr);
 
     void setMain(Main main);
-    void setResumeHere(bool possible); ///< shown only while it does something
-    void setRunning(bool running);     ///< false: nothing to press yet, or no longer
-    void setPractice();                ///< it can be ended for what counts, and is not started again
+    void setResumeHere(bool possible); ///< shown only while it has an effect
+    void setRunning(bool running);     ///< false before the session starts and after it has ended
+    void setPractice(); ///< a practice can be ended in favour of the real session, but not started again
     QPushButton* mainButton() const { return m_main; }
 
 signals:

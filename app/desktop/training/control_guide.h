@@ -8,18 +8,20 @@
 
 namespace chiron::desktop {
 
-/// What of a mouse, of a device's handle or of the keyboard is used, as a picture.
+/// The picture of the part of a mouse, of a device's handle or of the keyboard that is used.
 enum class Pictogram { moveMouse, wheelTowards, wheelAway, leftClick, leftHeld, rightHeld, moveStylus, pressStylus, stylusButton, keys };
 
-/// One thing that a hand does with a tool, and how with the device in hand.
+/// One action with the tool, and how to do it with the present device.
 struct ControlHint {
     Pictogram picture = Pictogram::moveMouse;
     QString what; ///< "Move"
     QString how;  ///< "Mouse, or arrow keys"
 };
 
-/// The three movements without which nobody can begin, in the order in which they are needed, for mouse and keyboard, where the exercise
-/// has no guide of its own (LivePart::controls). Everything else is in keysInWords(). GUI thread.
+/// The three movements that are needed to begin, in the order in which they are needed, for mouse and
+/// keyboard. Used for exercises without a guide of their own (LivePart::controls). All other keys are in
+/// keysInWords().
+/// Thread: GUI.
 std::vector<ControlHint> controlGuide(session::PointerTool tool);
 /// The keys (Qt::Key) that move this tool.
 std::vector<int> movementKeys(session::PointerTool tool);

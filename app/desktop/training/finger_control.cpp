@@ -20,7 +20,7 @@ FingerControl::FingerControl(std::span<devices::PointerMailbox* const> mailboxes
 void FingerControl::moveJaw(int key, bool down) {
     (key == Qt::Key_G ? m_closing : m_opening) = down;
     const int asked = (m_opening ? 1 : 0) - (m_closing ? 1 : 0);
-    for (int i = 0; i < m_fingers; ++i) // one lever: every finger of the hand tells of it
+    for (int i = 0; i < m_fingers; ++i) // one lever: every finger of the hand receives its rate
         m_mailboxes[static_cast<std::size_t>(m_hand * m_fingers + i)]->setJawRate(kJawSpeed_rad_per_s * asked);
 }
 
@@ -80,7 +80,7 @@ void FingerControl::click() { m_tips[static_cast<std::size_t>(activeTool())].cli
 void FingerControl::choose(int hand) {
     if (hand < 0 || hand >= hands() || hand == m_hand)
         return;
-    releaseKeys(); // the hand that is left stays as it is
+    releaseKeys(); // the other hand keeps its state
     m_hand = hand;
     if (m_tell)
         m_tell(activeTool());

@@ -7,7 +7,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kReach = 1.25; // of the limit: what lies above it must be seen as above
+constexpr double kReach = 1.25; // multiple of the limit, so that a value above it is visibly above
 } // namespace
 
 ForceBar::ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent)
@@ -53,7 +53,7 @@ void ForceBar::paintEvent(QPaintEvent*) {
     const QRect filled(track.left() + 1, track.top() + 1, qRound(share * (track.width() - 1)), track.height() - 1);
     painter.fillRect(filled, m_theme.color(isOver() ? Colour::bad : Colour::seriesA));
     const int limitX = track.left() + qRound(track.width() / kReach);
-    if (isOver()) // not by colour alone
+    if (isOver()) // not shown by colour alone
         painter.fillRect(filled, QBrush(m_theme.color(Colour::surface), Qt::BDiagPattern));
     painter.setPen(QPen(m_theme.color(Colour::text), m_theme.px(2)));
     painter.drawLine(limitX, track.top() - m_theme.px(3), limitX, track.bottom() + m_theme.px(3));

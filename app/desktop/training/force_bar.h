@@ -8,8 +8,9 @@
 
 namespace chiron::desktop {
 
-/// A level between nothing and a quarter more than the limit, with the limit as a line; above it the bar is hatched and
-/// says so in words. Shows its number only where the level allows numbers. GUI thread.
+/// A bar from zero to a quarter above the limit, with the limit as a line. Above the limit it is hatched and
+/// says so in words. It shows the number only if the level allows numbers.
+/// Thread: GUI.
 class ForceBar final : public QWidget {
     Q_OBJECT
 public:
@@ -21,7 +22,7 @@ public:
     };
     ForceBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);
 
-    void setValue(double value); ///< in the quantity's unit, from 0
+    void setValue(double value); ///< in the quantity's unit, ≥ 0
     bool isOver() const noexcept { return m_value > m_quantity.limit; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -10,13 +10,14 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// What force is doing, as a notice whose words and sign change. GUI thread.
+/// Shows the state of the force as a notice with changing text and icon.
+/// Thread: GUI.
 class ForceNotice final : public QFrame {
     Q_OBJECT
 public:
     explicit ForceNotice(const Theme& theme, QWidget* parent = nullptr);
 
-    void show(const ForceWords& words); ///< cheap where nothing changed
+    void show(const ForceWords& words); ///< cheap if nothing changed
     const ForceWords& words() const noexcept { return m_words; }
 
 private:

@@ -61,7 +61,7 @@ ForceWords watchedWords(const haptics::DisplayState& state, bool felt, const QLo
     return {"info", Words::tr("You are watching"), text};
 }
 
-/// Of several tools one rests while another is moved.
+/// True only if no tool moves, because with several tools one rests while another is moved.
 bool nothingMoves(const haptics::DisplayState& state) {
     const auto tools = static_cast<std::ptrdiff_t>(std::clamp(state.tools, 1, core::kMaxTools));
     return std::all_of(state.tool.begin(), state.tool.begin() + tools, [](const auto& tool) { return tool.noMovement; });

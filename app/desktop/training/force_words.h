@@ -8,7 +8,7 @@
 
 namespace chiron::desktop {
 
-/// What force is doing, and what it waits for, in words with a kind of kit::notice.
+/// The state of the force and what it is waiting for, as text for a notice; `kind` as in kit::notice.
 struct ForceWords {
     const char* kind = "info"; ///< info, good, warning, bad
     QString title;
@@ -16,17 +16,17 @@ struct ForceWords {
     bool operator==(const ForceWords& other) const { return title == other.title && text == other.text; }
 };
 
-/// What somebody has asked for, beside the loop's state.
+/// The person's requests and the circumstances, in addition to the loop's state.
 struct AskedFor {
     bool felt = true;     ///< the device renders force
-    bool ownHand = true;  ///< false: a demonstration or a trace is watched
+    bool ownHand = true;  ///< false: a demonstration or a trace is being watched
     bool paused = false;
     bool stopped = false;
-    bool endoscope = false; ///< the tool is one
-    bool grasper = false;   ///< the tools are
+    bool endoscope = false; ///< the tool is an endoscope
+    bool grasper = false;   ///< the tools are graspers
 };
 
-/// Pure.
+/// Describes the state of the force. Pure.
 ForceWords forceWords(const haptics::DisplayState& state, const AskedFor& asked, const QLocale& locale);
 
 } // namespace chiron::desktop

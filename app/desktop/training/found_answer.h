@@ -11,7 +11,9 @@
 
 namespace chiron::desktop {
 
-/// What a trial's answer is worth where it is not one mark: what was reported while the trial ran, judged as scoring judges it. GUI thread.
+/// Assesses a trial's answer if it is not a single mark: the findings reported during the trial, judged like
+/// the scoring does.
+/// Thread: GUI.
 class FoundAnswer {
 public:
     FoundAnswer() = default;
@@ -19,19 +21,19 @@ public:
     FoundAnswer& operator=(const FoundAnswer&) = delete;
     virtual ~FoundAnswer() = default;
 
-    /// Each frame while a trial waits or runs: its newest state.
+    /// Called every frame while a trial is ready or running, with its newest state.
     virtual void follow(const haptics::DisplayState& state) = 0;
-    /// Whether the trial is answered in this way; where it is not, a mark is its answer.
+    /// Whether the trial is answered by findings; if not, a mark is its answer.
     virtual bool answers() const = 0;
-    /// What came of it so far, in words; empty where nothing can be said.
+    /// The result so far in words; empty if nothing can be said.
     virtual QString words(const session::TrialObject& truth, const QLocale& locale) const = 0;
-    /// The trial has ended: what is drawn stays with this answer.
+    /// Called when the trial has ended: freezes the answer for drawing.
     virtual void keep() = 0;
-    /// Draws the truth, and what became of the answer that was kept.
+    /// Draws the truth and the result of the frozen answer.
     virtual void show(const session::TrialObject& truth, scene3d::SceneState& drawn) const = 0;
 };
 
-/// The translation context of what is said of an answer.
+/// The translation context of texts about answers.
 struct AnswerTexts {
     Q_DECLARE_TR_FUNCTIONS(AnswerNote)
 };

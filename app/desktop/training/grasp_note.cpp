@@ -84,7 +84,7 @@ void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
         return;
     }
     if (angle_rad > m_grasping.holdsBelow_rad)
-        return; // on its way
+        return; // the jaw is still closing
     const Nearest found = nearest(tool, state);
     if (jaw.opened) {
         jaw = {};
@@ -104,7 +104,8 @@ void GraspNote::look(std::size_t tool, const haptics::DisplayState& state) {
 void GraspNote::take(const haptics::DisplayState& state) {
     if (state.paused)
         return;
-    if (state.phase != core::TrialPhase::running || !state.exercise.of<core::LaparoscopyCues>().objectShown) { // a trial's jaws have to open first, as the scene has it
+    // Each trial requires the jaws to open first, as the scene does.
+    if (state.phase != core::TrialPhase::running || !state.exercise.of<core::LaparoscopyCues>().objectShown) {
         m_jaws = {};
         m_said.clear();
         return;

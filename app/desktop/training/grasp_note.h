@@ -12,27 +12,31 @@
 
 namespace chiron::desktop {
 
-/// What is said over the scene when jaws close on nothing: that nothing was grasped, as the eyes see it anyway; and on a level with
-/// feedback, or in a practice, why: too far away, covered, or jaws that were closed already and have to open first. It judges by the
-/// rules that the scene grasps by (GraspLatch), and says nothing where the level hides what there is to grasp. GUI thread.
+/// The message over the scene when jaws close on nothing. It says that nothing was grasped, which is visible
+/// anyway. On a level with feedback, or in practice, it also says why: too far away, covered, or jaws that
+/// were already closed and have to open first. It applies the same rules as the scene (GraspLatch), and says
+/// nothing if the level hides the objects.
+/// Thread: GUI.
 class GraspNote {
 public:
     static constexpr std::int64_t kSaid_ns = 3'000'000'000;
-    static constexpr std::int64_t kQuiet_ns = 1'500'000'000; ///< after it, nothing more is said of grasps for so long
-    static constexpr std::int64_t kPatience_ns = 700'000'000; ///< closed jaws at the object: for so long it may be on the way elsewhere
+    /// After a message, further ones are suppressed for this time.
+    static constexpr std::int64_t kQuiet_ns = 1'500'000'000;
+    /// Closed jaws near an object are tolerated for this time, because they may be moving elsewhere.
+    static constexpr std::int64_t kPatience_ns = 700'000'000;
 
-    /// `explains`: it says why.
+    /// `explains`: the message says why.
     GraspNote(Grasping grasping, const QLocale& locale, bool explains);
 
-    void take(const haptics::DisplayState& state); ///< each frame
+    void take(const haptics::DisplayState& state); ///< call once per frame
     scene3d::SceneNote note(std::int64_t now_ns) const;
 
 private:
     struct Jaw {
-        bool opened = false;       ///< wide enough to take hold, since it last was closed
-        std::int64_t near_ns = -1; ///< closed and empty within reach since; -1: it is not
+        bool opened = false;       ///< has opened wide enough to grasp since it last closed
+        std::int64_t near_ns = -1; ///< since when it has been closed and empty within reach; -1: it is not
     };
-    /// What an instrument could take hold of next.
+    /// The nearest thing that an instrument could grasp.
     struct Nearest {
         enum class What { nothing, tube, fold, object };
         What what = What::nothing;

@@ -18,9 +18,9 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6; // ten times a second: digits that can be read
+constexpr int kNumbersEvery_frames = 6; // ten times per second, so that digits can be read
 constexpr double kSpeedAxis_mm_per_s = 60.0;
-constexpr double kPlotHeight_px = 64; // at least; they grow with the window
+constexpr double kPlotHeight_px = 64; // minimum height; the plots grow with the window
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double largest(const std::array<double, core::kMaxTools>& values) { return *std::max_element(values.begin(), values.end()); }
@@ -62,7 +62,8 @@ void GraspPanel::addHead() {
     m_column->addLayout(head);
     m_step = kit::label(m_theme, m_grasping.step({}, m_locale), TextStyle::strong);
     m_step->setObjectName(QStringLiteral("training.step"));
-    m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing()); // nothing below it jumps
+    // The label reserves two lines, so that nothing below it moves.
+    m_step->setMinimumHeight(2 * QFontMetrics(m_theme.font(TextStyle::strong)).lineSpacing());
     m_column->addWidget(m_step);
     if (!m_cues.bars && !m_cues.numbers)
         return;
@@ -136,12 +137,12 @@ LivePlot* GraspPanel::plot(const char* name, const QString& title, double top, s
 }
 
 void GraspPanel::addPlots() {
-    if (m_cues.bars) // tension and squeeze belong to that cue
+    if (m_cues.bars) // tension and squeeze belong to this cue
         m_targetPlot = m_grasping.measured == Grasping::Measured::tension
                            ? plot("training.tension_plot", tr("Tension (N)"), m_grasping.measuredEnd_N)
                            : plot("training.squeeze_plot", tr("Squeeze (N)"), m_grasping.measuredEnd_N, m_grasping.measuredLimit_N);
     if (m_tools > 1 && m_cues.bars)
-        return; // both hands feel the tension: one plot, large enough to read
+        return; // both hands feel the same tension, so one readable plot suffices
     m_forcePlot = plot("training.force_plot", m_tools > 1 ? tr("Force, right (N)") : tr("Force (N)"), m_grasping.limits.force_N * 1.25,
                        m_grasping.limits.force_N);
     if (!m_cues.bars)
@@ -189,11 +190,13 @@ void GraspPanel::showWords(const haptics::DisplayState& state) {
 }
 
 void GraspPanel::showNumbers(const haptics::DisplayState& state) {
-    const auto text = [this](double value) { return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1); }; // + 0: no minus before 0.0
+    // Adding 0 avoids a minus sign before 0.0.
+    const auto text = [this](double value) { return m_locale.toString(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1); };
     m_load->setText(m_grasping.load(state, m_locale));
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const haptics::ToolDisplay& tool = state.tool[i];
-        const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m; // where it is drawn
+        // This is where the tip is drawn.
+        const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m;
         for (std::size_t k = 0; k < 3; ++k)
             m_rows[i].number[k]->setText(text(tip_m[k] * 1e3));
         m_rows[i].number[3]->setText(m_locale.toString(qRound(tool.jaw_rad * kDegrees)));

@@ -19,9 +19,10 @@ class ForceBar;
 class LivePlot;
 class TargetBar;
 
-/// What is measured while graspers work on a tube or on objects: step, how much of the holding time is done, tension with
-/// its band or squeeze with its limit, the force on each instrument, their tips and jaws, and the last ten seconds, as far as
-/// the level allows each. GUI thread.
+/// The measurements while graspers work on a tube or on objects: step, progress of the holding time, tension
+/// with its band or squeeze with its limit, the force on each instrument, their tips and jaws, and the last
+/// ten seconds, each only if the level allows it.
+/// Thread: GUI.
 class GraspPanel final : public InfoView {
     Q_OBJECT
 public:
@@ -55,9 +56,9 @@ private:
     QLabel* m_elapsed = nullptr;
     QProgressBar* m_dwell = nullptr;
     QLabel* m_held = nullptr;
-    QLabel* m_load = nullptr; ///< stretch of the tube, or the weight that is felt
+    QLabel* m_load = nullptr; ///< stretch of the tube, or weight of the object
     TargetBar* m_target = nullptr;
-    TargetBar* m_retraction = nullptr; ///< of a fold that is held back
+    TargetBar* m_retraction = nullptr; ///< pull on a fold that is retracted
     std::vector<ForceBar*> m_force;
     std::vector<ToolRow> m_rows;
     LivePlot* m_targetPlot = nullptr;

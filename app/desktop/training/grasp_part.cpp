@@ -16,7 +16,7 @@ InfoView* GraspPart::makePanel() { return new GraspPanel(around().theme, around(
 std::unique_ptr<HandControl> GraspPart::takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const {
     const std::vector<devices::PointerMailbox*> mailboxes = training.pointers();
     if (mailboxes.empty())
-        return nullptr; // somebody else's hand
+        return nullptr; // the person does not move the tool
     auto graspers = std::make_unique<GrasperControl>(mailboxes, around().theme.scale(), around().leftHanded);
     graspers->onChosen(std::move(chosen));
     return graspers;

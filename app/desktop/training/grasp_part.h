@@ -6,10 +6,11 @@
 
 namespace chiron::desktop {
 
-/// Of a level that is done with graspers: their panel, hands, and what is said when they close on nothing.
+/// The part of the training screen for levels with graspers: their panel, hand control and messages about
+/// failed grasps.
 class GraspPart final : public LivePart {
 public:
-    /// `feedback`: the level says more than that nothing was grasped; a practice does so, too.
+    /// `feedback`: the level explains failed grasps; a practice does so, too.
     GraspPart(Grasping grasping, bool feedback, LiveSurroundings around);
 
     InfoView* makePanel() override;

@@ -5,7 +5,7 @@
 
 namespace chiron::desktop {
 
-/// The translation contexts of what is said of graspers: steps and what they hold, and the numbers beside them.
+/// The translation contexts of texts about graspers: steps and held objects, and the numbers beside them.
 struct GraspTexts {
     Q_DECLARE_TR_FUNCTIONS(GraspWords)
 };

@@ -62,7 +62,7 @@ void GrasperControl::releaseKeys() {
 void GrasperControl::choose(int tool) {
     if (tool < 0 || tool >= tools() || tool == m_active)
         return;
-    releaseKeys(); // the one that is left stays as it is
+    releaseKeys(); // the previous tool keeps its state
     m_active = tool;
     if (m_tell)
         m_tell(m_active);

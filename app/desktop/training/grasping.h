@@ -11,26 +11,30 @@
 
 namespace chiron::desktop {
 
-/// What the training screen asks of a level that is done with graspers.
+/// The properties of a level with graspers that the training screen needs.
 struct Grasping {
-    enum class Measured { tension, squeeze }; ///< what is done to what is held: pulled, or squeezed by the jaws
+    /// Which force on the held object is measured: the tension, or the squeeze of the jaws.
+    enum class Measured { tension, squeeze };
 
     session::LevelLimits limits{};
     int tools = 1;
     Measured measured = Measured::squeeze;
-    double measuredEnd_N = 1.0;   ///< of its scale
-    double measuredLimit_N = 0.0; ///< 0: it has a band
-    double retractionEnd_N = 0.0; ///< of the scale of the pull on a fold of tissue; 0: none is held back
-    int retractor = -1;           ///< the tool that holds it back; -1: none
+    double measuredEnd_N = 1.0;   ///< end of its scale
+    double measuredLimit_N = 0.0; ///< 0: it has a band instead
+    /// End of the scale of the pull on a fold of tissue; 0: no fold is retracted.
+    double retractionEnd_N = 0.0;
+    int retractor = -1;           ///< the tool that retracts the fold; -1: none
 
-    // The rules by which the scene lets jaws take hold (GraspLatch).
+    // The rules by which the scene lets jaws grasp (GraspLatch).
     double reach_m = 0.0;
     double holdsBelow_rad = 0.0;
     double opensAbove_rad = 0.0;
 
-    std::function<QString(const core::LaparoscopyCues&, const QLocale&)> step; ///< what to do now, as a sentence
+    /// The present step as a sentence.
+    std::function<QString(const core::LaparoscopyCues&, const QLocale&)> step;
     std::function<QString(const core::LaparoscopyCues&, const QLocale&)> held; ///< "Holding: object 2 of 3"
-    std::function<QString(const haptics::DisplayState&, const QLocale&)> load; ///< what is held, in a number: "Stretched by 12.3 mm"
+    /// The load as a number: "Stretched by 12.3 mm".
+    std::function<QString(const haptics::DisplayState&, const QLocale&)> load;
 };
 
 } // namespace chiron::desktop

@@ -8,8 +8,9 @@
 
 namespace chiron::desktop {
 
-/// What a hand does over the scene, with a mouse and with keys, made into movements of a tool: one class a kind of tool.
-/// GUI thread.
+/// Converts mouse and key input over the scene into movements of a tool. There is one derived class per kind
+/// of tool.
+/// Thread: GUI.
 class HandControl {
 public:
     HandControl() = default;
@@ -17,18 +18,21 @@ public:
     HandControl& operator=(const HandControl&) = delete;
     virtual ~HandControl() = default;
 
-    /// The pointer moved by this many pixels (y down); `other`: with the right button or Shift held.
+    /// The pointer moved by this many pixels (y down). `other`: the right button or Shift is held.
     virtual void drag(QPointF pixels, bool other) noexcept = 0;
     virtual void wheel(int eighthsOfDegree) noexcept = 0;
-    virtual std::span<const int> keys() const noexcept = 0; ///< that move the tool (Qt::Key)
-    virtual bool keyDown(int key) = 0;                      ///< false: not one of them
+    virtual std::span<const int> keys() const noexcept = 0; ///< the keys that move the tool (Qt::Key)
+    virtual bool keyDown(int key) = 0;                      ///< false: the key is not one of them
     virtual bool keyUp(int key) = 0;
-    virtual void releaseKeys() = 0; ///< paused, or the window lost the keyboard: nothing may go on moving
-    virtual void click() = 0;       ///< "here it is", where an exercise asks for it
-    virtual void buttonDown(bool) {} ///< the left button went down over the scene; with Shift held or not. Not every tool has a use for it
+    /// On pause, or if the window loses the keyboard focus: nothing may continue to move.
+    virtual void releaseKeys() = 0;
+    virtual void click() = 0;       ///< "Here it is", if the exercise asks for it
+    /// The left button was pressed over the scene; the argument says whether Shift is held. Not every tool
+    /// uses it.
+    virtual void buttonDown(bool) {}
     virtual void buttonUp() {}
-    virtual void feel(const haptics::DisplayState&) {} ///< each frame: what the tools touch
-    virtual int activeTool() const noexcept { return 0; } ///< the tool that moves, where there are several
+    virtual void feel(const haptics::DisplayState&) {} ///< called every frame with the tools' contacts
+    virtual int activeTool() const noexcept { return 0; } ///< the moving tool, if there are several
 };
 
 } // namespace chiron::desktop

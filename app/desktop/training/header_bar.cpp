@@ -42,7 +42,7 @@ HeaderBar::HeaderBar(const Theme& theme, const QLocale& locale, const Titles& ti
 }
 
 void HeaderBar::show(const haptics::DisplayState& state) {
-    if (m_trials > 1 && m_shownTrial != state.trial) { // of one there is nothing to count
+    if (m_trials > 1 && m_shownTrial != state.trial) { // a single trial needs no number
         m_shownTrial = state.trial;
         m_trial->setText(tr("Trial %1 of %2").arg(m_locale.toString(state.trial + 1), m_locale.toString(m_trials)));
     }

@@ -12,7 +12,8 @@ class QPushButton;
 
 namespace chiron::desktop {
 
-/// What is being done, on what, which trial of how many, and how long is left of it. GUI thread.
+/// Shows the exercise, the device, the current trial and the number of trials, and the time left.
+/// Thread: GUI.
 class HeaderBar final : public QFrame {
     Q_OBJECT
 public:
@@ -22,15 +23,15 @@ public:
         QString device;
         QString deviceIcon;
         int trials = 1;
-        bool sound = false;         ///< the level has sound cues: there is something to mute
+        bool sound = false;         ///< the level has sound cues that can be muted
         bool familiarisation = false;
     };
     HeaderBar(const Theme& theme, const QLocale& locale, const Titles& titles, QWidget* parent = nullptr);
 
     void show(const haptics::DisplayState& state);
-    void setCompact(bool compact); ///< one line, where the scene needs the height
+    void setCompact(bool compact); ///< one line, if the scene needs the height
     void setMuted(bool muted);
-    void setSilent(const QString& why); ///< no output: said here, once, quietly
+    void setSilent(const QString& why); ///< there is no sound output: says so once, unobtrusively
 
 signals:
     void muteAsked();

@@ -13,7 +13,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr int kNumbersEvery_frames = 6;  // ten times a second: digits that can be read
+constexpr int kNumbersEvery_frames = 6;  // ten times per second, so that digits can be read
 constexpr double kSpeedAxis_mm_per_s = 60.0;
 
 template <class A>
@@ -21,7 +21,7 @@ double norm3(const A& v, std::size_t at = 0) {
     return std::hypot(v[at], v[at + 1], v[at + 2]);
 }
 
-/// A share says what a number of thousandths of a second would not: whether anybody can have felt it.
+/// The late ticks as a share of all, because a share shows whether anybody can have felt them.
 QString lateShare_percent(const haptics::DisplayState& state) {
     constexpr double kSmallest_percent = 0.01;
     const double ticks = static_cast<double>(std::max(state.tick, state.lateTicks));
@@ -130,10 +130,11 @@ void InfoPanel::show(const haptics::DisplayState& state, std::span<const session
 }
 
 void InfoPanel::showNumbers(const haptics::ToolDisplay& tool) {
-    // The tip is where it is drawn: at the surface, where the device cannot keep the hand there.
+    // Shows the position where the tip is drawn: at the surface, if the device cannot keep the hand there.
     const std::array<double, 3>& tip_m = tool.rendersForce ? tool.p_WT_m : tool.p_WProxy_m;
     for (std::size_t i = 0; i < m_tip.size(); ++i)
-        m_tip[i]->setText(m_locale.toString(std::round(tip_m[i] * 1e4) / 10.0 + 0.0, 'f', 1)); // + 0: no minus before 0.0
+        // Adding 0 avoids a minus sign before 0.0.
+        m_tip[i]->setText(m_locale.toString(std::round(tip_m[i] * 1e4) / 10.0 + 0.0, 'f', 1));
 }
 
 QString InfoPanel::elapsedText(std::int64_t second) {

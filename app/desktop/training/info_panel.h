@@ -14,7 +14,9 @@ namespace chiron::desktop {
 class ForceBar;
 class LivePlot;
 
-/// A tool with a point: bars, numbers, plots, as far as the level allows them; and how the loop does. GUI thread.
+/// The panel for a tool with a point: bars, numbers and plots as far as the level allows them, and the state
+/// of the loop.
+/// Thread: GUI.
 class InfoPanel final : public InfoView {
     Q_OBJECT
 public:
@@ -27,10 +29,11 @@ public:
 
     void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) override;
 
-    /// Words that every kind of panel shares.
+    /// Texts that every kind of panel shares.
     static QString elapsedText(std::int64_t second);                ///< "Elapsed: 1:05"
-    static QString loopText(const haptics::DisplayState& state);    ///< whether everything is recorded, and the force on time
-    static QString noCuesText();                                    ///< of a level that shows no measurements
+    /// Whether everything is recorded, and the force on time.
+    static QString loopText(const haptics::DisplayState& state);
+    static QString noCuesText(); ///< for a level that shows no measurements
 
 private:
     void addBars();
@@ -50,7 +53,7 @@ private:
     std::array<QLabel*, 3> m_tip{};
     LivePlot* m_forcePlot = nullptr;
     LivePlot* m_speedPlot = nullptr;
-    std::int64_t m_worked_ms = 0; ///< since the first trial, pauses left out
+    std::int64_t m_worked_ms = 0; ///< since the first trial, without pauses
     std::int64_t m_shownSecond = -1;
     int m_frame = 0;
 };

@@ -16,22 +16,24 @@ class QLabel;
 
 namespace chiron::desktop {
 
-/// What is measured right now, as far as the level allows it: one class a kind of exercise. Plain, it has what a person looks at
-/// while they work; with all details also single components, coordinates, further plots and how the loop does. GUI thread.
+/// The live measurements as far as the level allows them; one derived class per kind of exercise. By default
+/// it shows what a person watches while working; with details also single components, coordinates, further
+/// plots and the state of the loop.
+/// Thread: GUI.
 class InfoView : public QFrame {
 public:
     using QFrame::QFrame;
-    /// Each frame: the newest state and every sample since the frame before.
+    /// Call once per frame with the newest state and every sample since the previous frame.
     virtual void show(const haptics::DisplayState& state, std::span<const session::LiveSample> samples) = 0;
 
-    /// Also shows, or hides, the details. Hidden ones go on being measured.
+    /// Shows or hides the details. Hidden details continue to be measured.
     void setDetailed(bool detailed);
     bool detailed() const noexcept { return m_detailed; }
 
 protected:
-    /// `part` is a detail; a panel begins without its details.
+    /// Registers `part` as a detail. A panel starts without its details.
     void addDetail(QWidget* part);
-    /// The line at the panel's foot that says whether everything is recorded and on time.
+    /// Adds the line at the bottom of the panel that says whether everything is recorded and on time.
     void addLoopLine(const Theme& theme, QBoxLayout& column);
     void showLoop(const haptics::DisplayState& state);
 
@@ -41,7 +43,7 @@ private:
     std::vector<QWidget*> m_details;
     bool m_detailed = false;
     QLabel* m_loop = nullptr;
-    bool m_lost = false; ///< samples: that is told in any view
+    bool m_lost = false; ///< samples were lost; shown with or without details
 };
 
 } // namespace chiron::desktop

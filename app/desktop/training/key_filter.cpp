@@ -59,7 +59,7 @@ bool KeyFilter::eventFilter(QObject* watched, QEvent* event) {
     if (!takes(key, watched))
         return false;
     if (type == QEvent::ShortcutOverride)
-        event->accept(); // no shortcut may take it; the key press itself follows
+        event->accept(); // prevents shortcuts from taking it; the key press itself follows
     else if (!key.isAutoRepeat() && (type == QEvent::KeyPress || isToolKey(key.key())))
         act(key);
     return true;

@@ -11,10 +11,13 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// The training screen's keys, wherever the focus is, in the native window of the 3D scene too: a filter on the application.
-/// Esc stops force at once and closes nothing while force may flow; Space pauses and resumes, whatever has the focus; Enter marks, or
-/// presses the button that somebody went to with Tab (the screen takes the focus back whenever the hand goes on); R re-arms; F5 starts again; the hand's own keys move the tool; Tab leaves the scene for the
-/// controls. While a dialog is open or a text is being typed, Esc alone is taken. GUI thread.
+/// Handles the keys of the training screen wherever the focus is, also in the native window of the 3D scene.
+/// It is an event filter on the application. Esc stops force at once and closes nothing while force may flow.
+/// Space pauses and resumes, whatever has the focus. Enter marks, or presses the button that the person moved
+/// to with Tab (the screen takes the focus back whenever the hand continues). R re-arms. F5 starts again. The
+/// hand's own keys move the tool. Tab leaves the scene for the controls. While a dialog is open or a text is
+/// being typed, only Esc is handled.
+/// Thread: GUI.
 class KeyFilter final : public QObject {
     Q_OBJECT
 public:
@@ -22,11 +25,13 @@ public:
     ~KeyFilter() override;
 
     void setScene(QObject* inputSource) { m_scene = inputSource; } ///< may be a window without widgets
-    void setActive(bool active);                                   ///< from the session's begin to its end
-    /// Paused or stopped: then Esc may do elsewhere what it usually does.
+    void setActive(bool active);                                   ///< from start to end of the session
+    /// While paused or stopped, Esc keeps its usual meaning in dialogs and text fields.
     void setHeld(bool held) { m_held = held; }
-    void setToolKeys(std::span<const int> keys) { m_toolKeys.assign(keys.begin(), keys.end()); } ///< none until then
-    void setDepthOfFieldKey(bool used) { m_depthOfFieldKey = used; } ///< F: the exercise has the switch
+    /// Empty until the first call.
+    void setToolKeys(std::span<const int> keys) { m_toolKeys.assign(keys.begin(), keys.end()); }
+    /// F: the exercise has the depth-of-field switch.
+    void setDepthOfFieldKey(bool used) { m_depthOfFieldKey = used; }
 
 signals:
     void stopAsked();

@@ -9,7 +9,7 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(database::Database& data
     feed->m_samples.reserve(session::LiveLink::kSamples);
     auto training = session::LiveTraining::start(database, actor, std::move(request), [to = feed.get()] {
         QMetaObject::invokeMethod(to, [to] {
-            to->tick(); // the last state is shown before the end is told
+            to->tick(); // shows the last state before the end is reported
             to->m_timer.stop();
             emit to->finished();
         }, Qt::QueuedConnection);

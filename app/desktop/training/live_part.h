@@ -27,29 +27,32 @@ namespace chiron::desktop {
 
 class InfoView;
 
-/// What a part of the training screen may know and ask of it.
+/// The context that a part of the training screen receives, and the requests that it can make.
 struct LiveSurroundings {
     const Theme& theme;
     QLocale locale;
     session::LevelCues cues;
-    bool ownHand = false;    ///< a person's; else somebody is watched
+    bool ownHand = false;    ///< the person's own; otherwise a demonstration is watched
     bool leftHanded = false;
     bool practises = false;
-    std::function<void(core::ReportField, unsigned)> report; ///< of what was found, to the session that runs
-    std::function<void()> freePointer; ///< while the trial runs; a click in the scene takes it again
+    std::function<void(core::ReportField, unsigned)> report; ///< reports a finding to the running session
+    /// Frees the pointer while the trial runs; a click in the scene captures it again.
+    std::function<void()> freePointer;
 };
 
-/// Something that a key does.
+/// A command with its key.
 struct LiveCommand {
     QString text;
     int key = 0; ///< Qt::Key
 };
 
 inline constexpr double kPanelWidth_px = 290.0;
-inline constexpr double kWidePanel_px = 372.0; ///< more is measured, and a round picture is as large beside it
+/// For panels with more measurements; a round picture beside it has the same size.
+inline constexpr double kWidePanel_px = 372.0;
 
-/// What the training screen has for one exercise alone while a level is trained: measurements, hand, keys, what is said over the scene.
-/// GUI thread.
+/// The part of the training screen that is specific to one exercise: measurements, hand, keys, messages over
+/// the scene.
+/// Thread: GUI.
 class LivePart {
 public:
     explicit LivePart(LiveSurroundings around) : m_around(std::move(around)) {}
@@ -57,31 +60,34 @@ public:
     LivePart& operator=(const LivePart&) = delete;
     virtual ~LivePart() = default;
 
-    /// The measurements; once, before anything else is asked. Whoever lays them out owns them.
+    /// Creates the panel with the measurements. Called once, before any other function. The caller's layout
+    /// owns the panel.
     virtual InfoView* makePanel() = 0;
     virtual double panelWidth_px() const { return kPanelWidth_px; }
 
-    /// The hand that moves what the session offers, once it runs: as it stands here a point or an endoscope. Null: it is somebody else's.
-    /// `chosen`: of several tools, which one moves now.
+    /// Creates the control for the tools that the running session offers; by default for a point or an
+    /// endoscope. Null if the person does not move the tool. `chosen` is called with the newly active tool if
+    /// there are several.
     virtual std::unique_ptr<HandControl> takeHand(session::LiveTraining& training, std::function<void(int)> chosen) const;
-    /// Which of several tools moves; empty where there is one.
+    /// Names the active tool; empty if there is only one.
     virtual QString activeText(int /*tool*/) const { return {}; }
-    /// Whether "here it is" is said by the hand that moves, and not of the one tool that there is.
+    /// Whether the mark ("here it is") comes from the hand control instead of the single tool.
     virtual bool handMarks() const { return false; }
-    /// The movements without which nobody can begin, and all keys in words; empty: as of every tool of its kind.
+    /// The movements needed to begin, and all keys as text; empty: the defaults for this kind of tool.
     virtual std::vector<ControlHint> controls() const { return {}; }
     virtual QString keysText() const { return {}; }
 
-    /// Keys beside those that move the tool (Qt::Key), and what they do; false: not one of them.
+    /// Additional keys (Qt::Key) besides those that move the tool. key() returns false if the key is not one
+    /// of them.
     virtual std::vector<int> keys() const { return {}; }
     virtual bool key(int /*key*/) { return false; }
     virtual std::vector<LiveCommand> commands() const { return {}; }
 
-    /// Each frame: adds to what is drawn. What it points to stays valid until the next frame.
+    /// Called every frame: adds to the drawn scene. What it points to stays valid until the next frame.
     virtual void show(const haptics::DisplayState&, std::span<const session::LiveSample>, scene3d::SceneState& /*drawn*/) {}
-    /// How far the force on a tool leans, where the level shows it: what sounds brighter.
+    /// How far the force on a tool leans, if the level shows it; the force tone becomes brighter with it.
     virtual double lean_rad(const haptics::DisplayState&, std::size_t /*tool*/) const { return 0.0; }
-    /// What is said over the scene, where nothing more urgent is.
+    /// The message over the scene, shown if there is nothing more urgent.
     virtual scene3d::SceneNote note(std::int64_t /*now_ns*/) const { return {}; }
 
 protected:
@@ -91,7 +97,7 @@ private:
     LiveSurroundings m_around;
 };
 
-/// Of a tool with a point, and nothing more.
+/// The part for a tool with a point, without additions.
 class PointPart final : public LivePart {
 public:
     PointPart(const catalogue::ExerciseLevel& level, LiveSurroundings around);
@@ -101,7 +107,7 @@ private:
     double m_limit_N;
 };
 
-/// The translation context of what the training screen and its parts say.
+/// The translation context of the texts of the training screen and its parts.
 struct TrainingTexts {
     Q_DECLARE_TR_FUNCTIONS(chiron::desktop::TrainingScreen)
 };

@@ -14,7 +14,7 @@ struct LivePlot::Frame {
 
 namespace {
 
-/// The next of 1, 2, 5, 10, 20 ... that holds `value`.
+/// The next of 1, 1.5, 2, 3, 5, 7.5, 10 times a power of ten that is at least `value`.
 double niceTop(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
     for (const double step : {1.0, 1.5, 2.0, 3.0, 5.0, 7.5, 10.0})
@@ -36,7 +36,7 @@ LivePlot::LivePlot(const Theme& theme, const QLocale& locale, const QString& tit
     m_over.reserve(ColumnTrace::kCells);
 }
 
-QSize LivePlot::sizeHint() const { return minimumSizeHint(); } // it takes what room there is
+QSize LivePlot::sizeHint() const { return minimumSizeHint(); } // it expands to the available space
 QSize LivePlot::minimumSizeHint() const { return {m_theme.px(160), m_theme.px(86)}; }
 
 QString LivePlot::numberOf(double value) const {
@@ -116,7 +116,7 @@ void LivePlot::paintSignal(QPainter& painter, const Frame& frame) {
             before = nullptr;
             continue;
         }
-        // Neighbours are joined: a step between two columns is drawn in the later one.
+        // Neighbouring columns are connected: a step between two columns is drawn in the later one.
         const double lowest = before ? std::min(now.lowest, before->highest) : now.lowest;
         const double highest = before ? std::max(now.highest, before->lowest) : now.highest;
         const int x = frame.area.left() + static_cast<int>(i);

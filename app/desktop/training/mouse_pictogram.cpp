@@ -8,12 +8,12 @@
 namespace chiron::desktop {
 
 namespace {
-// In a square of 64 by 64.
+// Coordinates in a square of 64 by 64.
 constexpr double kSide = 64.0;
 const QRectF kBody(20.0, 12.0, 24.0, 40.0);
 const QRectF kWheel(29.5, 18.0, 5.0, 11.0);
 constexpr double kButtonEnd = 30.0; // y
-constexpr double kHead = 4.5;       // of an arrow
+constexpr double kHead = 4.5;       // size of an arrow's head
 } // namespace
 
 MousePictogram::MousePictogram(const Theme& theme, Pictogram picture, QWidget* parent) : QWidget(parent), m_theme(theme), m_picture(picture) {
@@ -45,7 +45,7 @@ void MousePictogram::paintEvent(QPaintEvent*) {
     }
 }
 
-/// The handle of a haptic device: a pen whose tip is what touches.
+/// Paints the handle of a haptic device: a pen whose tip touches.
 void MousePictogram::paintStylus(QPainter& painter) const {
     const QColor accent = m_theme.color(Colour::accent);
     const QPointF tip(26.0, 46.0);
@@ -70,7 +70,7 @@ void MousePictogram::paintStylus(QPainter& painter) const {
     }
     if (m_picture != Pictogram::moveStylus) {
         painter.setPen(QPen(m_theme.color(Colour::text), 1.6));
-        painter.drawLine(QPointF(8.0, 54.0), QPointF(56.0, 54.0)); // what it touches
+        painter.drawLine(QPointF(8.0, 54.0), QPointF(56.0, 54.0)); // the touched surface
     }
 }
 
@@ -124,7 +124,7 @@ void MousePictogram::paintMouse(QPainter& painter) const {
         break;
     case Pictogram::leftClick:
         break;
-    case Pictogram::leftHeld: // pressed and kept down
+    case Pictogram::leftHeld: // pressed and held
         paintArrow(painter, {13.0, 2.0}, {22.0, 11.0});
         painter.drawLine(QPointF(6.0, 58.0), QPointF(22.0, 58.0));
         break;

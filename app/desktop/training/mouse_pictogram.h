@@ -8,8 +8,9 @@
 
 namespace chiron::desktop {
 
-/// A mouse seen from above, a handle from the side or keys, with what is used in colour and arrows for the way. Decorative: the words beside it say the same.
-/// GUI thread.
+/// A mouse seen from above, a handle seen from the side, or keys, with the used part in colour and arrows for
+/// the direction. It is decorative; the text beside it says the same.
+/// Thread: GUI.
 class MousePictogram final : public QWidget {
     Q_OBJECT
 public:

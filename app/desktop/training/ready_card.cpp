@@ -14,7 +14,7 @@ namespace chiron::desktop {
 
 namespace {
 constexpr int kPageWidth_px = 760;
-constexpr double kControlWidth_px = 216; // three beside each other on a page of full width
+constexpr double kControlWidth_px = 216; // three fit side by side on a page of full width
 
 bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 } // namespace
@@ -22,7 +22,7 @@ bool isEnter(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter; }
 ReadyCard::ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent) : QWidget(parent), m_theme(theme), m_kind(kind), m_cameByItself(!facts.practised.isEmpty()) {
     setObjectName(QStringLiteral("training.ready"));
     if (m_cameByItself)
-        setAccessibleName(facts.practised); // it has the focus
+        setAccessibleName(facts.practised); // because the card itself has the focus
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.px(8));
@@ -85,7 +85,7 @@ QWidget* ReadyCard::buildControls(const std::vector<ControlHint>& controls) {
         height_px = std::max(height_px, box.layout->totalHeightForWidth(box.frame->width()));
     }
     for (QFrame* frame : frames)
-        frame->setFixedHeight(height_px); // as the one with the most words
+        frame->setFixedHeight(height_px); // as high as the one with the longest text
     return row;
 }
 
@@ -124,7 +124,7 @@ bool ReadyCard::eventFilter(QObject*, QEvent* event) {
         return false;
     const auto& key = static_cast<const QKeyEvent&>(*event);
     if (key.key() == Qt::Key_Space)
-        return true; // it pauses in the scene, and a button would be pressed as it is let go
+        return true; // Space pauses in the scene, and releasing it would press a button
     return event->type() == QEvent::KeyPress && pressed(key);
 }
 
@@ -137,15 +137,16 @@ bool ReadyCard::pressed(const QKeyEvent& key) {
     if (!begins)
         return false;
     if (key.isAutoRepeat())
-        return true; // held down since before the card was there
+        return true; // held down since before the card appeared
     if (isEnter(key.key()) && hasButton)
-        button->click(); // the button that has the focus, as everywhere
+        button->click(); // the focused button, as everywhere
     else if (!m_cameByItself)
         emit goAsked();
     return true;
 }
 
-// What is longer than the window is read with the keys, too: of the whole card alone, since on a short one they are a first movement.
+// Scrolls a card that is longer than the window. Only whole cards use these keys; on a short card they are a
+// first movement.
 bool ReadyCard::scroll(int key) {
     QScrollBar& bar = *m_page->verticalScrollBar();
     if (isShort() || bar.maximum() <= 0)

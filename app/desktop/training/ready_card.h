@@ -14,53 +14,55 @@ namespace chiron::desktop {
 
 class ScrollPage;
 
-/// What a person has to know before the clock starts.
+/// The information that a person needs before the clock starts.
 struct ReadyFacts {
     QString exercise;
     QString level;
     QString goal;                      ///< the objective in one sentence
-    std::vector<ControlHint> controls; ///< of the device in hand
-    QString keys;                      ///< all of its controls, as a line of text
-    QStringList marks;                 ///< what the marks in the scene mean
-    QString limit;                     ///< of force, with what is felt of it
-    QStringList gates;                 ///< what is needed to pass
-    bool offersPractice = true;        ///< a minute that does not count can be had from the card
-    bool offersDemonstration = false;  ///< an expert can be watched first, where somebody is new to the level
-    bool offersLeave = false;          ///< the exercise can be left from the card
-    QString practised;                 ///< that minute has just ended: what comes now; empty: it was not taken
-    QString clock;                     ///< how many trials, and when the clock starts
+    std::vector<ControlHint> controls; ///< of the present device
+    QString keys;                      ///< all controls, as a line of text
+    QStringList marks;                 ///< meanings of the marks in the scene
+    QString limit;                     ///< force limit, and how much of the force is felt
+    QStringList gates;                 ///< requirements for passing
+    bool offersPractice = true;        ///< offers a practice minute that does not count
+    bool offersDemonstration = false;  ///< offers a demonstration, for people new to the level
+    bool offersLeave = false;          ///< offers to leave the exercise
+    QString practised;                 ///< after the practice minute: what comes now; otherwise empty
+    QString clock;                     ///< number of trials, and when the clock starts
 };
 
-/// The card before the first trial of a level: what to do, with which movements and up to which force. It explains the movements to
-/// somebody who is new to the level; "More" shows what counts and what the marks mean. Its text scrolls, its buttons never do. "Go", Enter
-/// or the first movement with a key of the tool begins.
+/// The card before the first trial of a level: task, movements and force limit. It explains the movements to
+/// people who are new to the level; "More" shows the scoring and the meaning of the marks. Its text scrolls,
+/// its buttons do not. "Go", Enter or the first movement key of the tool starts the session.
 ///
-/// A key that means something in the scene presses no button because that happens to have the focus: Space, which pauses there, presses
-/// none; a key that was held down before the card came does nothing; and a card that comes by itself, after a practice, gives the focus to
-/// no button, so that what was meant for the practice begins nothing. GUI thread.
+/// A key with a meaning in the scene must not press a button by accident. Space pauses in the scene and
+/// therefore presses no button. A key held down since before the card appeared does nothing. A card that
+/// appears by itself, after a practice, focuses no button, so that a key meant for the practice starts
+/// nothing.
+/// Thread: GUI.
 class ReadyCard final : public QWidget {
     Q_OBJECT
 public:
     enum class Kind {
-        first,  ///< before the first session at this level: with how each movement is made
-        brief,  ///< before a later one
-        whole,  ///< everything: somebody asked for it
-        paused  ///< whole, while a session waits
+        first,  ///< before the first session at this level; explains each movement
+        brief,  ///< before a later session
+        whole,  ///< everything, on request
+        paused  ///< like whole, while the session is paused
     };
 
     ReadyCard(const Theme& theme, const ReadyFacts& facts, Kind kind, QWidget* parent = nullptr);
 
     Kind kind() const noexcept { return m_kind; }
-    /// Keys (Qt::Key) whose press is a first movement.
+    /// The keys (Qt::Key) whose press counts as a first movement.
     void setToolKeys(std::vector<int> keys) { m_toolKeys = std::move(keys); }
-    bool scroll(int key); ///< false: no key that scrolls, or nothing to scroll
-    void takeFocus(); ///< onto "Go", or onto the card itself where it came by itself
+    bool scroll(int key); ///< false: not a scrolling key, or nothing to scroll
+    void takeFocus(); ///< moves the focus to "Go", or to the card itself if the card appeared by itself
 
 signals:
     void goAsked();
     void practiceAsked();
     void watchAsked();
-    void wholeAsked(); ///< of a brief card
+    void wholeAsked(); ///< from a brief card
     void helpAsked();
     void leaveAsked();
 

@@ -12,15 +12,15 @@
 
 namespace chiron::desktop {
 
-/// What a scene is set up with for a level in a theme. `depthOfField`: as the person switched it; a level that fixes it
-/// keeps its own.
+/// The scene setup of a level in a theme. `depthOfField` is the person's choice; a level with a fixed setting
+/// ignores it.
 scene3d::SceneSetup sceneSetupOf(const catalogue::ExerciseLevel& level, const session::LevelCues& cues, const Theme& theme,
                                  bool leftHanded, std::optional<bool> depthOfField = {});
 
-/// What is drawn of a tick: only what the level lets be seen. `startedAt_ns`: now_ns of the first tick.
+/// The scene state for a tick, limited to what the level shows. `startedAt_ns`: now_ns of the first tick.
 scene3d::SceneState sceneStateOf(const haptics::DisplayState& shown, const session::LevelCues& cues, std::int64_t startedAt_ns);
 
-/// The same tick with nothing of its force: while force is stopped none is shown either.
+/// The same tick without force, because no force is shown while force is stopped.
 haptics::DisplayState withoutForce(haptics::DisplayState shown);
 
 } // namespace chiron::desktop

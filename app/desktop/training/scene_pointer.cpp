@@ -12,7 +12,8 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kEdgeShare = 0.15; // nearer to an edge than this share of the scene: back to the middle
+// Closer to an edge than this share of the scene, the pointer is moved back to the middle.
+constexpr double kEdgeShare = 0.15;
 } // namespace
 
 ScenePointer::ScenePointer(HandControl& control, QObject& source, QWidget& area, QObject* parent)
@@ -30,7 +31,7 @@ void ScenePointer::capture() {
     m_known = false;
     m_onItsWay = false;
     setCursorShape(Qt::BlankCursor);
-    qApp->installEventFilter(this); // a quick movement is over before the pointer could be led back
+    qApp->installEventFilter(this); // because a quick movement ends before the pointer could be moved back
     if (m_area->window()->isActiveWindow() && !inner().contains(m_area->mapFromGlobal(QCursor::pos())))
         backToMiddle();
 }
@@ -61,8 +62,9 @@ void ScenePointer::backToMiddle() {
     QCursor::setPos(m_area->mapToGlobal(m_area->rect().center()));
 }
 
-// It is led back from near an edge, so that what comes from the middle is nearer to it than to where the pointer was, whatever the scene's
-// proportions: no hand covers half of that way between two events.
+// The pointer is moved back from near an edge. An event from the middle is then closer to the middle than to
+// the previous position, whatever the proportions of the scene: no hand covers half of that distance between
+// two events.
 bool ScenePointer::isArrival(QPointF at) const {
     const QPointF middle = QRectF(m_area->rect()).center();
     return m_onItsWay && QLineF(at, middle).length() < QLineF(at, m_last).length();
@@ -70,7 +72,7 @@ bool ScenePointer::isArrival(QPointF at) const {
 
 bool ScenePointer::aroundTheScene(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonRelease && m_captured)
-        m_control.buttonUp(); // wherever it is let go; the window has to know of it, too
+        m_control.buttonUp(); // wherever it is released; the window receives the event, too
     const bool moves = event->type() == QEvent::MouseMove;
     const bool presses = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if ((!moves && !presses) || !m_captured || !m_area || watched != m_area->window()->windowHandle())
@@ -78,7 +80,7 @@ bool ScenePointer::aroundTheScene(QObject* watched, QEvent* event) {
     const auto& mouse = static_cast<const QMouseEvent&>(*event);
     const QPointF at = m_area->mapFromGlobal(mouse.globalPosition());
     if (QRectF(m_area->rect()).contains(at))
-        return false; // the scene's own: it comes there next
+        return false; // belongs to the scene, which receives it next
     moves ? moved(at, mouse) : press(mouse);
     return true;
 }
@@ -103,10 +105,10 @@ bool ScenePointer::eventFilter(QObject* watched, QEvent* event) {
         return m_captured;
     case QEvent::Leave:
         if (m_captured && m_area->window()->isActiveWindow())
-            backToMiddle(); // a movement too quick for the edge
+            backToMiddle(); // after a movement too quick for the edge
         return false;
     case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick: // two quick marks are two marks
+    case QEvent::MouseButtonDblClick: // two quick marks count as two marks
         press(static_cast<QMouseEvent&>(*event));
         return true;
     case QEvent::MouseButtonRelease:
@@ -134,7 +136,7 @@ void ScenePointer::moved(QPointF at, const QMouseEvent& event) {
     if (m_known)
         m_control.drag(at - m_last, (event.buttons() & Qt::RightButton) != 0 || (event.modifiers() & Qt::ShiftModifier) != 0);
     else if (inner().contains(at))
-        m_onItsWay = false; // it has arrived before anything was heard of it
+        m_onItsWay = false; // it arrived before the first event
     m_last = at;
     m_known = true;
     if (!m_onItsWay && !inner().contains(at))

@@ -11,17 +11,20 @@ class QWidget;
 
 namespace chiron::desktop {
 
-/// Mouse and wheel over the scene as hand movements. While captured the pointer is hidden and kept inside the scene, so
-/// that no edge ends a movement; a click marks. Free, it is an ordinary pointer and a click asks for capture.
+/// Converts mouse and wheel over the scene into hand movements. While captured, the pointer is hidden and
+/// kept inside the scene, so that no edge ends a movement, and a click marks. While free it is an ordinary
+/// pointer, and a click requests capture.
 ///
-/// Every pixel that the pointer moves in the window is handed on, in however many events it is told: the same path ends at the same place.
-/// A movement so quick that it leaves the scene between two events is taken from the window around it. What the system does not tell is
-/// lost: beyond the edge of the screen there are no pixels. How fast a tool follows is the driver's law (keyboard_mouse/README.md). GUI
-/// thread.
+/// Every pixel that the pointer moves in the window is passed on, however many events report it: the same
+/// path ends at the same place. A movement so quick that it leaves the scene between two events is taken from
+/// the events of the surrounding window. Movement that the system does not report is lost: beyond the edge of
+/// the screen there are no pixels. The driver decides how fast a tool follows (keyboard_mouse/README.md).
+/// Thread: GUI.
 class ScenePointer final : public QObject {
     Q_OBJECT
 public:
-    /// `source`: where events arrive (ISceneView::inputSource()); `area`: the widget that it fills.
+    /// `source` is the object that receives the events (ISceneView::inputSource()); `area` is the widget that
+    /// it fills.
     ScenePointer(HandControl& control, QObject& source, QWidget& area, QObject* parent = nullptr);
     ~ScenePointer() override;
 
@@ -37,20 +40,24 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool aroundTheScene(QObject* watched, QEvent* event); ///< in its window, while captured
+    /// Handles events of the surrounding window while captured.
+    bool aroundTheScene(QObject* watched, QEvent* event);
     void press(const QMouseEvent& event);
-    void moved(QPointF at, const QMouseEvent& event); ///< at: in the area's pixels
+    void moved(QPointF at, const QMouseEvent& event); ///< `at`: in the area's pixels
     void backToMiddle();
-    QRectF inner() const; ///< of the area, away from its edges
-    bool isArrival(QPointF at) const; ///< the pointer was led back, and this is the first event from there
+    QRectF inner() const; ///< the area without its margins
+    /// The pointer was moved back to the middle, and this is the first event from there.
+    bool isArrival(QPointF at) const;
     void setCursorShape(Qt::CursorShape shape);
 
     HandControl& m_control;
     QPointer<QObject> m_source;
     QPointer<QWidget> m_area;
     bool m_captured = false;
-    bool m_known = false;   ///< m_last is a place of this capture
-    bool m_onItsWay = false; ///< led back to the middle; events from before may still come, or (Wayland) it never arrives
+    bool m_known = false;   ///< m_last is valid for this capture
+    /// The pointer was moved back to the middle. Earlier events may still arrive, or (on Wayland) it never
+    /// gets there.
+    bool m_onItsWay = false;
     QPointF m_last;
 };
 

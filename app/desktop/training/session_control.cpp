@@ -48,7 +48,7 @@ void SessionControl::look(const haptics::DisplayState& state) noexcept {
         m_sawLatched = latched;
         return;
     }
-    m_sawLatched = true; // once a latch: what was asked since may not be in this state yet
+    m_sawLatched = true; // once per latch, because this state may not show later requests yet
     m_stopped = true;
     pause();
 }

@@ -7,21 +7,22 @@
 
 namespace chiron::desktop {
 
-/// What the buttons and keys of the training screen ask of a session, as commands; and what was asked, which the newest
-/// state may not show yet. Stopping force also stands the trial's clock still: nobody can work without it. GUI thread; the
-/// session outlives it.
+/// Sends the requests from the buttons and keys of the training screen to a session as commands, and
+/// remembers what was requested, because the newest state may not show it yet. Stopping force also stops the
+/// trial's clock, because nobody can work without force.
+/// Thread: GUI; the session outlives it.
 class SessionControl {
 public:
     explicit SessionControl(session::LiveTraining& training) : m_training(training) {}
 
-    void begin() { post(core::CommandKind::start); } ///< the first trial
+    void begin() { post(core::CommandKind::start); } ///< starts the first trial
     void stopForce();
     void pause();
-    void resume(); ///< nothing while stopped: that takes rearm()
+    void resume(); ///< does nothing while stopped; that requires rearm()
     void pauseOrResume() { m_paused ? resume() : pause(); }
-    void rearm(); ///< after a stop or a fault: explicit, and the trial goes on
-    /// Between two trials: what came of the last one is looked at, and the next does not begin yet. No pause of the person's: paused() says
-    /// nothing of it, and their own pause outlasts it.
+    void rearm(); ///< after a stop or a fault: re-arms force explicitly and continues the trial
+    /// Delays the next trial while the result of the last one is shown. This is not the person's own pause:
+    /// paused() does not report it, and their own pause outlasts it.
     void keepNext(bool kept);
     void resumeHere() { post(core::CommandKind::confirmHold); }
     void mark() { post(core::CommandKind::mark); }
@@ -31,7 +32,7 @@ public:
     bool paused() const noexcept { return m_paused; }
     bool stopped() const noexcept { return m_stopped; }
     bool held() const noexcept { return m_paused || m_stopped; }
-    /// Takes in what the supervisor did by itself: a device's own stop button.
+    /// Detects what the supervisor did by itself, such as a stop by the device's own stop button.
     void look(const haptics::DisplayState& state) noexcept;
 
 private:
@@ -39,7 +40,7 @@ private:
 
     session::LiveTraining& m_training;
     bool m_paused = false;
-    bool m_kept = false; ///< the next trial
+    bool m_kept = false; ///< the next trial is delayed
     bool m_stopped = false;
     bool m_sawLatched = false; ///< the newest state showed a stop or a fault
 };

@@ -8,7 +8,7 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kReach = 1.25; // of the limit: what lies beyond it must be seen as beyond
+constexpr double kReach = 1.25; // multiple of the limit, so that a value beyond it is visibly beyond
 } // namespace
 
 SignedBar::SignedBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool bar, bool number, QWidget* parent)
@@ -36,7 +36,8 @@ void SignedBar::setValue(double value) {
 
 QString SignedBar::numberText() const {
     const double step = std::pow(10.0, m_quantity.decimals);
-    return m_locale.toString(std::round(m_value * step) / step + 0.0, 'f', m_quantity.decimals); // + 0: no minus before 0.0
+    // Adding 0 avoids a minus sign before 0.0.
+    return m_locale.toString(std::round(m_value * step) / step + 0.0, 'f', m_quantity.decimals);
 }
 
 void SignedBar::speak() {
@@ -73,7 +74,7 @@ void SignedBar::paintBar(QPainter& painter, int top) const {
     const int reach = qRound(std::clamp(m_value / (m_quantity.limit * kReach), -1.0, 1.0) * half);
     const QRect filled(std::min(middle, middle + reach), track.top() + 1, std::abs(reach), track.height() - 1);
     painter.fillRect(filled, m_theme.color(isOver() ? Colour::bad : Colour::seriesA));
-    if (isOver()) // not by colour alone
+    if (isOver()) // not shown by colour alone
         painter.fillRect(filled, QBrush(m_theme.color(Colour::surface), Qt::BDiagPattern));
     painter.setPen(QPen(m_theme.color(Colour::borderStrong), m_theme.px(1)));
     painter.drawLine(middle, track.top(), middle, track.bottom());

@@ -9,16 +9,17 @@
 
 namespace chiron::desktop {
 
-/// One component of a force or torque: a bar from nothing in the middle to a quarter more than the limit at either side,
-/// both limits as lines; beyond them it is hatched and says so in words. Bar and number each only where the level allows
-/// them. GUI thread.
+/// Shows one component of a force or torque: a bar from zero in the middle to a quarter above the limit on
+/// either side, with both limits as lines. Beyond them it is hatched and says so in words. Bar and number
+/// each appear only if the level allows them.
+/// Thread: GUI.
 class SignedBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
-        QString sign;       ///< short, on the screen: "Fx"
-        QString name;       ///< for a screen reader: "Force along x"
-        QString unit;       ///< for a screen reader; the heading above says it on the screen
+        QString sign;       ///< short form on the screen: "Fx"
+        QString name;       ///< for screen readers: "Force along x"
+        QString unit;       ///< for screen readers; on the screen the heading shows it
         double limit = 1.0; ///< in that unit
         int decimals = 2;
     };
@@ -27,7 +28,7 @@ public:
     void setValue(double value); ///< in the quantity's unit
     double value() const noexcept { return m_value; }
     bool isOver() const noexcept { return std::abs(m_value) > m_quantity.limit; }
-    void speak(); ///< writes the present value for a screen reader; not each frame
+    void speak(); ///< sets the present value for screen readers; not every frame
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

@@ -11,11 +11,12 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kFirstForce_N = 0.02;                ///< less is no touch: where the tone begins
-constexpr std::int64_t kClickSeen_ns = 400'000'000;   ///< a click is over in milliseconds; seen for as long as an eye needs
+constexpr double kFirstForce_N = 0.02; ///< the tone starts above this force; less counts as no contact
+/// A click lasts milliseconds; its light lasts long enough to be seen.
+constexpr std::int64_t kClickSeen_ns = 400'000'000;
 } // namespace
 
-/// Dot, steps and triangle in a row.
+/// Draws dot, steps and triangle in a row.
 class SoundGlyph final : public QWidget {
 public:
     SoundGlyph(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme) { setFixedSize(theme.px(88), theme.px(22)); }

@@ -37,7 +37,7 @@ void TargetBar::setValue(double value) {
         return;
     const int before = place();
     m_value = value;
-    if (before != place()) // not each frame: a screen reader must keep up
+    if (before != place()) // only on a change, so that a screen reader keeps up
         say();
     update();
 }
@@ -90,7 +90,7 @@ void TargetBar::paintEvent(QPaintEvent*) {
     painter.drawRect(track);
     if (m_high > 0.0)
         painter.fillRect(QRect(xOf(m_low), track.top() + 1, xOf(m_high) - xOf(m_low), track.height() - 1), m_theme.color(Colour::goodSoft));
-    // The value is lower than the track, so that the band is seen over and under it.
+    // The value's bar is narrower than the track, so that the band remains visible above and below it.
     const QRect filled(track.left() + 1, track.top() + m_theme.px(4), xOf(m_value) - track.left(), track.height() - m_theme.px(8) + 1);
     painter.fillRect(filled, m_theme.color(place() == 2 ? Colour::bad : place() == 0 ? Colour::good : Colour::seriesA));
     if (place() == 2)

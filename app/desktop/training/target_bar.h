@@ -8,15 +8,17 @@
 
 namespace chiron::desktop {
 
-/// A level with a target: a band (between two lines, hatched) or a limit (one line, hatched beyond). In words it says
-/// whether the value lies below, in or above; its number only where the level allows numbers. GUI thread.
+/// A bar with a target: a band (between two lines, hatched) or a limit (one line, hatched beyond). A text
+/// says whether the value lies below, in or above the target; the number appears only if the level allows
+/// numbers.
+/// Thread: GUI.
 class TargetBar final : public QWidget {
     Q_OBJECT
 public:
     struct Quantity {
         QString name; ///< "Tension"
         QString unit; ///< "N"
-        double end = 1.0; ///< of the scale, > 0
+        double end = 1.0; ///< end of the scale, > 0
         int decimals = 2;
     };
     TargetBar(const Theme& theme, const QLocale& locale, Quantity quantity, bool numbers, QWidget* parent = nullptr);

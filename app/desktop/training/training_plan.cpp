@@ -11,8 +11,8 @@ namespace chiron::desktop {
 
 namespace {
 
-const std::string kExpert = "expert"; // who shows how it is done
-constexpr int kTried = 3; // trials: enough to be better at the third, short enough to be done at once
+const std::string kExpert = "expert"; // the operator of demonstrations
+constexpr int kTried = 3; // number of trials: enough to improve by the third, short enough for a first try
 
 core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level, std::uint64_t seed) {
     auto kind = session::exerciseKind(level.exercise);
@@ -36,7 +36,7 @@ core::Result<session::Station> stationOf(const TrainingPlan& plan, const catalog
     return session::traceStation(*rows, (*kind)->pointerTool(), (*kind)->toolCount(level));
 }
 
-/// The driver that a plan names so; a name that this build does not know is the usual one's.
+/// The driver with this name in a plan; an unknown name gives the default driver.
 const devices::Driver* driverOf(const QString& word) {
     const devices::Driver* driver = devices::findDriverOfPlan(word.toStdString());
     return driver ? driver : TrainingPlan().driver;
@@ -119,7 +119,7 @@ QString readyKey(const TrainingPlan& plan) { return QStringLiteral("ready_%1_%2"
 core::Result<session::TrainingRequest> requestOf(const TrainingPlan& plan, const catalogue::ExerciseLevel& level) {
     session::TrainingRequest request;
     request.level = level;
-    request.seed = QRandomGenerator::global()->generate64() >> 1; // stays readable as a signed number everywhere
+    request.seed = QRandomGenerator::global()->generate64() >> 1; // also fits a signed number
     request.familiarisation = (plan.familiarisation && plan.ownHand()) || plan.practises();
     request.ringFolder = recording::defaultRingFolder();
     auto station = stationOf(plan, level, request.seed);

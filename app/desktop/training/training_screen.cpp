@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session from prepared to stored.
+// A session from preparing to storing.
 #include "desktop/training/training_screen.h"
 
 #include "desktop/frame/app_context.h"
@@ -20,9 +20,10 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr int kSceneWait_ms = 4000; // a scene that is never drawn (a covered window) does not keep a session from beginning
+// If the scene is never drawn (a covered window), the session starts after this time.
+constexpr int kSceneWait_ms = 4000;
 constexpr int kSilentWords_ms = 10'000;
-constexpr double kPointerTold_s = 6.0; // of work: long enough to be read beside the first movements
+constexpr double kPointerTold_s = 6.0; // seconds of work: long enough to be read during the first movements
 } // namespace
 
 TrainingScreen::~TrainingScreen() {
@@ -30,7 +31,7 @@ TrainingScreen::~TrainingScreen() {
     m_pointer.reset();
     m_hand.reset();
     m_control.reset();
-    m_feed.reset(); // ends what still runs, and waits until it is stored
+    m_feed.reset(); // ends what still runs and waits until it is stored
     context().setTrialRuns(false);
 }
 
@@ -44,7 +45,7 @@ void TrainingScreen::paintEvent(QPaintEvent* event) {
     Screen::paintEvent(event);
     if (m_painted || !m_level)
         return;
-    m_painted = true; // the session is prepared after the screen is seen
+    m_painted = true; // the session is prepared after the screen has been shown
     QTimer::singleShot(0, this, &TrainingScreen::prepare);
 }
 
@@ -52,7 +53,7 @@ void TrainingScreen::prepare() {
     context().background().run(
         this,
         [plan = m_plan, level = *m_level](WorkToken&) {
-            (void)scene3d::findWhyFlat(); // loads the 3D libraries while the window is alive
+            (void)scene3d::findWhyFlat(); // loads the 3D libraries while the window stays responsive
             return requestOf(plan, level);
         },
         [this](core::Result<session::TrainingRequest> request) { take(std::move(request)); });
@@ -75,7 +76,8 @@ void TrainingScreen::loadScene() {
         if (const QString why = m_sound.open(); !why.isEmpty()) {
             m_header->setSilent(why);
             const QString keys = m_keysText->text();
-            m_keysText->setText(tr("%1 %2").arg(keys, why)); // whole sentences; said once, quietly, and gone again
+            // The reason is shown once, in full sentences but unobtrusively, and removed again.
+            m_keysText->setText(tr("%1 %2").arg(keys, why));
             QTimer::singleShot(kSilentWords_ms, this, [this, keys] { m_keysText->setText(keys); });
         }
     m_setup = sceneSetupOf(*m_level, m_cues, context().theme(), m_plan.workspace.leftHanded, m_plan.depthOfField);
@@ -126,7 +128,7 @@ void TrainingScreen::connectPointer() {
             m_activeText->setText(m_live->activeText(tool));
     });
     if (!m_hand)
-        return; // somebody else's hand
+        return; // the person does not move the tool
     m_keys->setToolKeys(handKeys());
     m_pointer = std::make_unique<ScenePointer>(*m_hand, *m_scene->inputSource(), *m_scene->widget());
     connect(m_pointer.get(), &ScenePointer::marked, this, [this] { m_hand->click(); });
@@ -156,7 +158,7 @@ void TrainingScreen::onFrame() {
     if (m_hand)
         m_hand->feel(state);
     if (m_pointer && !m_control->held() && !m_storing && QApplication::activeModalWidget())
-        pauseOrResume(); // a dialog lies over the scene: nobody can work now
+        pauseOrResume(); // a dialog covers the scene, so nobody can work
     const bool stopped = m_control->stopped();
     const haptics::DisplayState shown = stopped ? withoutForce(state) : state;
     scene3d::SceneState drawn = sceneStateOf(shown, m_cues, m_start_ns);
@@ -185,7 +187,8 @@ void TrainingScreen::onFrame() {
     }
 }
 
-/// What came of the last trial gets the same time in the scene; meanwhile the session is stored and scored.
+/// Shows the result of the last trial in the scene for the same time as others, while the session is stored
+/// and scored.
 void TrainingScreen::beginLastLook() {
     const haptics::DisplayState& state = m_feed->state();
     const bool looks = m_plan.ownHand() && state.phase == core::TrialPhase::finished && m_answer->holdsNext(state.now_ns);
@@ -199,7 +202,8 @@ void TrainingScreen::beginLastLook() {
 
 QString TrainingScreen::storingText() { return tr("Storing and scoring the session …"); }
 
-/// What came of the trial that has just ended, in words and in the picture. A person's own hand gets time to look: the next trial waits.
+/// Shows the result of the trial that has just ended, as text and in the scene. If a person works with their
+/// own hand, the next trial waits while they look.
 void TrainingScreen::takeAnswer(scene3d::SceneState& drawn) {
     const haptics::DisplayState& state = m_feed->state();
     m_answer->take(state, m_feed->samples());
@@ -273,11 +277,13 @@ void TrainingScreen::showOutcome() {
         m_plan.practice_s = 0.0;
         QVariantMap plan = m_plan.toMap();
         plan.insert(QString::fromLatin1(kPractised), true);
-        context().navigator().replace({QStringLiteral("training"), plan}); // what was practised waits, with its card
+        // This continues to the practised level, with its card.
+        context().navigator().replace({QStringLiteral("training"), plan});
     } else if (m_again) {
         QVariantMap plan = m_plan.toMap();
         plan.insert(QString::fromLatin1(kAtOnce), true);
-        context().navigator().replace({QStringLiteral("training"), plan}); // a new screen: every value from nothing
+        // This is a new screen, so that every value starts afresh.
+        context().navigator().replace({QStringLiteral("training"), plan});
     } else {
         context().navigator().replace({QStringLiteral("debrief"), {{QStringLiteral("session"), qlonglong(result->session)}, {QString::fromLatin1(kJustEnded), m_plan.ownHand()}}});
     }
@@ -286,7 +292,7 @@ void TrainingScreen::showOutcome() {
 void TrainingScreen::fail(const core::Error& error) {
     m_over = true;
     for (QWidget* part : {m_side, static_cast<QWidget*>(m_controls), m_foot})
-        part->hide(); // there is nothing to be controlled or measured
+        part->hide(); // there is nothing to control or measure
     m_stage->showError(tr("The session could not be run"), error, [this] {
         QVariantMap parameters = m_plan.toMap();
         context().navigator().replace({QStringLiteral("exercise_setup"), parameters});

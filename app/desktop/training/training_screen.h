@@ -37,9 +37,11 @@ class KeyFilter;
 class SoundSign;
 class StatePanel;
 
-/// A running session: control, graphics, info. Its place is a TrainingPlan. It prepares the session after it has been painted
-/// itself, shows the ready card to whoever works with their own hand, begins the session when the scene has been drawn, and goes to the
-/// debrief when it is stored; or, where somebody starts again or has practised, to a new one of the same plan. GUI thread.
+/// Runs a session, with controls, graphics and measurements. Its place is a TrainingPlan. It prepares the
+/// session after its own first paint, shows the ready card to people who work with their own hand, and starts
+/// the session when the scene has been drawn. When the session is stored it goes to the debrief, or after a
+/// restart or a practice to a new session of the same plan.
+/// Thread: GUI.
 class TrainingScreen final : public Screen {
     Q_OBJECT
 public:
@@ -54,9 +56,9 @@ public:
     QString help() const override;
     bool helpItself() override;
 
-    LiveFeed* feed() const { return m_feed.get(); } ///< null before the session begins
+    LiveFeed* feed() const { return m_feed.get(); } ///< null before the session starts
     scene3d::ISceneView* scene() const { return m_scene.get(); }
-    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state that was drawn
+    const scene3d::SceneState& drawn() const { return m_drawn; } ///< the last state drawn
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -74,7 +76,8 @@ private:
     QString keysText() const;
     void addPartCommands(std::vector<ScreenCommand>& list);
     void buildKeys();
-    /// What is asked before a running session is ended: question, what will be, and the button that does it.
+    /// The question before a running session is ended: its text, the consequences, and the label of the
+    /// confirming button.
     struct Ask {
         QString question;
         QString then;
@@ -88,29 +91,30 @@ private:
     ReadyFacts readyFacts() const;
     QStringList markWords() const;
     void showCard(ReadyCard::Kind kind);
-    void showCardAgain(); ///< while a session waits
+    void showCardAgain(); ///< while the session is paused
     void takeCardAway();
     void go();
     void practise();
-    scene3d::SceneNote practiceNote() const; ///< of its last seconds
-    scene3d::SceneNote pointerNote() const;  ///< of the first seconds, to whoever has never freed the pointer
+    scene3d::SceneNote practiceNote() const; ///< announces the end of a practice in its last seconds
+    /// For the first seconds, to people who have never freed the pointer.
+    scene3d::SceneNote pointerNote() const;
 
-    // training_screen.cpp: from prepared to stored
+    // training_screen.cpp: from preparing to storing
     void prepare();
     void take(core::Result<session::TrainingRequest> request);
     void loadScene();
     void begin();
     void connectPointer();
-    std::vector<int> handKeys() const; ///< of the hand, and of what is said beside it
+    std::vector<int> handKeys() const; ///< of the hand control and of the exercise's part
     void onFrame();
     void takeAnswer(scene3d::SceneState& drawn);
-    scene3d::SceneNote noteNow() const; ///< over the scene
+    scene3d::SceneNote noteNow() const; ///< the note over the scene
     void showControls();
-    void showPointer(); ///< whose it is: the scene's or the buttons'
+    void showPointer(); ///< says whether the pointer controls the scene or the buttons
     void beginLastLook();
     static QString storingText();
     void onFinished();
-    void showOutcome(); ///< the debrief, or what comes instead
+    void showOutcome(); ///< the debrief, or its replacement
     void fail(const core::Error& error);
     bool running() const { return m_feed && !m_over; }
     bool isEndoscope() const { return m_tool == session::PointerTool::endoscope; }
@@ -122,58 +126,62 @@ private:
     void rearm();
     void mark();
     void end();
-    void startAgain();   ///< the attempt so far is kept as stopped, then a new one begins
+    void startAgain();   ///< stores the present attempt as stopped and starts a new one
     void askToStartAgain();
     void setDepthOfField(bool on);
-    void hold();   ///< frees pointer and keys: paused or stopped
-    void goOn();   ///< takes them again
+    void hold();   ///< when paused or stopped: frees pointer and keys
+    void goOn();   ///< captures them again
     void toggleMute();
 
-    static constexpr char kPointerKnown[] = "pointer_freed"; ///< a person's setting: they have paused by themselves
+    /// Name of a person's setting: they have paused by themselves.
+    static constexpr char kPointerKnown[] = "pointer_freed";
 
     TrainingPlan m_plan;
-    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's fewer trials
-    const catalogue::ExerciseLevel* m_level = nullptr; ///< the catalogue's, or m_tried; null: no such level
+    std::optional<catalogue::ExerciseLevel> m_tried;   ///< with the plan's smaller number of trials
+    /// From the catalogue, or m_tried; null: no such level.
+    const catalogue::ExerciseLevel* m_level = nullptr;
     const ExerciseFace* m_face = nullptr;              ///< of the level's exercise
-    std::unique_ptr<LivePart> m_live;                  ///< of the level; null without one
+    std::unique_ptr<LivePart> m_live;                  ///< for the level; null without one
     session::LevelCues m_cues;
     session::LevelLimits m_limits;
     session::PointerTool m_tool = session::PointerTool::point;
-    int m_tools = 1; ///< instruments of the level
+    int m_tools = 1; ///< number of instruments of the level
 
     StatePanel* m_stage = nullptr;
-    QStackedWidget* m_pages = nullptr; ///< of the stage: the ready card, the scene
+    QStackedWidget* m_pages = nullptr; ///< pages of the stage: the ready card, the scene
     ReadyCard* m_card = nullptr;       ///< null while none is shown
-    bool m_wentAhead = false;          ///< "Go", or nothing to wait for
-    bool m_practised = false;          ///< the card comes after a practice
+    bool m_wentAhead = false;          ///< "Go" was pressed, or is not needed
+    bool m_practised = false;          ///< the card follows a practice
     HeaderBar* m_header = nullptr;
     InfoView* m_info = nullptr;
-    std::optional<AnswerNote> m_answer;    ///< once the session is prepared
+    std::optional<AnswerNote> m_answer;    ///< set once the session is prepared
     ForceNotice* m_notice = nullptr;
-    SoundSign* m_soundSign = nullptr; ///< levels with sound and without bars
+    SoundSign* m_soundSign = nullptr; ///< for levels with sound and without bars
     ControlBar* m_controls = nullptr;
     KeyFilter* m_keys = nullptr;
     QWidget* m_side = nullptr;
     QLabel* m_keysText = nullptr;
-    QLabel* m_pointerText = nullptr; ///< how the buttons are reached, or the scene again; null where nobody works with the pointer
-    QLabel* m_activeText = nullptr; ///< which of several instruments is moved; null where there is one
-    QCheckBox* m_depthOfField = nullptr; ///< null where the exercise has no such switch
-    QCheckBox* m_details = nullptr; ///< all that is measured, or what somebody needs who learns
+    /// How to get from the scene to the buttons and back; null if nobody uses the pointer.
+    QLabel* m_pointerText = nullptr;
+    QLabel* m_activeText = nullptr; ///< names the active instrument; null if there is only one
+    QCheckBox* m_depthOfField = nullptr; ///< null if the exercise has no such setting
+    QCheckBox* m_details = nullptr; ///< switches between all measurements and the default set
     QWidget* m_foot = nullptr;
 
     bool m_painted = false;
-    bool m_over = false;    ///< stored or failed: nothing keeps anybody here
+    bool m_over = false;    ///< stored or failed: the screen may be left
     bool m_storing = false;
-    QTimer m_lastLook;      ///< runs: the session has ended, and its last trial's truth is still looked at
+    /// Runs after the end of the session, while the true answer of its last trial is still shown.
+    QTimer m_lastLook;
     bool m_asking = false;
-    bool m_again = false;   ///< a new attempt begins when this one is stored
+    bool m_again = false;   ///< a new attempt starts when this one is stored
     std::int64_t m_start_ns = 0;
     scene3d::SceneSetup m_setup;
     std::unique_ptr<scene3d::ISceneView> m_scene;
     scene3d::SceneState m_drawn;
-    std::optional<session::TrainingRequest> m_request; ///< prepared, waits for the scene
+    std::optional<session::TrainingRequest> m_request; ///< prepared, waiting for the scene
     SoundCuePlayer m_sound;
-    // In this order: the session outlives what talks to it.
+    // In this order, because the session must outlive the objects that use it.
     std::unique_ptr<LiveFeed> m_feed;
     std::optional<SessionControl> m_control;
     std::unique_ptr<HandControl> m_hand;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person asks of a running session.
+// A person's actions during a running session.
 #include "desktop/training/training_screen.h"
 
 #include "desktop/frame/app_context.h"
@@ -9,7 +9,8 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kUnasked_s = 5.0; // who has worked no longer than this loses nothing by starting again
+// After less work than this, starting again loses nothing and is not confirmed.
+constexpr double kUnasked_s = 5.0;
 } // namespace
 
 void TrainingScreen::stopForce() {
@@ -45,7 +46,7 @@ void TrainingScreen::end() {
     if (!running() || m_storing)
         return;
     if (m_plan.practises()) {
-        m_control->end(); // nothing counts that could be lost, and its card follows
+        m_control->end(); // no result can be lost, and the practised level's card follows
         return;
     }
     m_control->pause();
@@ -85,13 +86,13 @@ void TrainingScreen::setDepthOfField(bool on) {
 }
 
 bool TrainingScreen::mayLeave() {
-    bool leave = m_storing; // it has ended by itself: leaving only waits until it is stored
+    bool leave = m_storing; // it has ended by itself, and leaving only waits until it is stored
     if (running() && !leave) {
         m_control->pause();
         hold();
         askToEnd({tr("A session is running. End it and leave?"), keptText(), tr("End and leave")}, [&leave] { leave = true; });
     }
-    if (leave && running()) { // its end is nobody's news any more: no debrief
+    if (leave && running()) { // the person has left, so no debrief follows
         disconnect(m_feed.get(), nullptr, this, nullptr);
         m_over = true;
         m_keys->setActive(false);
@@ -107,7 +108,8 @@ void TrainingScreen::hold() {
         m_pointer->release();
 }
 
-// The focus comes back to the scene, too: Enter marks again, and presses no button that was used to go on.
+// The focus also returns to the scene, so that Enter marks again and does not press the button that was used
+// to continue.
 void TrainingScreen::goOn() {
     takeCardAway();
     if (!m_control->held())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the training screen is made of, and its words.
+// Builds the training screen and its texts.
 #include "desktop/training/training_screen.h"
 
 #include "desktop/exercise_face.h"
@@ -24,9 +24,9 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr char kDetails[] = "all_measurements"; // a person's setting
-constexpr double kCompactBelow_px = 420; // of the height
-constexpr double kLargestSideShare = 0.44; // of a small window: the scene stays the larger part
+constexpr char kDetails[] = "all_measurements"; // key of a person's setting
+constexpr double kCompactBelow_px = 420; // height below which the header is compact
+constexpr double kLargestSideShare = 0.44; // share of a small window, so that the scene stays larger
 } // namespace
 
 TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
@@ -40,7 +40,8 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_level = &*m_tried;
         }
     if (m_level) {
-        // Who watches feels nothing, whatever the device renders.
+        // The cues for force that is not felt: a person who watches feels nothing, whatever the device
+        // renders.
         m_cues = session::cuesOf(*m_level, false);
         if (const auto kind = session::exerciseKind(m_level->exercise)) {
             m_limits = session::levelLimits(*m_level);
@@ -128,7 +129,8 @@ QWidget* TrainingScreen::buildFoot() {
     m_keysText = kit::label(theme, keysText(), TextStyle::small, "muted");
     m_keysText->setObjectName(QStringLiteral("training.keys"));
     row->addWidget(m_keysText, 1);
-    constexpr double kRoomUpTo = 1.5; // at a larger scale the keys in words need the whole row, and say it, too
+    // At a larger scale the keys' text needs the whole row, and it contains this as well.
+    constexpr double kRoomUpTo = 1.5;
     if (m_plan.ownHand() && m_plan.driver->deviceClass == devices::DeviceClass::shown && theme.scale() <= kRoomUpTo) {
         m_pointerText = kit::label(theme, {}, TextStyle::strong);
         m_pointerText->setObjectName(QStringLiteral("training.pointer"));
@@ -198,7 +200,7 @@ QWidget* TrainingScreen::buildSide() {
     column->setSpacing(theme.px(10));
     m_notice = new ForceNotice(theme);
     column->addWidget(m_notice);
-    if (m_cues.sound && !m_cues.bars) { // what is heard and not shown already
+    if (m_cues.sound && !m_cues.bars) { // sound cues that no bar shows
         m_soundSign = new SoundSign(theme);
         column->addWidget(m_soundSign);
     }
@@ -252,7 +254,7 @@ void TrainingScreen::buildKeys() {
     });
     connect(m_keys, &KeyFilter::toolKey, this, [this](int key, bool down) {
         if (down && m_card) {
-            (void)m_card->scroll(key); // nothing moves while it is read
+            (void)m_card->scroll(key); // only scrolls, because nothing moves while the card is read
             return;
         }
         if (!m_hand || (down && m_live->key(key)) || (down && m_control->held()))
@@ -264,7 +266,8 @@ void TrainingScreen::buildKeys() {
 void TrainingScreen::resizeEvent(QResizeEvent* event) {
     Screen::resizeEvent(event);
     const double wanted_px = m_live ? m_live->panelWidth_px() : kPanelWidth_px;
-    // Large letters in a small window: the scene keeps its room. The ready card and Help have the keys too.
+    // With large text in a small window the scene keeps its space. The ready card and Help also list the
+    // keys.
     constexpr double kLargestKeysShare = 0.13;
     m_keysText->setVisible(m_keysText->heightForWidth(static_cast<int>(0.7 * width())) <= kLargestKeysShare * height());
     m_header->setCompact(height() < context().theme().px(kCompactBelow_px));

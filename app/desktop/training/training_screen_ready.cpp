@@ -17,11 +17,11 @@
 namespace chiron::desktop {
 
 namespace {
-constexpr double kPractice_s = 60.0; // long enough to try every control once, short enough to be taken
-constexpr double kPracticeEnds_s = 10.0; // told so long before: time to finish what is at hand
+constexpr double kPractice_s = 60.0; // long enough to try every control once, short enough to be accepted
+constexpr double kPracticeEnds_s = 10.0; // announced this long before the end, to finish the current action
 }
 
-/// Of everything that this level's scene may draw to guide somebody.
+/// Explains everything that this level's scene may draw as guidance.
 QStringList TrainingScreen::markWords() const {
     QStringList words;
     const catalogue::Exercise* exercise = context().site().catalogue().find(m_level->exercise);
@@ -54,7 +54,7 @@ ReadyFacts TrainingScreen::readyFacts() const {
     facts.clock = m_practised ? tr("%n trial(s). The clock starts when you press Continue.", nullptr, trials)
                               : tr("%n trial(s). The clock starts when you press Go or move the tool with a key.", nullptr, trials);
     if (m_plan.trials > 0) {
-        facts.offersPractice = false; // it is one
+        facts.offersPractice = false; // it is a practice itself
         facts.clock = tr("%1 Nothing counts yet.").arg(facts.clock);
     }
     facts.offersLeave = context().navigator().canGoBack();
@@ -73,7 +73,8 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
     connect(m_card, &ReadyCard::practiceAsked, this, &TrainingScreen::practise);
     connect(m_card, &ReadyCard::watchAsked, this, [this] {
         if (const auto expert = expertPlan(m_level->exercise, m_level->number))
-            context().navigator().replace({QStringLiteral("training"), expert->toMap()}); // whose debrief says "Now you"
+            // Its debrief offers "Now you".
+            context().navigator().replace({QStringLiteral("training"), expert->toMap()});
     });
     connect(m_card, &ReadyCard::leaveAsked, this, [this] { context().navigator().back(); });
     connect(m_card, &ReadyCard::wholeAsked, this, [this] { showCard(ReadyCard::Kind::whole); });
@@ -82,7 +83,7 @@ void TrainingScreen::showCard(ReadyCard::Kind kind) {
     m_pages->setCurrentWidget(m_card);
     m_stage->showContent();
     for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
-        part->hide(); // nothing runs that could be measured or stopped: the card has the room
+        part->hide(); // nothing is running that could be measured or stopped, so the card gets the space
     m_card->takeFocus();
 }
 
@@ -92,7 +93,7 @@ void TrainingScreen::showCardAgain() {
     m_card = new ReadyCard(context().theme(), readyFacts(), ReadyCard::Kind::paused);
     connect(m_card, &ReadyCard::goAsked, this, [this] {
         if (m_control->stopped())
-            takeCardAway(); // force comes back by Re-arm alone
+            takeCardAway(); // only Re-arm restores force
         else
             pauseOrResume();
     });
@@ -100,7 +101,7 @@ void TrainingScreen::showCardAgain() {
     m_pages->addWidget(m_card);
     m_pages->setCurrentWidget(m_card);
     for (QWidget* part : {m_side, m_foot})
-        part->hide(); // force can be stopped, whatever is read
+        part->hide(); // the controls stay, so that force can be stopped at any time
     m_card->takeFocus();
 }
 
@@ -112,7 +113,7 @@ void TrainingScreen::takeCardAway() {
     for (QWidget* part : {m_side, m_foot, static_cast<QWidget*>(m_controls)})
         part->show();
     m_card->hide();
-    m_card->deleteLater(); // it may be what asked for this
+    m_card->deleteLater(); // deferred, because the card itself may have requested this
     m_card = nullptr;
 }
 
@@ -120,7 +121,8 @@ void TrainingScreen::go() {
     if (m_wentAhead)
         return;
     m_wentAhead = true;
-    if (!m_plan.familiarisation && !m_plan.practises()) // who has only tried it reads once more how each movement is made
+    // People who only tried the level still need the explanation of each movement.
+    if (!m_plan.familiarisation && !m_plan.practises())
         context().settings().setOfPerson(context().actor().personId(), readyKey(m_plan), true);
     m_stage->showLoading(tr("Preparing the scene …"));
     takeCardAway();

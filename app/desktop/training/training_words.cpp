@@ -42,7 +42,7 @@ QString deviceTitle(const TrainingPlan& plan) {
     }
     const QString name = StationWords::driver(*plan.driver);
     if (plan.driver->name.empty())
-        return name; // a title of the command line says itself what is felt
+        return name; // the command line's title already says whether force is felt
     return plan.driver->deviceClass == devices::DeviceClass::shown ? Words::tr("%1: force shown, not felt").arg(name) : Words::tr("%1: force felt").arg(name);
 }
 

@@ -9,13 +9,13 @@
 
 namespace chiron::desktop {
 
-/// Words that set-up and training share.
-QString operatorTitle(const std::string& name); ///< "an expert"; a name that is not known as it is
-QString deviceTitle(const TrainingPlan& plan);  ///< with what is felt of it
+/// Texts that set-up and training share.
+QString operatorTitle(const std::string& name); ///< "an expert"; an unknown name is returned unchanged
+QString deviceTitle(const TrainingPlan& plan);  ///< including whether force is felt
 QString deviceIcon(devices::MovedBy movedBy);   ///< Breeze name
-/// How the tool is moved, marked, paused, stopped.
+/// How to move the tool, mark, pause and stop.
 QString keysInWords(bool ownHand, session::PointerTool tool = session::PointerTool::point, int tools = 1);
-/// Which of several instruments the mouse and the keyboard move: `tool` from 0.
+/// Names the instrument that mouse and keyboard move: `tool` counts from 0.
 QString activeToolInWords(int tool, int tools);
 
 } // namespace chiron::desktop

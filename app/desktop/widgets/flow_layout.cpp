@@ -43,7 +43,7 @@ void FlowLayout::setGeometry(const QRect& area) {
 }
 
 int FlowLayout::arrange(const QRect& area, bool place) const {
-    std::vector<std::pair<QLayoutItem*, QRect>> line; // its items meet in their middles
+    std::vector<std::pair<QLayoutItem*, QRect>> line; // items of one line, aligned at their vertical centres
     int x = area.x();
     int y = area.y();
     int height = 0;
@@ -55,7 +55,7 @@ int FlowLayout::arrange(const QRect& area, bool place) const {
     };
     for (const auto& item : m_items) {
         if (item->isEmpty())
-            continue; // hidden
+            continue; // hidden items take no space
         const QSize wanted(std::min(item->sizeHint().width(), std::max(area.width(), item->minimumSize().width())),
                            item->sizeHint().height());
         if (x > area.x() && x + wanted.width() > area.x() + area.width()) {

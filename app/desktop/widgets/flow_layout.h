@@ -8,8 +8,10 @@
 
 namespace chiron::desktop {
 
-/// Items one after the other, as many a line as fit: for rows of controls that a large scale or long words would push out of
-/// the window. Those of one line are level with each other. No margins of its own. GUI thread.
+/// Lays items out one after the other, with as many per line as fit, for rows of controls that a large scale
+/// or long text would push out of the window. Items in a line are vertically aligned. It has no margins of
+/// its own.
+/// Thread: GUI.
 class FlowLayout final : public QLayout {
 public:
     explicit FlowLayout(int spacing_px, QWidget* parent = nullptr);
@@ -27,7 +29,7 @@ public:
     void setGeometry(const QRect& area) override;
 
 private:
-    /// The height that the items need in the width of `area`; places them where asked.
+    /// The height that the items need in the width of `area`. With `place` it also positions them.
     int arrange(const QRect& area, bool place) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;

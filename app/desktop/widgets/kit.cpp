@@ -45,7 +45,8 @@ QLabel* line(const Theme& theme, const QString& text, TextStyle style, const cha
     auto* label = new QLabel(text);
     label->setFont(theme.font(style));
     label->setProperty("kind", QLatin1String(kind));
-    label->setTextFormat(Qt::PlainText); // names and comments are people's words, never markup
+    // Names and comments come from people and must never be interpreted as markup.
+    label->setTextFormat(Qt::PlainText);
     return label;
 }
 

@@ -9,10 +9,12 @@ namespace chiron::desktop {
 
 class Theme;
 
-/// The program's own sign, the same in every theme: of windows, and wherever the program says its name. GUI thread.
+/// The program's own icon, the same in every theme, for windows and wherever the program's name appears.
+/// Thread: GUI.
 QIcon logoIcon();
 
-/// The sign alone, in the middle of its room; `size_px` at 100 %. For the eye only: its neighbour says the name.
+/// The logo alone, centred in its space; `size_px` at 100 %. It is decorative: the text beside it names the
+/// program.
 QLabel* logo(const Theme& theme, int size_px);
 
 } // namespace chiron::desktop

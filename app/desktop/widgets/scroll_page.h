@@ -9,12 +9,12 @@ class QVBoxLayout;
 
 namespace chiron::desktop {
 
-/// A page that scrolls when the window is small or the scale large, with the margins and the largest width that all pages
-/// share. Put the screen's parts into column(). The scroll bar follows the keyboard focus.
+/// A page that scrolls if the window is small or the scale is large, with the common margins and maximum
+/// width of all pages. Put the screen's parts into column(). The scroll bar follows the keyboard focus.
 class ScrollPage : public QScrollArea {
     Q_OBJECT
 public:
-    /// `maximumWidth_px` at 100 %; 0: as wide as the window.
+    /// `maximumWidth_px` at 100 %; 0: the full width of the window.
     explicit ScrollPage(const Theme& theme, int maximumWidth_px = 1200, QWidget* parent = nullptr);
     QVBoxLayout* column() const { return m_column; }
 

@@ -34,7 +34,7 @@ void StatePanel::buildLoading() {
     addWidget(m_loading);
 }
 
-// Most of what is loaded is there before anybody could see these.
+// Created only when needed, because most loading ends before the progress would appear.
 void StatePanel::buildProgress() {
     auto* column = static_cast<QVBoxLayout*>(m_loading->layout());
     m_progress = new QProgressBar;
@@ -69,7 +69,7 @@ void StatePanel::buildNote() {
     m_noteAction = kit::button(m_theme, {}, "primary");
     m_noteAction->setObjectName(QStringLiteral("state.action"));
     connect(m_noteAction, &QPushButton::clicked, this, [this] {
-        const auto action = m_action; // the action may show another state and replace it
+        const auto action = m_action; // a copy, because the action may show another state and replace it
         if (action)
             action();
     });

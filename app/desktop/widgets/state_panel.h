@@ -18,23 +18,25 @@ namespace chiron::desktop {
 
 class WorkToken;
 
-/// A part of a screen that is loading, empty, failed, or there. Every list and every loaded thing sits in one, so that all
-/// screens say these states alike. Progress appears after 0.5 s, Cancel after 2 s (experience.md, Rules). GUI thread.
+/// A part of a screen that is loading, empty, failed, or has content. Every list and everything that is
+/// loaded sits in a StatePanel, so that all screens present these states in the same way. Progress appears
+/// after 0.5 s, Cancel after 2 s (experience.md, Rules).
+/// Thread: GUI.
 class StatePanel : public QStackedWidget {
     Q_OBJECT
 public:
     explicit StatePanel(const Theme& theme, QWidget* parent = nullptr);
 
-    /// What is shown once it is there; the panel owns it.
+    /// The widget to show after loading. The panel owns it.
     void setContent(QWidget* content);
     QWidget* content() const { return m_content; }
 
-    /// `what` says what is being done ("Loading the sessions …"). With a token: progress and Cancel.
+    /// `what` names the work ("Loading the sessions …"). With a token, progress and Cancel appear.
     void showLoading(const QString& what, std::shared_ptr<WorkToken> token = {});
     void showContent();
-    /// Nothing is there yet: why, and what to do about it (button hidden where the text is empty).
+    /// Shows that there is nothing yet, why, and what to do about it (no button if `actionText` is empty).
     void showEmpty(const QString& title, const QString& text, const QString& actionText = {}, std::function<void()> action = {});
-    /// It failed: in words, with "Try again" where that makes sense.
+    /// Shows an error in words, with "Try again" if `again` is given.
     void showError(const QString& title, const core::Error& error, std::function<void()> again = {}, Tried tried = Tried::reading);
 
     enum class State { loading, content, empty, error };
@@ -53,7 +55,7 @@ private:
     QWidget* m_content = nullptr;
     QWidget* m_loading = nullptr;
     QLabel* m_loadingText = nullptr;
-    QString m_what; ///< is being loaded
+    QString m_what; ///< text of what is being loaded
     QProgressBar* m_progress = nullptr;
     QPushButton* m_cancel = nullptr;
     QTimer* m_timer = nullptr;

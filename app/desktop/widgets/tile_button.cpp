@@ -42,14 +42,14 @@ void TileButton::resizeEvent(QResizeEvent* event) {
 bool TileButton::event(QEvent* event) {
     const bool done = QPushButton::event(event);
     if (event->type() == QEvent::LayoutRequest)
-        keepWords(); // words that came later need room as well, though the width is the same
+        keepWords(); // text added later needs space as well, although the width is unchanged
     return done;
 }
 
-// A scroll area asks for the smallest size only: without this it would squeeze the second line of words.
+// A scroll area asks only for the minimum size; without this it would squeeze the second line of text.
 void TileButton::keepWords() {
     setMinimumHeight(heightForWidth(width()));
-    if (m_row->geometry() != rect()) // it grew within a layout of the words for less height
+    if (m_row->geometry() != rect()) // the text was still laid out for a smaller height
         m_row->setGeometry(rect());
 }
 

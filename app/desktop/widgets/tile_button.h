@@ -9,15 +9,17 @@ class QHBoxLayout;
 
 namespace chiron::desktop {
 
-/// A button with labels of its own inside, as high as their wrapped words need at its width: an ordinary push button knows
-/// nothing of a layout in it. Set an accessible name; labels added later must let the mouse through (seal()). GUI thread.
+/// A button that contains labels and is as high as their wrapped text needs at its width, which an ordinary
+/// push button with a layout does not support. Set an accessible name. Call seal() after adding labels, so
+/// that they let the mouse through.
+/// Thread: GUI.
 class TileButton : public QPushButton {
     Q_OBJECT
 public:
     explicit TileButton(const Theme& theme, QWidget* parent = nullptr);
 
     QHBoxLayout* row() const noexcept { return m_row; }
-    /// After the labels were put in: the whole tile is the button.
+    /// Call it after the labels were added: makes the whole tile act as the button.
     void seal();
 
     QSize sizeHint() const override;

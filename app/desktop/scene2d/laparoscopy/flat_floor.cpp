@@ -39,7 +39,7 @@ void FlatFloor::paintTarget(QPainter& painter, const FlatPanel& panel, const Sce
                             double dwell) {
     const QPointF at = panel.project(p_W);
     const double radius = panel.pixels(radius_m * 1e3);
-    const bool floor = panel.side() == FlatPanel::Side::side && p_W.z() < 0.004; // a dish, from the side
+    const bool floor = panel.side() == FlatPanel::Side::side && p_W.z() < 0.004; // a dish seen from the side
     const double high = floor ? 3.0 * panel.unit() : radius;
     QColor veil = setup.colours.arrow;
     veil.setAlphaF(0.45F);

@@ -5,17 +5,19 @@
 
 namespace chiron::scene3d {
 
-/// The floor of the abdomen in the flat pictures (z = 0), and what both exercises on it draw. Millimetres.
+/// Draws the floor of the abdomen (z = 0) in the flat views, and what both exercises on it have in common.
+/// Unit: mm in the view.
 class FlatFloor {
 public:
     static QRectF rangeAbove_mm();
     static QRectF rangeSide_mm(double room_mm);
     static void paint(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup);
-    /// Where something is to be brought: a dashed outline with ticks, filled by the share of the time held there.
+    /// Draws the place that an object is to be brought to: a dashed outline with ticks, filled in proportion
+    /// to the time that the object has been held there.
     static void paintTarget(QPainter& painter, const FlatPanel& panel, const SceneSetup& setup, const core::Vec3& p_W, double radius_m,
                             double dwell);
 
-    static constexpr double kReach_mm = 62.0; ///< of the field, each way
+    static constexpr double kReach_mm = 62.0; ///< half the width of the field
 };
 
 /// Tissue keeps its own colours in every theme.

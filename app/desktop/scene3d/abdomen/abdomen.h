@@ -10,25 +10,25 @@
 
 namespace chiron::scene3d {
 
-/// How a soft organ looks: `pale.w` how much its vessels show, `deep.w` how wet it is.
+/// The look of a soft organ. `pale.w` sets how visible its vessels are, `deep.w` how wet it is.
 struct OrganLook {
     QVector4D pale;
     QVector4D deep;
 };
 
-/// The peritoneal cavity round the workspace: floor, bowel, omentum, uterus. Four draw calls. The floor is flat where the
-/// instruments work, takes their shadows and gives way where a tip is below it.
+/// The peritoneal cavity round the workspace: floor, bowel, omentum, uterus. It takes four draw calls. The
+/// floor is flat where the instruments work; it receives their shadows and dents where a tip lies below it.
 class Abdomen final : public Qt3DCore::QEntity {
 public:
     Abdomen(SharedLight& light, double workspace_m, Qt3DCore::QNode* parent);
 
-    /// Floor and organs lie lower by so much: something else is what the instruments work on.
+    /// Lowers the floor and the organs by this distance if the instruments work on something else.
     void lower(double by_m);
     void change(const SceneSetup& setup);
     void show(const SceneState& state);
-    /// A material of soft tissue in the abdomen's light.
+    /// Creates a material for soft tissue, lit like the abdomen.
     Qt3DRender::QMaterial* organ(const OrganLook& look, Qt3DCore::QNode* parent);
-    /// The material of soft shade on the floor: translucent.
+    /// Creates the translucent material for soft shadows on the floor.
     Qt3DRender::QMaterial* shade(Qt3DCore::QNode* parent);
 
 private:

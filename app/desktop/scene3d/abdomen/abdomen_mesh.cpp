@@ -12,10 +12,10 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kFlatBeyond_mm = 8.0; // of the workspace
+constexpr double kFlatBeyond_mm = 8.0; // beyond the workspace
 constexpr double kEnd_mm = 340.0;
 constexpr int kSpokes = 108;
-constexpr int kInnerRings = 26; // over the flat part: the tips dent it
+constexpr int kInnerRings = 26; // over the flat part, which the tips dent
 constexpr int kOuterRings = 22;
 
 double floorHeight_mm(double flat_mm, double angle, double r_mm) {
@@ -37,7 +37,7 @@ double ringRadius_mm(double flat_mm, int ring) {
     return flat_mm + (kEnd_mm - flat_mm) * (0.4 * t + 0.6 * t * t);
 }
 
-/// A loop of bowel along an arc round the field, pinched every 22 mm.
+/// Adds a loop of bowel along an arc round the field, pinched every 22 mm.
 void addLoop(TriangleMesh& mesh, double flat_mm, double away_mm, double thick_mm, double from_deg, double to_deg, double phase) {
     constexpr int kRings = 64;
     std::vector<SweepRing> rings;
@@ -123,7 +123,7 @@ TriangleMesh uterusMesh(double workspace_mm) {
     TriangleMesh mesh;
     const double y = workspace_mm + kFlatBeyond_mm + 36.0;
     addLobe(mesh, {2.0, y, 4.0}, {33.0, 25.0, 25.0}, 0.03, 5, 26);
-    // the round ligaments run from its corners to the sides
+    // The round ligaments run from its corners to the sides.
     for (const double side : {1.0, -1.0}) {
         std::vector<SweepRing> rings;
         for (int i = 0; i <= 24; ++i) {

@@ -5,14 +5,17 @@
 
 namespace chiron::scene3d {
 
-/// The floor of the peritoneal cavity: flat (z = 0) over the workspace, rising in folds beyond it. All of these: frame W,
-/// millimetres, the same every time; decoration, out of reach of the instruments. Pure; allocate; a few ms.
+/// The floor of the peritoneal cavity: flat (z = 0) over the workspace, rising in folds beyond it. The meshes
+/// in this file are deterministic decoration out of reach of the instruments. The functions are pure,
+/// allocate, and take a few ms.
+/// Unit: mm.
+/// Frame: W (world).
 TriangleMesh peritoneumMesh(double workspace_mm);
-/// Loops of small bowel behind, left and right.
+/// Loops of small bowel at the back, left and right.
 TriangleMesh bowelMesh(double workspace_mm);
-/// Omentum in front, left and right, low enough to hide nothing.
+/// Omentum at the front, left and right, low enough to hide nothing.
 TriangleMesh fatMesh(double workspace_mm);
-/// The fundus of the uterus, behind the middle.
+/// The fundus of the uterus, at the back behind the middle.
 TriangleMesh uterusMesh(double workspace_mm);
 
 } // namespace chiron::scene3d

@@ -11,7 +11,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kUnit_mm = 10.0; // the radius that the meshes are made for
+constexpr double kUnit_mm = 10.0; // the radius for which the meshes are made
 
 TriangleMesh stick(double radius_mm) {
     TriangleMesh mesh;

@@ -9,17 +9,17 @@
 
 namespace chiron::scene3d {
 
-/// Where something is to be brought: a ring with four ticks, and a line to the floor where it hangs above it. It fills with
-/// the time that the thing has been held there.
+/// Marks the place that an object is to be brought to: a ring with four ticks, and a line to the floor if the
+/// place lies above it. The ring fills up while the object is held there.
 class TargetRing final : public Qt3DCore::QEntity {
 public:
     TargetRing(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
-    /// `along`: the ring's axis. `foot`: with the line to the floor.
+    /// `along` is the axis of the ring. `foot` adds the line to the floor. `dwell` is the filled share, 0..1.
     void show(const core::Vec3& p_W, const core::Vec3& along, double radius_m, bool foot, double dwell);
     void hide() { setEnabled(false); }
-    /// The filling is translucent.
+    /// Puts the translucent filling on this layer.
     void putTranslucent(Qt3DRender::QLayer* layer);
 
 private:

@@ -7,14 +7,15 @@
 
 namespace chiron::scene3d {
 
-/// How a drawn surface gives way under one tip: every point x near the touched point s moves by
+/// The dent that one tip makes in a drawn surface. Every point x near the touched point s moves by
 ///   u(x) = −depth · n · (1 − |x − s|²/reach²)³   for |x − s| < reach, 0 beyond,
 /// so that s itself comes to lie on the tip, and position and slope are continuous everywhere. The force law
-/// has a depth and no profile: the profile is our choice. shaders/tissue.vert computes the same. Frame W,
-/// metres. Pure.
+/// defines a depth but no profile, so the profile is our choice. shaders/tissue.vert computes the same. Pure.
+/// Unit: m.
+/// Frame: W (world).
 struct Dent {
     core::Vec3 p_WSurface = core::Vec3::Zero(); ///< s
-    core::Vec3 normal = core::Vec3::UnitZ();    ///< n, unit, outward: from the tip to s
+    core::Vec3 normal = core::Vec3::UnitZ();    ///< n, unit vector, outward: from the tip to s
     double depth_m = 0.0;                       ///< ≥ 0; 0 = no contact
     double reach_m = kBaseReach_m;
 

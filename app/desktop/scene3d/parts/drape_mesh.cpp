@@ -15,7 +15,7 @@ constexpr int kSpokes = 144;
 constexpr double kEdge_mm = 3.2; // thickness of the rolled edge
 constexpr double kEnd_mm = 520.0;
 
-/// Distance from the opening and height of the cloth's outline without folds.
+/// A point of the cloth's profile without folds: distance from the opening, and height.
 struct Outline {
     double away_mm;
     double height_mm;
@@ -37,7 +37,7 @@ std::vector<Outline> outline() {
     return rows;
 }
 
-/// Folds that run outwards and grow with the distance.
+/// Folds run outwards and grow with the distance.
 double fold(double angle, double away_mm) {
     const double grown = std::clamp((away_mm - 8.0) / 90.0, 0.0, 1.0);
     return 4.6 * grown * grown *

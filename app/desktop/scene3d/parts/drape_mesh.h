@@ -5,8 +5,9 @@
 
 namespace chiron::scene3d {
 
-/// The sterile drape with its round opening about z: a rolled edge, then cloth in soft folds that fall away,
-/// to beyond the picture. Height 0 is the plane of the field. Millimetres.
+/// The sterile drape with its round opening about z: a rolled edge, then cloth in soft folds that fall away
+/// to beyond the picture. Height 0 is the plane of the field.
+/// Unit: mm.
 TriangleMesh drapeMesh(double opening_mm);
 
 } // namespace chiron::scene3d

@@ -27,7 +27,7 @@ void addTriangle(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// A straight bar of this half width.
+/// Adds a straight bar of this half width.
 void addBar(TriangleMesh& mesh, double x0, double y0, double x1, double y1, double half) {
     const double length = std::hypot(x1 - x0, y1 - y0);
     const double dx = -(y1 - y0) / length * half;

@@ -10,7 +10,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kAboveFloor_mm = 0.12; // so that shade and floor do not flicker
+constexpr double kAboveFloor_mm = 0.12; // so that shadow and floor do not z-fight
 
 } // namespace
 

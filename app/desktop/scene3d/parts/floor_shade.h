@@ -6,12 +6,13 @@
 
 namespace chiron::scene3d {
 
-// The soft shade of things on the floor; `light` of a vertex is how dark. W, millimetres in the mesh; pure.
+// The soft shadows of objects on the floor. `light` of a vertex is the darkness. Mesh in W, in millimetres;
+// pure.
 
-/// How dark the shade of something is whose lower side is so far above the floor.
+/// Darkness of the shadow of an object whose lower side is this far above the floor.
 double shadeOf(double above_m);
 MeshVertex shadeVertex(const core::Vec2& p_m, double floor_m, double dark);
-/// Of a round thing at this place.
+/// Adds the shadow of a round object at this position.
 void addShade(TriangleMesh& mesh, const core::Vec3& p_W, double radius_m, double floor_m);
 
 } // namespace chiron::scene3d

@@ -24,7 +24,7 @@ TriangleMesh instrumentBody() {
         {{kHinge_mm + 7.0, 2.2}, {kHinge_mm + 7.6, kShaftRadius_mm}, {kHinge_mm + 9.0, kShaftRadius_mm}},
         0.7);
     addTurned(mesh, {{kHinge_mm + 9.0, 2.35}, {60.0, 2.35}, {140.0, 2.35}, {kShaftEnd_mm, 2.35}}, 0.0);
-    // the pin that holds the jaws, across y
+    // The pin that holds the jaws, across y.
     TriangleMesh pin;
     addTurned(pin, {{-2.45, 0.9}, {2.45, 0.9}}, 0.85, 12);
     for (MeshVertex& v : pin.vertices) {
@@ -46,7 +46,8 @@ TriangleMesh instrumentJaw() {
     std::vector<Section> sections;
     for (int row = 0; row <= kRows; ++row) {
         const double t = static_cast<double>(row) / kRows;
-        const double z = kHinge_mm * t * t * (1.6 - 0.6 * t); // close rows where the tip is round
+        // Rows lie close together where the tip is round.
+        const double z = kHinge_mm * t * t * (1.6 - 0.6 * t);
         const double blunt = std::sqrt(std::min(1.0, z / 1.8) * (2.0 - std::min(1.0, z / 1.8)));
         const double wide = blunt * (1.15 + 0.75 * t);
         const double thick = blunt * (0.95 + 0.75 * t);

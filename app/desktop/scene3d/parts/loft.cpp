@@ -26,14 +26,14 @@ std::uint32_t addVertex(TriangleMesh& mesh, const Point_mm& p, const core::Vec3&
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// Normal at a point of a skin: across the two directions in which it runs on.
+/// Normal at a point of the surface: perpendicular to its two tangent directions there.
 core::Vec3 normalOf(const std::vector<Section>& sections, std::size_t row, std::size_t column) {
     const std::size_t sides = sections.front().size();
     const std::size_t below = row == 0 ? 0 : row - 1;
     const std::size_t above = std::min(row + 1, sections.size() - 1);
     core::Vec3 around =
         vec(sections[row][(column + 1) % sides]) - vec(sections[row][(column + sides - 1) % sides]);
-    if (around.norm() < 1e-6) { // a tip: the outline is one point, so take its neighbour's
+    if (around.norm() < 1e-6) { // at a tip the outline is a single point, so the neighbouring outline is used
         const std::size_t other = row == 0 ? above : below;
         around =
             vec(sections[other][(column + 1) % sides]) - vec(sections[other][(column + sides - 1) % sides]);

@@ -7,7 +7,8 @@
 
 namespace chiron::scene3d {
 
-/// A small generator of its own: pictures are decoration, and must not draw from the streams of a session.
+/// A small random number generator of its own. Pictures are decoration and must not draw numbers from the
+/// random streams of a session.
 class Dice {
 public:
     explicit Dice(std::uint32_t seed) : m_state(seed) {}
@@ -21,7 +22,7 @@ private:
     std::uint32_t m_state;
 };
 
-/// A plane of numbers that closes on itself in both directions; both sides are powers of two.
+/// A grid of numbers that is periodic in both directions. Both sides are powers of two.
 class Sheet {
 public:
     Sheet(int wide, int high) : m_wide(wide), m_high(high), m_values(std::size_t(wide) * std::size_t(high), 0.0F) {}
@@ -38,27 +39,27 @@ private:
     std::vector<float> m_values;
 };
 
-/// From 0 to 1 with level ends.
+/// Smoothstep: rises from 0 to 1 with zero slope at both ends.
 inline float smoothUp(float t) {
     return t * t * (3.0F - 2.0F * t);
 }
 
-/// 0..1 as a byte of a picture.
+/// Converts 0..1 to a byte of a picture.
 std::uint8_t pictureByte(float value);
 
-/// Smooth noise with this many cells along each side (powers of two), added with this weight.
+/// Adds smooth noise with this weight and this many cells along each side (powers of two).
 void addNoise(Sheet& sheet, int cellsAcross, int cellsUp, float weight, std::uint32_t seed);
 
-/// One soft round dab; the darker value stays.
+/// Draws one soft round spot. Where spots overlap, the darker value remains.
 void dab(Sheet& sheet, float x, float y, float radius, float strength);
 
-/// A vessel wanders, thins and sends off branches. Lengths in pixels.
+/// A blood vessel, which meanders, becomes thinner and branches. Lengths are in pixels.
 struct Vessel {
     float x, y, heading, radius, strength;
-    int left; ///< steps
+    int left; ///< remaining steps
     int generation;
-    float axis = 0.0F; ///< heading (either way along it) to which it keeps
-    float keeping = 0.0F; ///< how much: 0 wanders freely
+    float axis = 0.0F; ///< preferred heading, in either direction along it
+    float keeping = 0.0F; ///< how strongly it keeps to `axis`; 0: not at all
 };
 void growVessel(Sheet& sheet, Dice& dice, Vessel vessel);
 

@@ -24,7 +24,7 @@ MeshVertex vertexOf(const core::Vec3& p_mm, const core::Vec3& normal, double u_m
     return v;
 }
 
-/// Which way a line runs at each of its points.
+/// The direction of a line at each of its points.
 std::vector<core::Vec3> tangents(const std::vector<SweepRing>& rings) {
     std::vector<core::Vec3> along;
     core::Vec3 last = core::Vec3::UnitZ();
@@ -37,12 +37,13 @@ std::vector<core::Vec3> tangents(const std::vector<SweepRing>& rings) {
     return along;
 }
 
-/// Rows of one skin, joined as they come; the first and the last column lie on each other, so that the texture has a seam.
+/// Adds rows of vertices to one surface and joins each row with the previous one. The first and the last
+/// column coincide, so the texture has a seam there.
 class Skin {
 public:
     Skin(TriangleMesh& mesh, int sides) : m_mesh(mesh), m_sides(sides) {}
 
-    /// `tilt`: of the normal along the line, 0 = across it.
+    /// `tilt` inclines the normal along the line; 0 = perpendicular to it.
     void row(const core::Vec3& p_mm, const std::array<core::Vec3, 3>& frame, double radius_mm, double tilt, double along_mm,
              double light, double fringe_mm = 0.0) {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
@@ -137,11 +138,12 @@ void addLobe(TriangleMesh& mesh, const core::Vec3& centre_mm, const core::Vec3& 
         for (int i = 0; i <= sides; ++i) {
             const double polar = core::kPi * r / rows;
             const double azimuth = 2.0 * core::kPi * i / sides;
-            const double inside = std::clamp(polar, kStep, core::kPi - kStep); // at a pole no circle runs round it
+            // The derivative round the axis vanishes at a pole.
+            const double inside = std::clamp(polar, kStep, core::kPi - kStep);
             const core::Vec3 down = pointOf(inside + kStep, azimuth) - pointOf(inside - kStep, azimuth);
             const core::Vec3 round = pointOf(inside, azimuth + kStep) - pointOf(inside, azimuth - kStep);
             const core::Vec3 p = pointOf(polar, azimuth);
-            // The picture is laid on from above and the front: no poles, and no seam that is seen.
+            // The texture is projected from above and the front, which gives no poles and no visible seam.
             mesh.vertices.push_back(vertexOf(p, down.cross(round).normalized(), p.x() + 0.35 * p.z(), p.y() - 0.8 * p.z(),
                                              0.66 + 0.34 * (0.5 + 0.5 * std::cos(polar))));
         }

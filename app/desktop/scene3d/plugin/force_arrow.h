@@ -8,9 +8,9 @@
 
 namespace chiron::scene3d {
 
-/// The force on the tool as an arrow from its tip, 10 mm a quarter of the limit, with a ring where the limit
-/// lies and a thin line to it. Over the limit it changes colour, grows thicker and wears rings: never colour
-/// alone. Drawn over the instrument.
+/// Shows the force on the tool as an arrow from its tip, 10 mm long per quarter of the limit, with a ring at
+/// the length of the limit and a thin line to it. Above the limit it not only changes colour, but also grows
+/// thicker and has rings. It is drawn over the instrument.
 class ForceArrow final : public Qt3DCore::QEntity {
 public:
     ForceArrow(SharedLight& light, Qt3DCore::QNode* parent);
@@ -19,8 +19,9 @@ public:
     void show(const ToolView& tool);
 
     static constexpr double kLimit_mm = 40.0; ///< length at the limit
-    static constexpr double kLongest = 1.75;  ///< of the limit's length; beyond, the bar tells
-    static constexpr double kLeast_N = 0.02;  ///< below, no arrow
+    /// Multiple of the limit's length; beyond that only the bar shows the force.
+    static constexpr double kLongest = 1.75;
+    static constexpr double kLeast_N = 0.02;  ///< no arrow below this force
 
 private:
     SceneSetup m_setup;
@@ -29,7 +30,7 @@ private:
     Qt3DRender::QParameter* m_lineTint;
     Part* m_stem;
     Part* m_head;
-    Part* m_way; ///< thin, from the tip to the limit's ring
+    Part* m_way; ///< thin line from the tip to the limit's ring
     Part* m_limit;
     Part* m_rings[3];
 };

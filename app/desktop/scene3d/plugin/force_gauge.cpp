@@ -63,7 +63,7 @@ void ForceGauge::place() {
     const double wide = std::max(1, m_picture_px.width());
     const double high = std::max(1, m_picture_px.height());
     const double margin = 12.0 * m_ratio;
-    // On a small picture the bar shrinks with it.
+    // The bar shrinks with a small picture.
     const double unit = std::min(m_setup.scale * m_ratio, (high - 2.0 * margin) / GaugePainter::kHeight);
     const double width_px = std::ceil(GaugePainter::kWidth * unit);
     const double height_px = std::ceil(GaugePainter::kHeight * unit);
@@ -72,7 +72,7 @@ void ForceGauge::place() {
     const double left = m_side == Side::right ? 1.0 - 2.0 * (width_px + margin) / wide : -1.0 + 2.0 * margin / wide;
     m_spot->setValue(QVector4D(float(left), float(-height_px / high),
                                float(2.0 * width_px / wide), float(2.0 * height_px / high)));
-    const QRectF hollow = GaugePainter::hollow(); // from the top; the shader counts from the bottom
+    const QRectF hollow = GaugePainter::hollow(); // measured from the top; the shader counts from the bottom
     m_column->setValue(QVector4D(
         float(hollow.left() / GaugePainter::kWidth), float(1.0 - hollow.bottom() / GaugePainter::kHeight),
         float(hollow.width() / GaugePainter::kWidth), float(hollow.height() / GaugePainter::kHeight)));

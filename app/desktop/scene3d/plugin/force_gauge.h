@@ -13,18 +13,19 @@ namespace chiron::scene3d {
 
 class GaugeFace;
 
-/// A force bar at an edge of the picture: a scale in newtons with a limit line or a target band; striped over the
-/// limit. It lies in the picture because no widget may lie over a native window. One draw call.
+/// A force bar at an edge of the picture, with a scale in newtons and a limit line or a target band; it is
+/// striped above the limit. It is part of the picture, because no widget may lie over a native window. It
+/// takes one draw call.
 class ForceGauge final : public Qt3DCore::QEntity {
 public:
     enum class Side { left, right };
     ForceGauge(SharedLight& light, Side side, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup, const GaugeDial& dial, bool shown);
-    /// The picture's size in device pixels, and device pixels a logical one.
+    /// Sets the size of the picture in device pixels and the number of device pixels per logical pixel.
     void setPicture(const QSize& size_px, double ratio);
     void show(double force_N);
-    /// Share of the picture's width that it takes.
+    /// The share of the picture's width that the bar takes.
     double widthShare() const { return m_widthShare; }
 
 private:

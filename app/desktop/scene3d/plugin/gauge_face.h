@@ -7,7 +7,7 @@
 
 namespace chiron::scene3d {
 
-/// The force bar's face as a texture, painted once per size or colour.
+/// The face of the force bar as a texture, painted once for each size or colour scheme.
 class GaugeFace final : public Qt3DRender::QPaintedTextureImage {
 public:
     explicit GaugeFace(Qt3DCore::QNode* parent) : QPaintedTextureImage(parent) {}

@@ -58,7 +58,7 @@ void Instrument::show(const ToolView& tool, bool leftHanded) {
         matrix.rotate(180.0F * float(side), 0.0F, 0.0F, 1.0F);
         matrix.translate(0.0F, 0.0F, float(kHinge_mm));
         matrix.rotate(half_deg, 1.0F, 0.0F,
-                      0.0F); // the tip lies on −z of the hinge: this turns it towards +y
+                      0.0F); // the tip lies on −z of the hinge, so this turns it towards +y
         matrix.translate(0.0F, 0.0F, -float(kHinge_mm));
         m_jaw[side]->at().setMatrix(matrix);
     }

@@ -7,14 +7,15 @@
 
 namespace chiron::scene3d {
 
-/// A laparoscopic grasper, itself or as a translucent ghost. Three draw calls; of several instruments each wears rings (one: the
-/// right, two: the left one, ...), and the one that the mouse moves a collar: one call each.
+/// A laparoscopic grasper, solid or as a translucent ghost. It takes three draw calls. If there are several
+/// instruments, each has rings (one: the right, two: the left, ...), and the one that the mouse moves has a
+/// collar; rings and collar take one call each.
 class Instrument final : public Qt3DCore::QEntity {
 public:
     Instrument(SharedLight& light, bool ghost, Qt3DCore::QNode* parent);
 
     void setGhostColour(const QColor& colour);
-    /// `rings`: 0..4 on the shaft; `collar`: mouse and keyboard move this one.
+    /// `rings`: number of rings on the shaft, 0..4. `collar`: mouse and keyboard move this instrument.
     void wear(int rings, bool collar);
     void show(const ToolView& tool, bool leftHanded);
 

@@ -10,7 +10,7 @@
 namespace chiron::scene3d {
 
 namespace {
-constexpr double kInFront = -0.9996; // of the bar and of every mark
+constexpr double kInFront = -0.9996; // in front of the bar and of every mark
 }
 
 NoteCard::NoteCard(SharedLight& light, Qt3DCore::QNode* parent) : QEntity(parent), m_face(new PaintedFace(this)) {

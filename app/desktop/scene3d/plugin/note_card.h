@@ -10,13 +10,13 @@
 
 namespace chiron::scene3d {
 
-/// A note over the whole picture; painted when it changes, drawn by nobody while there is none.
+/// A note over the whole picture. It is painted when it changes, and costs nothing while there is none.
 class NoteCard final : public Qt3DCore::QEntity {
 public:
     NoteCard(SharedLight& light, Qt3DCore::QNode* parent);
 
     void change(const SceneSetup& setup);
-    /// The picture's size in device pixels, and device pixels a logical one.
+    /// Sets the size of the picture in device pixels and the number of device pixels per logical pixel.
     void setPicture(const QSize& size_px, double ratio);
     void show(const SceneNote& note);
 

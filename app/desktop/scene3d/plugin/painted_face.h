@@ -10,12 +10,12 @@ class QPainter;
 
 namespace chiron::scene3d {
 
-/// A small picture that is painted again when it changes, as a texture; transparent where nothing is painted.
+/// A small texture that is repainted when it changes. It is transparent where nothing is painted.
 class PaintedFace final : public Qt3DRender::QPaintedTextureImage {
 public:
     using Paint = std::function<void(QPainter& painter)>;
 
-    /// Its texture is made with it, below `parent`; it does not repeat.
+    /// Creates the texture as a child of `parent`. The texture does not repeat.
     explicit PaintedFace(Qt3DCore::QNode* parent);
 
     void change(const QSize& size_px, Paint paint);

@@ -10,8 +10,9 @@
 
 namespace chiron::scene3d {
 
-/// A painted picture, four bytes a pixel, as a repeating texture with smaller copies of itself; painted by a thread of its own
-/// while the graphics context is made. Two textures of one name share the driver's copy: a name stands for one picture.
+/// Creates a repeating texture with mipmaps from a painted picture with four bytes per pixel. A thread of its
+/// own paints the picture while the graphics context is being created. Textures with the same name share the
+/// driver's copy, so a name must always stand for the same picture.
 Qt3DRender::QAbstractTexture* makePictureTexture(const std::string& name, const QSize& size_px,
                                                  std::function<std::vector<std::uint8_t>()> paint,
                                                  Qt3DCore::QNode* parent);

@@ -11,7 +11,7 @@ namespace chiron::scene3d {
 
 namespace {
 
-constexpr double kLeastHeight_mm = 1.5; // below, the shadow alone says enough
+constexpr double kLeastHeight_mm = 1.5; // below this height the shadow is sufficient
 
 TriangleMesh lineMesh() {
     TriangleMesh mesh;
@@ -80,7 +80,7 @@ void PlaceMarks::show(const SceneState& state, const ISceneContent& content) {
     m_pin->setEnabled(state.marked);
     if (!state.marked)
         return;
-    // The tip was pressed into the tissue when it marked; the pin stands on the surface over that place.
+    // The tip was pressed into the tissue when it marked. The pin stands on the surface above that position.
     core::Vec3 p = state.p_WMark;
     p.z() = std::max(p.z(), content.groundHeight_m(p.x(), p.y()));
     m_pinAt->setTranslation(toMillimetres(p));

@@ -6,8 +6,9 @@
 
 namespace chiron::scene3d {
 
-/// What shows where things are: a thin line from the tip straight down to what lies under it, with a foot
-/// there; and, in playback and as feedback after a trial, a pin where the person marked and a double ring where the mark should have been.
+/// Marks that show positions: a thin line from the tip straight down to whatever lies below it, with a foot
+/// at its end; and, in playback and as feedback after a trial, a pin where the person marked and a double
+/// ring where the mark should have been.
 class PlaceMarks final : public Qt3DCore::QEntity {
 public:
     PlaceMarks(SharedLight& light, Qt3DCore::QNode* parent);

@@ -99,7 +99,7 @@ void EffectShelf::addPass(Qt3DRender::QTechnique* technique, const char* vertexS
         vertex.insert(vertex.indexOf('\n') + 1, source("lamp.glsl"));
     program->setVertexShaderCode(vertex);
     QByteArray fragment = source(fragmentShader);
-    fragment.insert(fragment.indexOf('\n') + 1, head); // after #version
+    fragment.insert(fragment.indexOf('\n') + 1, head); // inserted after #version
     program->setFragmentShaderCode(fragment);
     pass->setShaderProgram(program);
     addBlend(pass, blend);

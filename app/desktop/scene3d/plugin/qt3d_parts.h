@@ -24,7 +24,7 @@
 
 namespace chiron::scene3d {
 
-/// Triangles on their way to the driver; setMesh() replaces them.
+/// Uploads a triangle mesh to the driver. setMesh() replaces it.
 class MeshRenderer final : public Qt3DRender::QGeometryRenderer {
 public:
     explicit MeshRenderer(const TriangleMesh& mesh, Qt3DCore::QNode* parent = nullptr);
@@ -37,30 +37,31 @@ private:
     Qt3DCore::QAttribute* m_order;
 };
 
-/// A frame graph that draws the same things in two looks asks for one by this filter key.
+/// The filter key by which a frame graph that draws the same entities in two looks selects one of them.
 inline constexpr const char* kLookKey = "look";
 inline constexpr const char* kLookPlain = "plain";
 inline constexpr const char* kLookFocus = "focus";
 
 enum class Blend { opaque, translucent, premultiplied };
 
-/// The effects of a scene: materials with the same shaders share one, so that each is compiled once and says
-/// when it is ready (a second node with the same source never does).
+/// The effects of a scene. Materials with the same shaders share one effect, so that each shader is compiled
+/// only once and reports when it is ready (a second node with the same source never does).
 class EffectShelf {
 public:
     explicit EffectShelf(Qt3DCore::QNode* owner) : m_owner(owner) {}
 
-    /// A material of the two shaders of these names (in shaders/), with its own parameters.
+    /// Creates a material with the two named shaders (in shaders/) and its own parameters.
     Qt3DRender::QMaterial* material(const char* vertexShader, const char* fragmentShader,
                                     const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                     Qt3DCore::QNode* parent);
-    /// The effect alone. `tools` ≥ 0: a fragment shader of the field, which gets shadowOf() for that many
-    /// tips, after the lines `defines` ("#define NAME\n").
+    /// Returns the effect alone. `tools` ≥ 0 is for a fragment shader of the field, which gets shadowOf() for
+    /// that many tips, after the lines `defines` ("#define NAME\n").
     Qt3DRender::QEffect* effect(const char* vertexShader, const char* fragmentShader, Blend blend,
                                 int tools = -1, const QByteArray& defines = {});
-    /// With lines put into the fragment shader after #version ("#define NAME\n"), so that one file serves several looks.
-    /// BOTH_SIDES among them: the triangles are drawn whichever way they face. LAMP: the vertex shader gets lamp.glsl,
-    /// and there is a second pass, for what kLookFocus asks for, with FOCUS defined; every other pass serves both looks.
+    /// The same with lines inserted into the fragment shader after #version ("#define NAME\n"), so that one
+    /// file serves several looks. With BOTH_SIDES the triangles are drawn from both sides. With LAMP the
+    /// vertex shader gets lamp.glsl, and a second pass with FOCUS defined serves kLookFocus; every other pass
+    /// serves both looks.
     Qt3DRender::QMaterial* materialWith(const char* defines, const char* vertexShader, const char* fragmentShader,
                                         const std::vector<Qt3DRender::QParameter*>& parameters, Blend blend,
                                         Qt3DCore::QNode* parent);
@@ -73,14 +74,14 @@ private:
     std::map<std::tuple<std::string, std::string, Blend, QByteArray>, Qt3DRender::QEffect*> m_effects;
 };
 
-/// An entity with these triangles, this material and a transform of its own.
+/// An entity with this mesh, this material and its own transform.
 class Part final : public Qt3DCore::QEntity {
 public:
     Part(const TriangleMesh& mesh, Qt3DRender::QMaterial* material, Qt3DCore::QNode* parent);
     Qt3DCore::QTransform& at() { return *m_transform; }
     MeshRenderer& mesh() { return *m_mesh; }
     Qt3DRender::QMaterial* material() const { return m_material; }
-    bool isShown() const; ///< it and all above it are enabled
+    bool isShown() const; ///< this entity and all its ancestors are enabled
 
 private:
     MeshRenderer* m_mesh;

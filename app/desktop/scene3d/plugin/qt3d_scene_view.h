@@ -10,7 +10,7 @@
 
 namespace chiron::scene3d {
 
-/// The 3D scene behind the face that the screens know.
+/// Implements the screens' scene interface with Qt3D.
 class Qt3DSceneView final : public ISceneView {
 public:
     Qt3DSceneView(const SceneSetup& setup, QWidget* parent);
@@ -26,7 +26,7 @@ public:
 private:
     void takeSize();
 
-    QPointer<SceneWindow> m_window; ///< the container owns it
+    QPointer<SceneWindow> m_window; ///< owned by the container
     QPointer<QWidget> m_container;
     std::unique_ptr<IStage> m_stage;
 };

@@ -14,38 +14,46 @@
 
 namespace chiron::scene3d {
 
-/// What lies in the opening of the drape: one a kind of exercise. Its entities belong to the parent entity.
+/// The content of the scene that is specific to one kind of exercise and lies in the opening of the drape.
+/// Its entities belong to the parent entity.
 class ISceneContent {
 public:
     virtual ~ISceneContent() = default;
     virtual void change(const SceneSetup& setup) = 0;
     virtual void show(const SceneState& state) = 0;
-    /// Has the driver compile looks that will come later, so that no frame lacks the field when they do.
+    /// Makes the driver compile looks that will be needed later, so that no frame lacks the field when they
+    /// appear.
     virtual void warm() = 0;
-    /// z of what lies under this place, as shown: where a shadow falls. Metres, W.
+    /// Height (z) of the ground at this position as drawn, on which shadows fall.
+    /// Unit: m.
+    /// Frame: W (world).
     virtual double groundHeight_m(double x_m, double y_m) const = 0;
-    virtual double fieldRadius_m() const = 0; ///< of the workspace round W's origin
+    virtual double fieldRadius_m() const = 0; ///< radius of the workspace round W's origin
     virtual double planeHeight_m() const = 0;
-    virtual double roomAbove_m() const = 0; ///< above the plane, that the camera must see
-    /// Whether a drape with an opening lies round it; otherwise its own setting fills the picture.
+    virtual double roomAbove_m() const = 0; ///< height above the plane that the camera must see
+    /// Whether a drape with an opening surrounds the content; otherwise the content itself fills the picture.
     virtual bool isDraped() const { return true; }
-    /// Of the camera over the plane, rad.
+    /// Elevation of the camera above the plane.
+    /// Unit: rad.
     virtual double elevation_rad() const { return kCameraElevation_rad; }
-    /// Whether the tools (and the ghost) are its own; otherwise the stage draws laparoscopic instruments.
+    /// Whether the content draws the tools and the ghost itself; otherwise the stage draws laparoscopic
+    /// instruments.
     virtual bool drawsTools() const { return false; }
     /// The bar of the force on the tools.
     virtual GaugeDial forceBar(const SceneSetup& setup, const SceneState&) const { return forceDial(setup); }
-    /// The bar beside it; empty: there is none.
+    /// The second bar beside it; empty if there is none.
     virtual std::optional<SecondBar> secondBar(const SceneState&) const { return std::nullopt; }
-    /// The picture's size in device pixels, and device pixels a logical one: for what lies in the picture itself.
+    /// Sets the size of the picture in device pixels and the number of device pixels per logical pixel, for
+    /// content that is laid out in the picture itself.
     virtual void setPicture(const QSize& size_px, double ratio) { (void)size_px, (void)ratio; }
-    /// Translucent parts go on this layer, which is drawn after the field.
+    /// Puts translucent parts on this layer, which is drawn after the field.
     virtual void putTranslucent(Qt3DRender::QLayer* layer) { (void)layer; }
-    /// What lies over everything, as the arrow does.
+    /// Puts parts that lie over everything, like the arrow, on this layer.
     virtual void putOver(Qt3DRender::QLayer* layer) { (void)layer; }
 };
 
-/// The content of an exercise; empty where this exercise has no drawn scene. One catalogue line each.
+/// Creates the content of an exercise; null if the exercise has no drawn scene. Each exercise adds one line
+/// to the catalogue.
 std::unique_ptr<ISceneContent> makeSceneContent(const SceneSetup& setup, SharedLight& light,
                                                 Qt3DCore::QEntity* parent);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program finds in this file: see scene_plugin.h.
+// The functions that the program looks up in the plugin: see scene_plugin.h.
 #include "desktop/scene3d/scene_plugin.h"
 
 #include "desktop/scene3d/plugin/qt3d_scene_view.h"
@@ -15,7 +15,8 @@ Q_DECL_EXPORT chiron::scene3d::ISceneView* chironMakeScene(const chiron::scene3d
                                                            QWidget* parent) {
     if (!chiron::scene3d::hasStage(*setup))
         return nullptr;
-    // Faster on a software rasteriser than the other back end; read when the first render aspect is made.
+    // This back end is faster than the other one on a software rasteriser. Qt3D reads the variable when the
+    // first render aspect is created.
     if (!qEnvironmentVariableIsSet("QT3D_RENDERER"))
         qputenv("QT3D_RENDERER", "opengl");
     return new chiron::scene3d::Qt3DSceneView(*setup, parent);

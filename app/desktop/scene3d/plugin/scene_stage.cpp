@@ -17,8 +17,8 @@ namespace chiron::scene3d {
 
 namespace {
 
-const QColor kCavity(24, 8, 10); // what the lamp of the laparoscope does not reach
-constexpr double kOpeningBeyond_m = 0.010; // of the drape's opening beyond the workspace
+const QColor kCavity(24, 8, 10); // where the lamp of the laparoscope does not reach
+constexpr double kOpeningBeyond_m = 0.010; // radius of the drape's opening beyond the workspace
 
 Qt3DRender::QLayer* makeLayer(Qt3DCore::QNode* parent) {
     auto* layer = new Qt3DRender::QLayer(parent);
@@ -134,7 +134,7 @@ void SceneStage::show(const SceneState& state) {
 
 void SceneStage::showForce(const SceneState& state) {
     const GaugeDial dial = m_content->forceBar(m_setup, state);
-    if (!(dial == m_forceDial)) { // once a trial: the face is painted again
+    if (!(dial == m_forceDial)) { // happens once per trial and repaints the face
         m_forceDial = dial;
         m_gauge->change(m_setup, dial, m_setup.cues.arrow);
     }
@@ -145,7 +145,7 @@ void SceneStage::showSecond(const SceneState& state) {
     const std::optional<SecondBar> bar = m_content->secondBar(state);
     const std::optional<GaugeDial> dial = bar ? std::optional(bar->dial) : std::nullopt;
     const bool shown = bar && bar->shown;
-    if (shown != m_dialShown || !(dial == m_dial)) { // once a trial: the face is painted again
+    if (shown != m_dialShown || !(dial == m_dial)) { // this happens once per trial and repaints the face
         m_dialShown = shown;
         m_dial = dial;
         placeSecond();
@@ -175,7 +175,8 @@ void SceneStage::aim() {
         fitCamera(m_content->fieldRadius_m() + 1.2 * kOpeningBeyond_m, m_content->planeHeight_m(),
                   m_content->roomAbove_m(), aspect, m_gauge->widthShare() + m_second->widthShare(), m_content->elevation_rad());
     QMatrix4x4 projection;
-    projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F); // the middle of what the bars leave free
+    // The projection is centred in the area that the bars leave free.
+    projection.translate(float(m_second->widthShare() - m_gauge->widthShare()), 0.0F);
     projection.perspective(float(fit.fieldOfView_deg), float(aspect), 20.0F, 2500.0F);
     m_camera->lens()->setProjectionMatrix(projection);
     m_camera->setPosition(toMillimetres(fit.p_WEye));

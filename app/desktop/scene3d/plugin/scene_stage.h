@@ -19,8 +19,8 @@
 
 namespace chiron::scene3d {
 
-/// The laparoscopic stage, with the order in which it is drawn: field and instruments, then the ghost, then (over
-/// all) the arrow and the bar.
+/// The laparoscopic stage and its drawing order: field and instruments, then the ghost, and over everything
+/// the arrow and the bar.
 class SceneStage final : public IStage {
 public:
     SceneStage(const SceneSetup& setup, QObject* surface);
@@ -41,7 +41,7 @@ private:
 
     SceneSetup m_setup;
     QSize m_size_px{1024, 768};
-    Qt3DCore::QEntity* m_root; ///< the engine deletes it, and all below
+    Qt3DCore::QEntity* m_root; ///< the engine deletes it and everything below it
     SharedLight m_light;
     Qt3DRender::QCamera* m_camera;
     Qt3DRender::QLayer* m_ghostLayer;
@@ -55,8 +55,8 @@ private:
     PlaceMarks* m_marks = nullptr;
     ForceGauge* m_gauge = nullptr;
     NoteCard* m_note = nullptr;
-    ForceGauge* m_second = nullptr; ///< tension or squeeze
-    GaugeDial m_forceDial; ///< with its band, where there is one
+    ForceGauge* m_second = nullptr; ///< shows tension or squeeze
+    GaugeDial m_forceDial; ///< includes the band, if there is one
     std::optional<GaugeDial> m_dial;
     bool m_dialShown = false;
 };

@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::uint64_t kWholeFrame = 3;
 constexpr int kSettling = 2;
-constexpr int kSettle_ms = 60; // longer than from one picture to the next
+constexpr int kSettle_ms = 60; // longer than the interval between two frames
 
 QSurfaceFormat sceneFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
-    format.setSamples(0); // four samples cost a software rasteriser half its frames
+    format.setSamples(0); // four samples would halve the frame rate of a software rasteriser
     format.setSwapInterval(1);
     return format;
 }
@@ -42,8 +42,8 @@ SceneWindow::SceneWindow() {
 
 SceneWindow::~SceneWindow() {
     if (m_engine)
-        m_engine->setRootEntity({}); // while the window and its context still live
-    m_root.reset();                  // and the nodes while the engine's table of them does
+        m_engine->setRootEntity({}); // while the window and its context still exist
+    m_root.reset();                  // and the nodes, while the engine's table of them still exists
     m_engine.reset();
 }
 
@@ -53,7 +53,7 @@ void SceneWindow::setRoot(Qt3DCore::QEntity* root) {
 }
 
 void SceneWindow::start() {
-    // The renderer makes its context from the default format; the rest of the program keeps its own.
+    // The renderer creates its context from the default format. The rest of the program keeps its own format.
     const QSurfaceFormat before = QSurfaceFormat::defaultFormat();
     QSurfaceFormat::setDefaultFormat(sceneFormat());
     m_engine = std::make_unique<Qt3DCore::QAspectEngine>();
@@ -72,8 +72,8 @@ void SceneWindow::requestFrame() {
 }
 
 void SceneWindow::post() {
-    // Not requestUpdate(), which waits some milliseconds to gather requests: callers come at most once a
-    // picture.
+    // requestUpdate() is not used, because it waits some milliseconds to collect requests, and callers come
+    // at most once per frame.
     if (isExposed() && !std::exchange(m_asked, true))
         QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest));
 }
@@ -130,9 +130,9 @@ void SceneWindow::draw() {
         m_settle.start();
     if (m_whole)
         return;
-    // Qt3D loads over the first frames: in the first it starts, in the second it learns of shaders and
-    // buffers, in the third all is drawn. Its programs never report "ready" to an engine that is stepped by
-    // hand, so frames are counted.
+    // Qt3D loads over the first frames: it starts in the first, learns about shaders and buffers in the
+    // second, and draws everything in the third. Its programs never report "ready" to an engine that is
+    // stepped by hand, so the frames are counted.
     if (m_frames >= kWholeFrame) {
         m_whole = true;
         if (m_becameWhole)

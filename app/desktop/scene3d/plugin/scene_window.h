@@ -14,25 +14,26 @@ class QAspectEngine;
 
 namespace chiron::scene3d {
 
-/// The native window into which Qt3D draws, with an engine that is stepped by hand: one frame a request and
-/// none between, so that an idle scene costs nothing and every frame is counted. Only the render aspect is
-/// loaded (Qt3DWindow brings input and logic too). GUI thread.
+/// The native window into which Qt3D draws. The engine is stepped by hand, with one frame per request and
+/// none in between, so that an idle scene costs nothing and every frame is counted. Only the render aspect is
+/// loaded (Qt3DWindow would also bring input and logic).
+/// Thread: GUI.
 class SceneWindow final : public QWindow {
 public:
     SceneWindow();
     ~SceneWindow() override;
 
-    /// The scene; once, before the window is shown. Its frame graph draws into this window.
+    /// Sets the scene, once, before the window is shown. The scene's frame graph draws into this window.
     void setRoot(Qt3DCore::QEntity* root);
-    /// Draws soon; calls before that are one frame. Two more frames follow when no other call comes, because
-    /// what is shown for the first time is loaded with one frame and drawn with the next.
+    /// Draws soon; several calls before that give one frame. Two more frames follow if no other call comes,
+    /// because Qt3D loads something new in one frame and draws it in the next.
     void requestFrame();
     std::uint64_t framesDrawn() const { return m_frames; }
     void onFirstFrame(std::function<void()> call);
-    /// Called after the first whole frame was drawn, before anybody is told: time to load what is not seen
-    /// yet.
+    /// `call` runs after the first complete frame and before the first-frame callback; it may load what is
+    /// not visible yet.
     void onWhole(std::function<void()> call) { m_becameWhole = std::move(call); }
-    /// Called when the size has changed, before the frame is drawn.
+    /// `call` runs when the size has changed, before the frame is drawn.
     void onResize(std::function<void()> call) { m_resized = std::move(call); }
 
 protected:

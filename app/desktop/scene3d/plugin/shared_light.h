@@ -12,8 +12,8 @@
 
 namespace chiron::scene3d {
 
-/// What the materials of a scene share: effects, and the parameters for the lamp, the picture's size and high
-/// contrast.
+/// Shared by the materials of a scene: the effects, and the parameters for the lamp, the size of the picture
+/// and high contrast.
 struct SharedLight {
     explicit SharedLight(Qt3DCore::QNode* parent)
         : effects(parent), lamp(new Qt3DRender::QParameter(

@@ -5,7 +5,8 @@
 
 namespace chiron::scene3d {
 
-/// skinPicture() as a texture; painted by a thread of its own while the graphics context is made.
+/// Returns skinPicture() as a texture. A thread of its own paints it while the graphics context is being
+/// created.
 Qt3DRender::QAbstractTexture* makeSkinTexture(Qt3DCore::QNode* parent);
 
 } // namespace chiron::scene3d

@@ -11,7 +11,8 @@
 
 namespace chiron::scene3d {
 
-/// Everything that is drawn in the window, and how: the entities and the frame graph. Owned by the engine through root().
+/// Everything that is drawn in the window: the entities and the frame graph. The engine owns it through
+/// root().
 class IStage {
 public:
     IStage() = default;
@@ -22,13 +23,14 @@ public:
     virtual Qt3DCore::QEntity* root() = 0;
     virtual void change(const SceneSetup& setup) = 0;
     virtual void show(const SceneState& state) = 0;
-    /// Loads what has not been seen yet, after the first frame.
+    /// Loads what has not been visible yet, after the first frame.
     virtual void warm() = 0;
-    /// Size in device pixels, and device pixels a logical one.
+    /// Sets the size in device pixels and the number of device pixels per logical pixel.
     virtual void setPicture(const QSize& size_px, double ratio) = 0;
 };
 
-/// The stage of an exercise; empty where it has no drawn scene. `surface`: the window drawn into.
+/// Creates the stage of an exercise; null if the exercise has no drawn scene. `surface` is the window to draw
+/// into.
 std::unique_ptr<IStage> makeStage(const SceneSetup& setup, QObject* surface);
 bool hasStage(const SceneSetup& setup);
 

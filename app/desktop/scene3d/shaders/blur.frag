@@ -1,6 +1,6 @@
 #version 150
-// The mean over each place's circle of confusion. Sharp neighbours do not bleed into it. Places are read as they
-// are, without filtering: most of a software rasteriser's time goes there.
+// The mean over each pixel's circle of confusion. Sharp neighbours do not bleed into it. Pixels are read
+// without filtering, because filtering would take most of a software rasteriser's time.
 uniform sampler2D seen;   // a: 1 = sharp
 uniform vec2 reach;       // x: radius of the largest circle in pixels of `seen`, y: its last pixel
 

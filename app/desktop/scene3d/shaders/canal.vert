@@ -1,5 +1,5 @@
 #version 150
-// The urethra: positions (m, A) and normals as the simulation's surface has them, one buffer a component.
+// The urethra. Positions (m, A) and normals come from the simulation's surface, one buffer per component.
 in float wallX;
 in float wallY;
 in float wallZ;
@@ -7,12 +7,14 @@ in float wallNormalX;
 in float wallNormalY;
 in float wallNormalZ;
 in float wallArc;  // m along the centre-line
-in float wallTurn; // turns round it
+in float wallTurn; // turns round the centre-line
 
 uniform mat4 mvp;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
-uniform vec3 bend; // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: its straight part (m)
+// x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: length of its straight part
+// (m).
+uniform vec3 bend;
 
 out vec2 spot;
 

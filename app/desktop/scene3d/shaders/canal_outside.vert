@@ -1,6 +1,6 @@
 #version 150
-// The urethra in the overview: behind the tip it lies round the rigid shaft, wherever that is held, up to where it is anchored
-// before the neck. (The simulation's surface knows the tip alone.)
+// The urethra in the overview. Behind the tip it lies round the rigid shaft, wherever the shaft is held, up
+// to its anchored part before the neck. (The simulation's surface knows only the tip.)
 in float wallX;
 in float wallY;
 in float wallZ;
@@ -13,16 +13,19 @@ in float wallTurn;
 uniform mat4 mvp;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
-uniform vec3 bend;     // x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: its straight part (m)
+// x: 2c of the centre-line (1/m), y: mm of a picture of the wall along it, z: length of its straight part
+// (m).
+uniform vec3 bend;
 uniform vec4 tip;      // xyz: m, A; w: its arc length, far outside while the canal is at rest
-uniform vec4 ahead;    // xyz: the way the shaft points, A; w: m behind the tip over which the surface's own offset fades
+// xyz: direction of the shaft, A; w: m behind the tip over which the surface's own offset fades.
+uniform vec4 ahead;
 uniform vec4 anchored; // xy: the tip's offset along x̂ and n, m; z: arc length up to which the canal is free to move, w: of the neck
 
 out vec3 eye;
 out vec3 normal;
 out vec2 spot;
 
-/// z beyond the straight part, at `s` beyond it.
+/// z beyond the straight part, at arc length `s` beyond it.
 float pastOf(float s)
 {
     float z = s;
@@ -34,7 +37,7 @@ float pastOf(float s)
     return z;
 }
 
-/// Turns the direction `from` into `to` the shortest way.
+/// Rotates the direction `from` into `to` by the shortest rotation.
 vec3 turned(vec3 v, vec3 from, vec3 to)
 {
     vec3 axis = cross(from, to);

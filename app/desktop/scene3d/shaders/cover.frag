@@ -1,5 +1,5 @@
 #version 150
-// The featureless cover: nothing of what lies under it.
+// The featureless cover, which shows nothing of what lies under it.
 in vec3 place;
 in vec2 light;
 

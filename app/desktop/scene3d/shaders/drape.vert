@@ -1,5 +1,5 @@
 #version 150
-// Cloth fills most of the picture, so its light is worked out here and not for every pixel.
+// Cloth fills most of the picture, so its light is computed per vertex and not per pixel.
 in vec3 vertexPosition;
 in vec3 vertexNormal;
 in vec2 vertexTexCoord;

@@ -1,5 +1,5 @@
 #version 150
-// A painted picture; it comes as it was painted, not premultiplied.
+// A painted picture, not premultiplied.
 in vec2 at;
 
 uniform sampler2D face;

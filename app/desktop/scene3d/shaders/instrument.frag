@@ -1,5 +1,5 @@
 #version 150
-// Brushed steel and a black coat, lit by a ceiling of soft lamps that is only a formula.
+// Brushed steel and a black coat, lit by a ceiling of soft lamps that exists only as a formula.
 in vec3 place;
 in vec3 normal;
 in float steel;
@@ -7,7 +7,7 @@ in float steel;
 uniform vec3 eyePosition;
 uniform vec3 lamp;
 uniform float outlined; // 1: high contrast, with a bright edge
-uniform vec4 tint; // rgb and opacity: a = 1 is the instrument itself, less is a ghost of this colour
+uniform vec4 tint; // rgb and opacity: a = 1 is the solid instrument, less is a ghost of this colour
 
 out vec4 colour;
 

@@ -1,15 +1,16 @@
-// How the endoscope's own lamp lights a place and how sharp its camera shows it, worked out for each vertex: what is left for
-// each pixel is the picture of the wall and the wet highlight. Put into the vertex shaders of the linings.
+// The light of the endoscope's own lamp at a point and the sharpness of its camera there, computed per
+// vertex. Only the picture of the wall and the wet highlight remain to be computed per pixel. Inserted into
+// the vertex shaders of the linings.
 uniform vec4 lamp;       // xyz: mm, camera; w: gain, mm²
 uniform vec2 sharpness;  // x: 1/focus (1/mm), y: strength of the blur (mm): see ThinLens, over its largest circle
-uniform float rough;     // of the slopes
+uniform float rough;     // roughness of the slopes
 
 out vec3 normal;
 out vec3 across;
 out vec3 along;
 out vec3 toLamp;
 out vec3 halfway;
-out vec3 reach;          // x: the light that arrives, y: that which leaves beside where it entered, z: 1 = sharp
+out vec3 reach; // x: the light that arrives, y: the light that leaves beside where it entered, z: 1 = sharp
 
 void lightUp(vec3 eye, vec3 outward, vec3 way)
 {

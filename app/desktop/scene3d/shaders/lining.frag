@@ -1,5 +1,6 @@
 #version 150
-// Wet mucosa in the light of the endoscope's own lamp, seen by its camera: round picture, darker to its edge.
+// Wet mucosa in the light of the endoscope's own lamp, seen by its camera in a round picture that is darker
+// towards its edge.
 in vec3 normal;
 in vec3 across;
 in vec3 along;
@@ -15,7 +16,7 @@ uniform vec3 red;
 uniform vec3 blood;
 uniform float wet;        // strength of the highlight
 #ifdef FOCUS
-uniform sampler2D blurred; // the same picture, smaller, each place blurred over its circle of confusion
+uniform sampler2D blurred; // the same picture, smaller, each pixel blurred over its circle of confusion
 #endif
 
 out vec4 colour;          // a: 1 = sharp, 0 = the largest circle of confusion
@@ -28,9 +29,9 @@ void main()
     float glint = max(0.0, dot(n, halfway));
     glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; // to the 64th
     vec3 base = mix(mix(pale, red, film.a), blood, film.b);
-    // Light that enters beside a place leaves at it, and it is red.
+    // Light that enters beside a point leaves at it, and it is red.
     vec3 light = base * lit + vec3(0.30, 0.045, 0.035) * reach.y + wet * glint * min(1.3, reach.x);
-    light = light * 1.06 / (light * 0.80 + 0.42); // the camera's own curve
+    light = light * 1.06 / (light * 0.80 + 0.42); // the camera's response curve
     vec2 q = gl_FragCoord.xy * disc.xy + disc.zw;
     float r2 = dot(q, q);
     float edge = clamp((0.992 - r2) * 83.0, 0.0, 1.0);

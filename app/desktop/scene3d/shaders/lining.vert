@@ -8,7 +8,7 @@ in float vertexLight;
 uniform mat4 mvp;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
-uniform vec3 axis; // A: the way in which the picture's second coordinate runs
+uniform vec3 axis; // A: the direction of the picture's second coordinate
 
 out vec2 spot;
 

@@ -1,5 +1,5 @@
 #version 150
-// Painted words on the black of a picture that is off.
+// Painted text on the black of a picture that is switched off.
 in vec2 at;
 
 uniform sampler2D face;

@@ -5,11 +5,11 @@ in vec2 along;
 in vec4 light;
 
 uniform sampler2D skin;  // r, g: slope of the wet film, b: blood in vessels, a: mottling
-uniform vec4 pale;       // rgb; a: how much its vessels show
+uniform vec4 pale;       // rgb; a: how visible its vessels are
 uniform vec4 deep;       // rgb; a: how wet it is
 uniform float outlined;  // 1: high contrast, with a dark edge
 #ifdef GLASS
-uniform float opacity;   // seen through but for its edge
+uniform float opacity;   // transparent except at its edge
 #endif
 
 out vec4 colour;

@@ -1,5 +1,6 @@
 #version 150
-// Soft organs, tube and ovaries: light as on the tissue of the field, worked out here but for the wet highlight.
+// Soft organs, tube and ovaries. The light is the same as on the tissue of the field, computed per vertex
+// except for the wet highlight.
 in vec3 vertexPosition;
 in vec3 vertexNormal;
 in vec2 vertexTexCoord; // mm along the surface
@@ -15,7 +16,8 @@ uniform vec4 lens; // z: strength of the vignette
 out vec3 normal;
 out vec3 halfway;
 out vec2 along;
-out vec4 light;    // x: what reaches this place, y: soft light, z: blanched; below 0 bloody, w: how much it faces the eye
+// x: light that reaches this point, y: soft light, z: blanched; below 0 bloody, w: how much it faces the eye.
+out vec4 light;
 
 void main()
 {

@@ -1,12 +1,12 @@
 #version 150
-// The urethra from outside, for the overview. CUT: its inner side where the near half is cut away; else the near half as
-// glass.
+// The urethra from outside, for the overview. CUT: its inner side where the near half is cut away; otherwise
+// the near half as glass.
 in vec3 eye;
 in vec3 normal;
 in vec2 spot;
 
 uniform vec4 tint;  // rgb, opacity of glass seen straight on
-uniform float rule; // pictures of the wall a line across it; 0: none
+uniform float rule; // number of lines across it per picture of the wall; 0: none
 
 out vec4 colour;
 

@@ -1,5 +1,5 @@
 #version 150
-// Flat things in a picture's own coordinates, −1..1.
+// Flat shapes in the picture's own coordinates, −1..1.
 in vec3 vertexPosition;
 in vec3 vertexNormal;
 in vec2 vertexTexCoord;

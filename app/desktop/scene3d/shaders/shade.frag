@@ -1,5 +1,5 @@
 #version 150
-// The soft shade of what lies or hangs over the floor; a vertex says how dark.
+// The soft shadow of objects that lie on the floor or hang over it; each vertex gives the darkness.
 in vec4 light;
 
 out vec4 colour;

@@ -1,5 +1,5 @@
-// How much of the light a place gets under the tips: a round spot below each, wider and paler with its height.
-// Put before the fragment shaders of the field, with TOOLS defined.
+// The share of the light that reaches a point under the tips: a round spot below each tip, wider and paler
+// with the tip's height. Inserted before the fragment shaders of the field, with TOOLS defined.
 float shadowOf(vec3 place, mat4 tips)
 {
     float shadow = 1.0;

@@ -1,5 +1,5 @@
 #version 150
-// Arrow, lines and pins: their colour tells something, so light changes it little.
+// Arrow, lines and pins. Their colour carries information, so light changes it little.
 in vec3 place;
 in vec3 normal;
 in float steel;
@@ -13,5 +13,6 @@ void main()
 {
     float head = max(0.0, dot(normalize(normal), normalize(eyePosition - place)));
     vec3 own = tint.rgb * (0.62 + 0.38 * head);
-    colour = vec4(mix(own, vec3(1.0), 0.65 * smoothstep(0.58, 0.85, 1.0 - head)), tint.a); // a light edge, on any ground
+    // A light edge, visible on any background.
+    colour = vec4(mix(own, vec3(1.0), 0.65 * smoothstep(0.58, 0.85, 1.0 - head)), tint.a);
 }

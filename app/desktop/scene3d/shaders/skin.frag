@@ -1,7 +1,7 @@
 #version 150
-// Silicone, mucosa over a gland, or skin with an areola, under a lamp beside the camera. Put before it: TOOLS, shadowOf(); MAP
-// (the map lies on it), LUMPS (so many balls are seen through it), OUTLINED (high contrast: flat
-// light, a height line every so many mm).
+// Silicone, mucosa over a gland, or skin with an areola, under a lamp beside the camera. Inserted before it:
+// TOOLS, shadowOf(); MAP (the map lies on it), LUMPS (the number of balls seen through it), OUTLINED (high
+// contrast: flat light and height lines at a fixed distance in mm).
 in vec3 place;
 in vec3 normal;
 in vec3 halfway;
@@ -11,19 +11,19 @@ in vec2 light;
 
 uniform sampler2D skin;  // r, g: slope of the film, b: blood in vessels, a: mottling
 uniform mat4 tips;
-uniform vec4 pale;       // rgb; a: how much its vessels show
+uniform vec4 pale;       // rgb; a: how visible its vessels are
 uniform vec4 deep;       // rgb; a: how wet it is
-uniform vec4 areola;     // x, y: middle, z: radius (1e-3: none), w: grain of the film, 0..1
+uniform vec4 areola;     // x, y: centre, z: radius (1e-3: none), w: grain of the film, 0..1
 #ifdef MAP
 uniform sampler2D surfaceMap;
-uniform vec2 mapScale;   // 1 / whole size of the search area, 1/mm
+uniform vec2 mapScale;   // 1 / size of the search area, 1/mm
 #endif
 #ifdef LUMPS
-uniform mat4 lumpsNear;  // xyz: centre, w: radius; below 0: nobody found it
+uniform mat4 lumpsNear;  // xyz: centre, w: radius; below 0: not found
 uniform mat4 lumpsFar;
 uniform vec3 eyePosition;
 
-// rgb and opacity of a ball that is seen through the surface, along the line of sight.
+// Colour and opacity of a ball seen through the surface along the line of sight.
 vec4 throughTo(vec4 lump, vec3 way, vec4 over)
 {
     vec3 to = lump.xyz - place;
@@ -71,9 +71,9 @@ void main()
 #endif
     float shadow = shadowOf(place, tips);
 #ifdef OUTLINED
-    float pixel = max(1e-4, fwidth(place.z)); // so the line is as wide in the picture on every slope
+    float pixel = max(1e-4, fwidth(place.z)); // keeps the line equally wide in the picture on every slope
     float line = abs(fract(place.z / OUTLINED) - 0.5) * OUTLINED / pixel;
-    float level = smoothstep(0.9996, 0.9985, normal.z); // no line along what lies flat
+    float level = smoothstep(0.9996, 0.9985, normal.z); // no line on flat surfaces
     colour = vec4(mix(base * light.y * shadow, vec3(0.05), level * (1.0 - smoothstep(0.7, 1.5, line))), 1.0);
 #else
     vec3 n = normalize(normal + areola.w * vec3(film.rg - 0.5, 0.0));

@@ -1,6 +1,6 @@
 #version 150
-// Mucosa with vessels under a lamp beside the camera. A software rasteriser runs both sides of every branch, so the cover and
-// the high-contrast look are programs of their own; TOOLS is how many tips there are.
+// Mucosa with vessels under a lamp beside the camera. A software rasteriser executes both sides of every
+// branch, so the cover and the high-contrast look are separate programs. TOOLS is the number of tips.
 in vec3 place;
 in vec3 normal;
 in vec3 halfway;
@@ -9,7 +9,7 @@ in vec2 press;
 in vec2 light;
 
 uniform sampler2D skin;  // r, g: slope of the wet film, b: blood in vessels, a: mottling
-uniform mat4 tips;       // xyz: drawn tip, w: 1 = throws a shadow
+uniform mat4 tips;       // xyz: drawn tip, w: 1 = casts a shadow
 
 out vec4 colour;
 

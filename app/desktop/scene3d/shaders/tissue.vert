@@ -1,5 +1,5 @@
 #version 150
-// The surface gives way under the tips as Dent::displaced() says: one column of each matrix a tool, millimetres.
+// The surface yields to the tips as in Dent::displaced(): one matrix column per tool, in millimetres.
 in vec3 vertexPosition;
 in vec3 vertexNormal;
 in vec2 vertexTexCoord;
@@ -11,14 +11,15 @@ uniform mat4 dentNormal; // xyz: outward normal, w: reach
 uniform vec3 eyePosition;
 uniform vec3 lamp;       // towards the overhead lamp, unit
 uniform vec4 lens;       // z: strength of the vignette
-uniform mat4 presses;    // xyz: pressed point, w: 0..1 how hard
+uniform mat4 presses;    // xyz: pressed point, w: strength, 0..1
 
 out vec3 place;
 out vec3 normal;
-out vec3 halfway;        // between lamp and eye
+out vec3 halfway;        // halfway between lamp and eye
 out vec2 along;
 out vec2 press;          // x: blanched, y: blood pushed aside
-out vec2 light;          // x: what reaches this place, y: the soft light on it; both darker towards the picture's corners
+// x: light that reaches this point, y: soft light on it; both darker towards the picture's corners.
+out vec2 light;
 
 void main()
 {
@@ -49,7 +50,7 @@ void main()
     press = min(press, 1.0);
     press.y *= 1.0 - press.x;
     along = vertexTexCoord / 72.0;
-    // Light is soft: its diffuse part is worked out here, only the wet highlight for every pixel.
+    // The diffuse part of the soft light is computed here, and only the wet highlight per pixel.
     vec3 toEye = normalize(eyePosition - moved);
     halfway = normalize(toEye + lamp);
     vec2 corner = gl_Position.xy / gl_Position.w;

@@ -1,5 +1,5 @@
 #version 150
-// A mark of one colour; round ones may be drawn up to a share of their turn.
+// A mark of one colour. Round marks may be drawn up to a share of a turn.
 in vec2 at;
 
 uniform vec4 tint;

@@ -8,7 +8,7 @@ namespace chiron::desktop {
 
 namespace {
 
-constexpr qint64 kBuffer_us = 30'000; // short enough that a click belongs to its touch
+constexpr qint64 kBuffer_us = 30'000; // short enough that a click coincides with its contact
 
 QAudioFormat formatFor(const QAudioDevice& device) {
     QAudioFormat format = device.preferredFormat();

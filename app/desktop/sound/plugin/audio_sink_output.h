@@ -11,12 +11,13 @@
 
 namespace chiron::desktop {
 
-/// The cues on a Qt audio sink with a thread of its own: neither a busy window nor the sound server can make the other
-/// wait. GUI thread.
+/// Plays the cues on a Qt audio sink with a thread of its own, so that a busy window and the sound server
+/// cannot block each other.
+/// Thread: GUI.
 class AudioSinkOutput final : public ISoundOutput {
 public:
     explicit AudioSinkOutput(const QAudioDevice& device);
-    ~AudioSinkOutput() override; ///< ends the thread
+    ~AudioSinkOutput() override; ///< stops the thread
 
     void set(const SoundCues& cues) noexcept override { m_cues.publish(cues); }
     bool works() const noexcept override { return m_works.load(std::memory_order_relaxed); }

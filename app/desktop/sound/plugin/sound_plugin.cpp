@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Qt Multimedia behind sound_output.h: a plugin, so that the program starts without loading it.
+// Implements sound_output.h with Qt Multimedia, in a plugin, so that the program starts without loading it.
 #include "desktop/sound/plugin/audio_sink_output.h"
 
 #include <QMediaDevices>
