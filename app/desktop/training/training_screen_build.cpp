@@ -40,9 +40,7 @@ TrainingScreen::TrainingScreen(AppContext& context, const Place& place)
             m_level = &*m_tried;
         }
     if (m_level) {
-        // The cues for force that is not felt: a person who watches feels nothing, whatever the device
-        // renders.
-        m_cues = session::cuesOf(*m_level, false);
+        m_cues = session::cuesOf(*m_level, m_plan.feltByPerson());
         if (const auto kind = session::exerciseKind(m_level->exercise)) {
             m_limits = session::levelLimits(*m_level);
             m_tool = (*kind)->pointerTool();
