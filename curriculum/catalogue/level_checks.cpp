@@ -71,7 +71,7 @@ void checkGates(const ExerciseLevel& level, const QJsonArray& json, Problems& pr
     }
 }
 
-/// Hands that take the device's frame for the field cannot be mounted anywhere else.
+/// Checks the mounting. Tools that take the device's frame for the field cannot be mounted anywhere else.
 void checkMounting(const ExerciseLevel& level, Problems& problems) {
     if (level.mounting.empty())
         return;
