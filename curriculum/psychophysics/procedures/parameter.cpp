@@ -57,7 +57,7 @@ struct RangeCheck {
                 return fault;
         return {};
     }
-    // Switches, words, grids and tables have no range.
+    // Switches, grids and tables have no range.
     template <class Other> std::string operator()(const Other&) const { return {}; }
 };
 
