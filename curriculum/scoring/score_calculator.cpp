@@ -103,7 +103,7 @@ core::Result<ScoreCard> calculateScore(const SessionTrace& trace, std::span<cons
     const auto onGrids = onStoredGrids(trace);
     if (!onGrids)
         return tl::unexpected(onGrids.error());
-    /// Only trials that had an end: a trial that was cut off says nothing about the whole.
+    // Only trials that had an end: a trial that was cut off says nothing about the whole.
     std::vector<PreparedTrial> prepared;
     ScoreCard card;
     for (const TrialTrace& trial : onGrids->trials) {

@@ -78,7 +78,7 @@ bool endsBelow(const Posterior& psignifit, const Posterior& open) {
 /// Returns the posterior for the intervals: with psignifit's prior, opened at each end where it would
 /// determine the interval.
 Posterior forIntervals(Posterior psignifit) {
-    /// Share of the posterior below which opening the prior never halves the lower end of a 95 % interval.
+    // Share of the posterior below which opening the prior never halves the lower end of a 95 % interval.
     constexpr double kNothingBelow = 0.003;
     const bool above = endsAbove(psignifit);
     if (widthBelow(psignifit.parts, psignifit.model.priors.fullWidthFrom()) > kNothingBelow) {

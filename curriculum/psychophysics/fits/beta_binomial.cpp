@@ -20,7 +20,7 @@ double logRising(double a, double c, double count) noexcept {
     if (c > 0.0 || count <= kFew) {
         while (count > 0.0 && (count <= kFew || a < kSeriesFrom * c)) {
             double product = 1.0;
-            /// The product of eight terms stays within the range of a double.
+            // The product of eight terms stays within the range of a double.
             for (int term = 0; term < 8 && count > 0.0; ++term, count -= 1.0, a += c) {
                 product *= a;
             }

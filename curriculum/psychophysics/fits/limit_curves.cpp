@@ -77,8 +77,8 @@ StepCurve bestStep(const LevelsView& levels, const FreeParameters& free, double 
             chooseEnds(step, below, above, free);
             weigh(step, below, above, at);
             const double alike = std::isfinite(best.logLikelihood) ? 1e-9 * std::max(1.0, std::abs(best.logLikelihood)) : 0.0;
-            /// Of two equally likely steps, the one between levels is preferred: halfway, so that mirrored
-            /// data give the mirrored step.
+            // Of two equally likely steps, the one between levels is preferred: halfway, so that mirrored
+            // data give the mirrored step.
             const bool freer = best.atLevel && !step.atLevel;
             if (step.logLikelihood > best.logLikelihood + alike || (freer && step.logLikelihood > best.logLikelihood - alike)) {
                 best = step;

@@ -81,7 +81,7 @@ FitResult fitMaximumLikelihood(const PsychometricData& data, const FitOptions& g
     }
     const FreeParameters free = freeParameters(options);
     const double lapse = free.lapse ? 0.0 : options.lapse.value, guess = free.guess || free.equal ? 0.0 : options.guess.value;
-    /// These options take milliseconds anyway, so the thorough search costs little.
+    // These options take milliseconds anyway, so the thorough search costs little.
     const bool read = options.profileIntervals || options.bootstrap != Bootstrap::none || options.monteCarlo > 0;
     const SearchResult found = (read ? searchThoroughly : searchMaximum)(options.function, viewOf(levels), free, lapse, guess);
     result.freeParameters = free.count();

@@ -252,7 +252,7 @@ CurveParameters posteriorMode(const PosteriorModel& model, const std::vector<Cur
             best = top.height > best.height ? top : best;
         }
     }
-    /// Climb again from the result, so that a collapsed simplex is not mistaken for the mode.
+    // Climb again from the result, so that a collapsed simplex is not mistaken for the mode.
     for (const double scale : {-0.4, 0.1, -0.02}) {
         const Corner found = Simplex(space, best.at, scale).climb(250);
         best = found.height > best.height ? found : best;

@@ -37,8 +37,8 @@ Sums<Ends> sumsAt(const LevelsView& levels, const UnitCurve& curve, [[maybe_unus
     for (std::size_t i = 0; i < levels.size; ++i) {
         const double u = levels.unit[i];
         const SigmoidValue s = Shape::at(curve.alpha + curve.beta * u);
-        /// A level of 0 on a logarithmic axis is at minus infinity. S is flat there, whatever rounding does
-        /// to its slope.
+        // A level of 0 on a logarithmic axis is at minus infinity. S is flat there, whatever rounding does to
+        // its slope.
         const double place = std::isfinite(u) ? u : 0.0;
         const double psi = curve.guess + reach * s.rise;
         const double rest = curve.lapse + reach * s.rest;

@@ -261,7 +261,7 @@ WorthEstimate fitThurstonePairs(int objects, const std::vector<Selection>& given
 }
 
 WorthEstimate fitThurstoneOrders(int objects, const std::vector<std::vector<int>>& bestFirst) {
-    /// Judges produce few distinct pairs, so counting them saves time.
+    // Judges produce few distinct pairs, so counting them saves time.
     std::map<std::pair<int, int>, double> wins;
     for (const std::vector<int>& order : bestFirst)
         for (std::size_t i = 0; i < order.size(); ++i)

@@ -97,7 +97,7 @@ void setPairs(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
 
 void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) {
     std::vector<Selection> selections;
-    /// Shares of the orders, by pair, so that many rankings cost no more than a few.
+    // Shares of the orders, by pair, so that many rankings cost no more than a few.
     std::map<std::pair<int, int>, double> ahead;
     for (const SaidRanks& ranks : rankings) {
         const auto orders = ordersOf(ranks);
@@ -116,7 +116,7 @@ void setWorths(RankingSummary& summary, const std::vector<SaidRanks>& rankings) 
     setPairs(summary, rankings);
     summary.plackettLuce = fitPlackettLuce(static_cast<int>(kObjects), selections);
     summary.thurstone = fitThurstonePairs(static_cast<int>(kObjects), halves);
-    /// The pairs of one ranking are not independent.
+    // The pairs of one ranking are not independent.
     std::fill(summary.thurstone.standardError.begin(), summary.thurstone.standardError.end(),
               std::numeric_limits<double>::quiet_NaN());
 }

@@ -42,7 +42,7 @@ core::Result<void> Pest::take(const RecordedTrial& trial) {
     ++m_trialsHere;
     m_rightHere += trial.outcome;
     const double excess = m_rightHere - m_trialsHere * m_spec.target;
-    /// Allows for rounding, so that a deviation that is just reached is not exceeded.
+    // Allows for rounding, so that a deviation that is just reached is not exceeded.
     const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * (m_spec.waldDeviation + m_trialsHere);
     if (excess > m_spec.waldDeviation + rounding)
         step(-1);

@@ -72,7 +72,7 @@ int QuestPlus::candidateOf(const Stimulus& presented) const {
     const auto found = std::find_if(m_model->stimuli.begin(), end, same);
     if (found == end)
         return -1;
-    /// The stimulus stands in several rows: it was the chosen row, also when trials are replayed.
+    // The stimulus stands in several rows: it was the chosen row, also when trials are replayed.
     if (std::find_if(found + 1, end, same) != end) {
         const Choice chosen = choose();
         if (same(chosen.stimulus))

@@ -19,7 +19,7 @@ ParameterGrid usualGrid(const std::string& parameter, const std::vector<double>&
         return {parameter, evenGrid(levels.front(), levels.back(), 41), {}, false};
     if (parameter == "sd")
         return {parameter, evenGrid(0.05 * range, range, 9), {}, false};
-    /// The slope refers to a change in x, so for a table of D it depends on the table's range.
+    // The slope refers to a change in x, so for a table of D it depends on the table's range.
     if (parameter == "slope") {
         std::vector<double> slopes{1.5, 2.0, 3.0, 4.5, 7.0};
         for (double& slope : slopes)

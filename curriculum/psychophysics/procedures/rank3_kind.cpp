@@ -22,7 +22,7 @@ std::vector<Parameter> rank3Rows() {
                                    .title = QT_TRANSLATE_NOOP("Procedures", "Same difference in a row"),
                                    .meaning = QT_TRANSLATE_NOOP("Procedures", "A difference is shown at most so often in succession; 0: no limit."),
                                    .sensible = SensibleRange{0, 1000, 4}})};
-    /// The parameter is log10 of the noise, so its spread is a factor on any scale.
+    // The parameter is log10 of the noise, so its spread is a factor on any scale.
     addStopRows<Spec>(rows, {.precision = true, .sd = Quantity::factor});
     std::vector<Parameter> rest{
         rowOf(&Spec::lapse, {.key = "lapse_rates", .quantity = Quantity::share, .maximum = 1, .fewest = 1, .description = "grid of lapse rates.",

@@ -126,7 +126,7 @@ void Staircase::step(Direction direction, int reversalsForSize) {
         break;
     }
     if (m_spec.stepType != StaircaseSpec::StepType::linear)
-        /// From 0 or infinity no step would lead back.
+        // From 0 or infinity no step would lead back.
         m_level = std::clamp(m_level, kLeastRatio, 1.0 / kLeastRatio);
     if (m_spec.truncate)
         m_level = clamped(m_level);

@@ -52,7 +52,7 @@ ThurstonePrior priorOf(const Condition& condition, const ScoredAnswers& answers)
         prior.highCriterion = 6.0;
     if (condition.task == Task::rank3Ties)
         prior.highCriterion = kMostTie;
-    /// From below the lowest presented value to above the highest.
+    // From below the lowest presented value to above the highest.
     if (condition.task == Task::yesNo && !answers.points.empty()) {
         const double margin = 0.5 * answers.largestDifference;
         prior.lowCriterion = std::min(0.0, answers.points.front().difference) - margin;
@@ -76,7 +76,7 @@ void widenToExact(ThurstonePosterior& posterior, const ThurstonePrior& prior, Ta
             of += point.of;
         }
     const ProportionInterval exact = exactInterval(right, of);
-    /// The proportion falls as σ grows. The result is an end of the prior if no observer has this proportion.
+    // The proportion falls as σ grows. The result is an end of the prior if no observer has this proportion.
     const auto sigmaAt = [&](double share, double lapse) {
         double low = prior.lowLog10Sigma, high = prior.highLog10Sigma;
         for (int halving = 0; halving < 60; ++halving) {
@@ -159,7 +159,7 @@ RunEstimate estimateRun(const Condition& condition, const std::vector<ScoredTria
         result.warnings.push_back({WarningKind::noReference});
         return result;
     }
-    /// Nothing is compared; summariseApex evaluates the marks.
+    // Nothing is compared; summariseApex evaluates the marks.
     if (condition.stimulus.attribute == Attribute::apex) {
         result.method = EstimateMethod::apexMarks;
         result.trials = static_cast<int>(trials.size());

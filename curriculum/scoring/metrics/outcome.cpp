@@ -15,7 +15,7 @@ namespace {
 Measurement shareDone(std::span<const PreparedTrial> trials, std::size_t of) {
     if (trials.empty())
         return Measurement::undefined(UndefinedReason::noTrials);
-    /// An exercise in which a mark ends the trial has no procedure to complete.
+    // An exercise in which a mark ends the trial has no procedure to complete.
     for (const PreparedTrial& trial : trials)
         if (trial.tool == nullptr || (!trial.trial->insertion && trial.trial->quantities.empty()))
             return Measurement::undefined(UndefinedReason::noProcedure);

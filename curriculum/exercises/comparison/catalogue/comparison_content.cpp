@@ -112,10 +112,10 @@ QJsonObject parametersJson(const Parameters& p) {
                     {"control", kControls[static_cast<std::size_t>(p.control)]}};
     for (const Number& key : kNumbers)
         out[QLatin1String(key.name)] = p.*key.member;
-    /// Absent in sessions of earlier versions, whose buttons answered at any time.
+    // Absent in sessions of earlier versions, whose buttons answered at any time.
     if (p.buttonNeedsAll)
         out["button_needs_all"] = true;
-    /// Absent in sessions of earlier versions, in which any touch counted.
+    // Absent in sessions of earlier versions, in which any touch counted.
     if (p.probeAtLeast_N > 0.0)
         out["probe_at_least_N"] = p.probeAtLeast_N;
     QJsonObject object;
