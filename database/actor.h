@@ -12,7 +12,7 @@ using PersonId = std::int64_t;
 using SessionId = std::int64_t;
 
 enum class ActorKind : std::uint8_t {
-    anonymous,   ///< nobody logged in: may log in, and read simulated sessions
+    anonymous,   ///< without a login: may log in, and read simulated sessions
     simulated,   ///< the built-in account of scripted operators
     /// The program itself: recovers sessions that a crash left open, and does nothing else.
     maintenance,

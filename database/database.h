@@ -23,7 +23,7 @@ class Database {
 public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
-    ~Database(); ///< the writer drains its sources, runs what is queued, and closes
+    ~Database(); ///< the writer drains its sources, runs the queued jobs, and closes
 
     /// Creates a new file with schema, site key and the simulated account, and opens it for writing.
     /// Errors: badInput if the file exists (it is not changed); locked; storage.

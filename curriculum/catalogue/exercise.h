@@ -56,7 +56,7 @@ struct ExerciseLevel {
     int exerciseVersion = 1;
     std::string
         resolvedJson; ///< canonical JSON of the level with every default filled in: what a session stores
-    std::string resolvedSha256; ///< of those bytes, lower-case hex
+    std::string resolvedSha256; ///< SHA-256 of resolvedJson, lower-case hex
 };
 
 /// Explains something that is drawn in the scene.

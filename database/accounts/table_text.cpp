@@ -78,7 +78,7 @@ std::size_t utf8Length(std::string_view bytes, std::size_t i) {
 }
 
 struct Utf8Count {
-    std::size_t good = 0; ///< characters of more than one byte
+    std::size_t good = 0; ///< valid characters of more than one byte
     std::size_t bad = 0;
     std::size_t firstBad = 0;
 };

@@ -42,7 +42,7 @@ enum class Bootstrap : std::uint8_t { none, parametric, nonparametric };
 /// psignifit's prior for the estimates; for the intervals, each end is opened at which psignifit's prior, and
 /// not the answers, would determine the interval.
 enum class WidthPrior : std::uint8_t { automatic, psignifit, openBelow, openAbove, wide };
-std::string_view widthPriorToken(WidthPrior prior) noexcept; ///< automatic: auto
+std::string_view widthPriorToken(WidthPrior prior) noexcept; ///< the token of automatic is "auto"
 std::optional<WidthPrior> widthPriorFromToken(std::string_view token) noexcept;
 /// percentile: of the marginals; projection: of the joint region of highest density.
 enum class CredibleMethod : std::uint8_t { percentile, projection };

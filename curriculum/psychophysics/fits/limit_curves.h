@@ -9,7 +9,7 @@ namespace chiron::psychophysics {
 /// between two levels or at one of them, and no rise at all (width → ∞). Their likelihoods have closed forms,
 /// lapse and guess included.
 struct StepCurve {
-    std::size_t level = 0;    ///< the step is at this level ...
+    std::size_t level = 0;    ///< level of the step; see atLevel
     bool atLevel = false;     ///< true: at this level, which has a proportion of its own; false: between the
                               ///< previous level and this one
     double share = 0.0;       ///< ψ at the level itself, if atLevel

@@ -90,7 +90,7 @@ std::vector<double> breaksWithin(const QuadratureAxis& axis, const std::vector<d
 
 /// The location of one part of the posterior.
 struct Part {
-    PosteriorAxes axes; ///< coarse
+    PosteriorAxes axes; ///< axes of the coarse grid
     std::array<std::vector<double>, PosteriorAxes::count> mass;
     double logMass = 0.0;
 };

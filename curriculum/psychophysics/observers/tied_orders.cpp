@@ -20,7 +20,7 @@ constexpr double kStep = 0.4;  ///< sd, width of the trapezoids; their error for
                                ///< 1e-14
 constexpr int kPoints = 46;
 
-constexpr double kTableStep = 0.05; ///< of d
+constexpr double kTableStep = 0.05; ///< step of d in the table
 constexpr double kTableEnd = 12.0;
 
 /// Probabilities, given the percept of the middle object, that another object lies below or above it, each

@@ -90,7 +90,7 @@ struct QuestionnaireItem {
     std::vector<StudyText> choices;
     std::string construct;             ///< "face", "content", "" ...: the heading under which it is
                                        ///< summarised
-    double lowest = 0.0, highest = 0.0; ///< number
+    double lowest = 0.0, highest = 0.0; ///< number: allowed range
     bool required = true;
 };
 

@@ -77,7 +77,8 @@ public:
 
     void stability() const {
         const double lightest = m_p.massLow_kg > 0.0 ? m_p.massLow_kg : m_p.object.mass_kg;
-        const auto slopeAtCap = [&](const simulation::ObjectAttributes& a) { // of k/b (e^{bx} - 1): k + b f
+        // The slope of k/b (e^{bx} - 1) at the force f is k + b f.
+        const auto slopeAtCap = [&](const simulation::ObjectAttributes& a) {
             return a.stiffness_N_per_m * (1.0 + a.recoveryShare) + a.stiffening_per_m * m_p.maximumForce_N;
         };
         const double stiffness = slopeAtCap(m_p.object) + slopeAtCap(m_p.bed) + m_p.object.bristleStiffness_N_per_m +

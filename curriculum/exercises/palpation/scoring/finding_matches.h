@@ -12,7 +12,7 @@ namespace chiron::scoring {
 struct FindingMatch {
     static constexpr int kNone = -1;
 
-    int finding = 0;        ///< its number in the book
+    int finding = 0;        ///< its index in the FindingsBook
     int lump = kNone;       ///< the lump it found; kNone: a false alarm
     double distance_m = 0.0; ///< to that lump's position, or to the nearest lump's; infinite if there is no
                              ///< lump

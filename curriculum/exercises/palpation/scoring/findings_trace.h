@@ -17,7 +17,7 @@ struct TimedReport {
     double t_s = 0.0; ///< time of the trace
     core::ReportField field = core::ReportField::found;
     int finding = simulation::FindingsBook::kNone; ///< the finding that it is about
-    unsigned value = 0;                      ///< as in the report word
+    unsigned value = 0;                      ///< as encoded in the report word
     core::Vec3 place_W = core::Vec3::Zero(); ///< of the finding, on the surface, m
 };
 
