@@ -23,8 +23,8 @@ struct ExerciseContent {
     /// The parameter that names a preset of the exercise (exercises/<id>/presets/<name>.json). The preset's
     /// parameters apply where the level gives none of its own. "" if the exercise has no presets.
     std::string_view presetKey = "";
-    /// Returns for how many instruments a level may state the mounting. Only exercises whose tools know where
-    /// their device stands have such instruments; null means none.
+    /// Returns for how many instruments a level may state the mounting. It is set for exercises whose
+    /// scripted operators distinguish the device's frame D from W; null means none.
     int (*mountable)(const ExerciseParameters& parameters) = nullptr;
 };
 

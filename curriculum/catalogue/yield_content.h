@@ -26,7 +26,7 @@ inline void readYield(const ObjectReader& parameters, simulation::YieldLaw& law)
             law.torque_Nm = torque_mNm / 1000.0;
 }
 
-/// Checks that tissue gives way only above the largest correct force, and at three times that force at the
+/// Checks that tissue gives way only above the largest allowed force, and at three times that force at the
 /// latest.
 inline void checkYield(const simulation::YieldLaw& law, double limit_N, const QString& path, Problems& problems) {
     constexpr double kMost = 3.0;

@@ -74,8 +74,8 @@ struct QuantityTrace {
     std::vector<double> values;
 };
 
-/// A true value of a trial, from its content and seed, that a metric needs: a target or a limit. SI; the name
-/// contains the unit.
+/// A ground-truth value of a trial, from its content and seed, that a metric needs: a target or a limit. SI;
+/// the name contains the unit.
 struct NamedValue {
     std::string id;
     double value = 0.0;
@@ -93,7 +93,7 @@ struct TrialTrace {
     std::optional<ApexTruth> apex;
     std::optional<InsertionSeries> insertion; ///< exercises through a canal
     std::vector<QuantityTrace> quantities; ///< exercises whose scene records quantities
-    std::vector<NamedValue> truth;    ///< true values of this trial that its exercise adds
+    std::vector<NamedValue> truth;    ///< ground-truth values of this trial from its exercise
     bool failed = false;    ///< kFailed: the trial could not be completed any more
     bool completed = false; ///< kCompleted: the procedure was done to its end; in other exercises a mark ends
                             ///< the trial

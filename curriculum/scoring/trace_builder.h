@@ -32,8 +32,8 @@ core::Result<SessionTrace> buildSessionTrace(const TraceRows& rows, std::string_
 /// buildSessionTrace gives the same scores from them.
 TraceRows rowsOf(const SessionTrace& trace);
 
-/// Return the ids of the true values in any trial, in the order of appearance, for the columns truth_<id>;
-/// and a trial's values in that order, NaN if it has none.
+/// Return the ids of the ground-truth values in any trial, in the order of appearance, for the columns
+/// truth_<id>; and a trial's values in that order, NaN if it has none.
 std::vector<std::string> truthIdsOf(const std::vector<TrialTrace>& trials);
 std::vector<double> truthOf(const TrialTrace& trial, const std::vector<std::string>& ids);
 /// Set the canal columns as rowsOf does, for callers that write their own rows: the values of the trial,

@@ -43,7 +43,7 @@ int findTraceColumn(std::string_view name);
 
 inline constexpr std::string_view kQuantityPrefix = "quantity_"; ///< + id: quantity of the scene,
                                                                  ///< core::QuantityDescription
-inline constexpr std::string_view kTruthPrefix = "truth_";       ///< + id: true value of the trial,
+inline constexpr std::string_view kTruthPrefix = "truth_";       ///< + id: ground truth of the trial,
                                                                  ///< NamedValue
 
 /// Returns the id after the prefix in the name of a column that an exercise named: 1 to 64 letters, digits

@@ -34,7 +34,7 @@ std::string shown(std::string_view text) {
     return out + (text.size() > kLongest ? "...\"" : "\"");
 }
 
-constexpr std::size_t kMostNamed = 64; ///< largest number of quantities, and of true values
+constexpr std::size_t kMostNamed = 64; ///< largest number of quantities, and of ground-truth values
 
 /// A column of the file: one of the fixed table, or one that an exercise named.
 struct Column {

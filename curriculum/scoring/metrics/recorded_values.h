@@ -19,7 +19,7 @@ inline const QuantityTrace* quantityOf(const PreparedTrial& trial, std::string_v
     return nullptr;
 }
 
-/// Returns a true value of a trial by its name.
+/// Returns a ground-truth value of a trial by its name.
 inline std::optional<double> truthOf(const PreparedTrial& trial, std::string_view id) {
     for (const NamedValue& value : trial.trial->truth)
         if (value.id == id)
