@@ -150,7 +150,7 @@ private:
     Node listOf(Node items) const { return arrayNode(row.fewest, row.most, description, std::move(items)); }
 };
 
-/// Returns a default as the schema shows it; empty means that the schema does not mention it.
+/// Writes a default as the schema shows it; empty means that the schema does not mention it.
 struct DefaultOf {
     QString operator()(double value) const { return QString::number(value); }
     QString operator()(int value) const { return QString::number(value); }

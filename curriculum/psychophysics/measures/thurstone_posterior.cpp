@@ -118,8 +118,8 @@ double guessed(Task task, int kind) noexcept {
     return rightOrWrong && kind == 0 ? 1.0 - share : share;
 }
 
-/// Returns attentive() for many answers that share a criterion. Rankings with ties come from a table, because
-/// each is an integral.
+/// Computes attentive() for many answers that share a criterion. Rankings with ties come from a table,
+/// because each is an integral.
 class Attentive {
 public:
     Attentive(Task task, double criterion) : m_task(task), m_criterion(criterion) {

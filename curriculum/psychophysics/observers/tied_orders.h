@@ -21,8 +21,8 @@ RankingProbabilities tiedRankProbabilities(double d, double tie) noexcept;
 /// Returns only the first of them: entirely correct, nothing tied.
 double rightOrderProbability(double d, double tie) noexcept;
 
-/// Returns tiedRankProbabilities for one `tie` from a table by cubic interpolation: within 1e-6 for |d| ≤ 12
-/// + tie, and the limit beyond.
+/// A table of tiedRankProbabilities for one `tie`, with cubic interpolation: within 1e-6 for |d| ≤ 12 + tie,
+/// and the limit beyond.
 class TiedOrderTable {
 public:
     explicit TiedOrderTable(double tie);

@@ -191,7 +191,7 @@ Measurement measureLandmarksSeen(std::span<const PreparedTrial> trials) {
                       : Measurement::of(100.0 * static_cast<double>(seen) / static_cast<double>(asked));
 }
 
-/// Returns the stage at a time. The times asked for must be in ascending or nearly ascending order.
+/// Finds the stage at a time. The times asked for must be in ascending or nearly ascending order.
 class StageAt {
 public:
     StageAt(const ToolTrace& tool, const InsertionSeries& series) : m_tool(tool), m_series(series) {}
